@@ -110,7 +110,13 @@ class _Ends:
             t, s = self._values("t")
             if agree([(v + u) / 2 * (s - t)], [p - q]):
                 mean = line("(", self._bare(v, "v"), *self._plus(u, "v"), ")/2 · ", self._bare(s - t, "t"))
-                words = f"mean speed of {self.law.coordinate.words}: "
+                what = self.law.coordinate.words
+                turned = self.law.coordinate.unit == "rad"
+                words = (
+                    f"mean angular velocity of {what.removeprefix('angle of ')}: "
+                    if turned
+                    else f"mean speed of {what}: "
+                )
                 yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
         elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]):
             product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))

@@ -39,5 +39,6 @@ def chain(terms: Sequence[Decimal], unit: Unit, phrases: Phrases, told: str = ""
     """Terms in base units and what they come to, with its unit. `told`: another text of that, as J is of N m."""
     result = sum(terms, Decimal(0))
     number = display(Decimal(0) if agree(terms, []) else result, unit, phrases.ledger.us)
-    value = Value(number, unit.text if phrases.ledger.us else told or unit.text, phrases.figures)
+    text = told or unit.text
+    value = Value(number, text.replace("J", unit.text) if phrases.ledger.us else text, phrases.figures)
     return [*added(terms, unit, phrases), Text(" = "), value] if len(terms) > 1 else [value]

@@ -145,7 +145,8 @@ def _of_joint(found: Uses, instant: InstantSolution, mode: Mode) -> None:
         if j.path is not None and motion is not None and not mode.facts.laws and _turns(instant, j.base):
             _add(found.sliding, (j.place, j.base) if motion.slide_speed(j) != 0 else None)
     joint = next((j.joint for j in mode.facts.joinings), "")
-    if mode.name in ("stick", "slip") and joint and found.forces:
+    rubs = mode.name == "stick" or (mode.name == "slip" and mode.facts.laws)
+    if rubs and joint and found.forces:
         _add(found.sticking if mode.name == "stick" else found.slipping, joint)
     _add(found.cords, next((push.joint for push in mode.facts.pushes if push.kind == "tension"), None))
 
@@ -228,10 +229,7 @@ def _laws(uses: Uses) -> Iterator[str]:
         yield "Impulse and momentum across the blow."
     if uses.energies:
         yield "Work and energy between the states."
-    if any(b.gain != 0 or not b.law.kept for b in uses.momenta):
-        yield "Impulse and momentum over a time."
-    if any(b.gain == 0 and b.law.kept for b in uses.momenta):
-        yield "Conservation of momentum."
+    yield from _momenta(uses)
     over = uses.over | ({OVER_TIME} if uses.integrated else set())
     if over:
         yield from sorted(over)
@@ -241,5 +239,17 @@ def _laws(uses: Uses) -> Iterator[str]:
         yield "Small oscillations about an equilibrium."
 
 
+def _momenta(uses: Uses) -> Iterator[str]:
+    if any(b.gain != 0 or not b.law.kept for b in uses.momenta):
+        yield "Impulse and momentum over a time."
+    kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
+    if any(b.law.lead != TURNING for b in kept):
+        yield "Conservation of momentum."
+    if any(b.law.lead == TURNING for b in kept):
+        yield "Conservation of angular momentum."
+
+
 OVER_TIME = "Integration over time."
+TURNING = "↺ "
+"""The lead of a balance of moments or of angular momentum."""
 DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in equilibrium."
