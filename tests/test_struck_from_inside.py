@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from answered import solved
 
@@ -30,7 +32,7 @@ KEYS = [
 
 @pytest.mark.parametrize("keys", KEYS)
 @pytest.mark.parametrize("centre", ["0", "1 m", "0.1 m", "-2 m"])
-def test_a_ball_strikes_the_end_of_its_slot(tmp_path, keys: str, centre: str) -> None:  # type: ignore[no-untyped-def]
+def test_a_ball_strikes_the_end_of_its_slot(tmp_path: Path, keys: str, centre: str) -> None:
     """Wherever the mass centre of the cart lies: m v = (m + M) u."""
     found = solved(tmp_path, SLOT.format(keys=keys, centre=centre))
     assert float(found["v"].values[0]) == pytest.approx(0.4)
@@ -55,6 +57,6 @@ find: {v: v(ball/rod).along(rod) @ 3}
 """
 
 
-def test_a_ball_strikes_the_stop_at_the_end_of_a_rod(tmp_path) -> None:  # type: ignore[no-untyped-def]
+def test_a_ball_strikes_the_stop_at_the_end_of_a_rod(tmp_path: Path) -> None:
     found = solved(tmp_path, ROD)
     assert float(found["v"].values[0]) == pytest.approx(-1.0)
