@@ -949,7 +949,7 @@ def test_impulses_that_are_not_unique() -> None:
     with pytest.raises(NoSolution) as caught:
         solve(TWO_PINS.format(axis="x"))
     assert [d.code for d in caught.value.diagnostics] == ["PL603"]
-    assert "A_x" in caught.value.diagnostics[0].message
+    assert "impulse(A).x" in caught.value.diagnostics[0].message
 
 
 TOGETHER = """

@@ -12,6 +12,7 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def _page(name: str) -> str:
@@ -77,3 +78,25 @@ def test_radii_of_wheels_get_letters_that_cancel_against_places() -> None:
     page = _page("motion/rack-driven-by-a-crossed-belt")
     assert "r_wheel ω_wheel = -r_driver ω_driver" in page
     assert "s = r_pinion θ_wheel,2" in page
+
+
+def test_members_of_one_name_keep_their_own_numbers() -> None:
+    """Two forces on one body, without names, and two contacts of one particle."""
+    problem, _ = load_text(TWO_FORCES)
+    assert problem is not None
+    (found,) = (f for part in solve_problem(problem).parts for f in part.found)
+    assert found.values is not None
+    assert float(found.values[0]) == pytest.approx((12 - 3) / 2)
+
+
+TWO_FORCES = """
+plane: horizontal
+points: {P: [0, 0]}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints: [guide: {point: P, along: 0 deg}]
+loads:
+  - force: {body: ball, magnitude: 12 N, angle: 0 deg}
+  - force: {body: ball, magnitude: 3 N, angle: 180 deg}
+instant: [at rest]
+find: {a: a(ball).x}
+"""

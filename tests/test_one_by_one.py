@@ -26,8 +26,8 @@ def test_no_unknown_is_found_twice() -> None:
 def test_a_largest_speed_gives_its_place_first() -> None:
     """The rate of v² is a product with v, which does not vanish: what is left has the place alone."""
     text = " ".join(Terminal(200).render(narrate(worked(FILES["block-down-a-slope-onto-a-buffer"])[0])).split())
-    assert "s_fastest = m g sin β / k" in text
-    assert text.index("s_fastest = m g sin β") < text.index("T_fastest =")
+    assert "s_fastest = m g (sin β - μ cos β) / k + a" in text
+    assert text.index("s_fastest = m g (sin β") < text.index("T_fastest =")
 
 
 def test_no_law_of_motion_for_the_impulse_of_a_blow() -> None:

@@ -61,7 +61,9 @@ def lettered(problem: Problem) -> Problem:
     for x in literals:
         same = {other.size for other in literals if other.letter == x.letter}
         name = x.letter if len(same) == 1 else f"{x.letter}_{x.owner[1]}"
-        if name not in taken:
+        # Members without a name of their own are called alike: their numbers stay.
+        alike = {other.size for other in literals if other.letter == x.letter and other.owner[1] == x.owner[1]}
+        if name not in taken and len(alike) == 1:
             names[x.owner, x.key] = name
             given.setdefault(name, Symbol(name, x.number, None, x.number.mark))
     if not given:
@@ -70,8 +72,8 @@ def lettered(problem: Problem) -> Problem:
         problem,
         given=(*problem.given, *given.values()),
         bodies=tuple(_with_radius(b, names) for b in problem.bodies),
-        joints=tuple(_with_letters(j, names) for j in problem.joints),
-        loads=tuple(_with_letters(x, names) for x in problem.loads),
+        joints=tuple(_with_letters(j, names, given) for j in problem.joints),
+        loads=tuple(_with_letters(x, names, given) for x in problem.loads),
         cases=cases,
     )
 
@@ -120,8 +122,14 @@ def _taken(problem: Problem) -> set[str]:
     return {x.name for x in (*numbers, *others)} | {f.name for f in problem.find} | set(RESERVED)
 
 
-def _with_letters(member: Any, names: dict[tuple[tuple[str, str], str], str]) -> Any:
-    """A joint or load with letters for its numbers."""
-    own = {key: name for (owner, key), name in names.items() if owner == _owner(member)}
+def _with_letters(member: Any, names: dict[tuple[tuple[str, str], str], str], given: dict[str, Symbol]) -> Any:
+    """A joint or load with letters for its numbers; another one of the same name may have other numbers."""
+    own = {k: n for (o, k), n in names.items() if o == _owner(member) and _same(getattr(member, k), given[n].value)}
     changed = {key: Name(name, None, getattr(member, key).mark) for key, name in own.items()}
     return replace(member, **changed) if changed else member
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Are they the same number?"""
+    both = isinstance(one, Number) and isinstance(other, Number)
+    return both and (one.value, one.unit, one.sense) == (other.value, other.unit, other.sense)

@@ -44,7 +44,7 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     several = " are" if len(told) > 1 else " is"
     named = line(*_names(told), several) if told else line("What follows is")
     how = " with trial values, until the motion passes all states" if tried else ""
-    words = f" found step by step: {what} integrated numerically{how} (by a Runge–Kutta method)"
+    words = f" found by numerical integration: {what} integrated{how} (by a Runge–Kutta method)"
     begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
     yield Paragraph(line(*named, words, *begun, ":"))
     yield from shown if whole else ()
