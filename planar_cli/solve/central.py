@@ -16,7 +16,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.scene import At, Body, Particle, Point, Polar, Problem, State, Symbol
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import is_endless
 from planar_cli.solve.solved_problem import Solution
 
 QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}
@@ -44,8 +44,7 @@ def in_polar_coordinates(problem: Problem) -> Problem:
 
 
 def _part(problem: Problem) -> Problem:
-    told = (n for s in problem.states for r in s.relations for n in walk(r))
-    endless = any(isinstance(n, Name) and n.name == "infinity" for n in told)
+    endless = any(is_endless(s.relations) for s in problem.states)
     if problem.coordinates or endless or not problem.states[1:] or problem.plane == "vertical":
         return problem
     if any(isinstance(r, AtRest) for r in problem.states[0].relations):
