@@ -173,7 +173,8 @@ def test_numerical_integration_says_of_what_and_from_where() -> None:
     said = blocks[first - 1]
     assert isinstance(said, Paragraph)
     words = "".join(p.text for p in said.line if isinstance(p, Text))
-    assert "integrated numerically (by a Runge–Kutta method) from state 1 on" in words
+    assert "found by numerical integration" in words
+    assert "are integrated (by a Runge–Kutta method) from state 1 on" in words
     assert [p.number for p in said.line if isinstance(p, Value)] == [12, 0]
 
 
