@@ -101,13 +101,8 @@ class AskedTelling:
             vector = self._parts(what)
             if vector is not None:
                 size = self.size(vector, answer.unit.dimension)
-                yield Equation(
-                    (
-                        line(Name(answer.name)),
-                        size,
-                        *self.phrases.in_units(answer.values[0], answer.unit, answer.energy),
-                    )
-                )
+                values = self.phrases.in_units(answer.values[0], answer.unit, answer.energy)
+                yield Equation((line(Name(answer.name)), size, *values))
                 return
         axes = ("x", "y") if len(answer.asked) == 2 else ("",)
         for i, (axis, expr) in enumerate(zip(axes, answer.asked, strict=True)):
@@ -193,12 +188,12 @@ class AskedTelling:
         level = "velocity" if word == "v" else "acceleration"
         if point not in self.scene.points:
             own = centre_of(self.scene, point)
-            yield from self._on_path(point, own, level)
+            yield from self._on_path(point, own, self.scene.center(point), level)
             yield from self._along_body(point, own, level)
             yield from self._body_point(point, self.scene.center(point), own, level)
             return
         place = self.scene.point(point)
-        yield from self._on_path(self.scene.owner(point), point, level)
+        yield from self._on_path(self.scene.owner(point), point, place, level)
         yield from self._along_body(self.scene.owner(point), point, level)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
             if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
@@ -215,21 +210,25 @@ class AskedTelling:
             yield from self.vectors.along(body)
             yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
 
-    def _on_path(self, body: str, place: str, level: str) -> Iterator[Block]:
-        """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n."""
+    def _on_path(self, body: str, place: str, at: Vec, level: str) -> Iterator[Block]:
+        """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n. Of a body that turns only the point that
+        is led along the path moves so, and the others by the vector equation that starts from it.
+        """
         edge, path = self.vectors.edges.get(body), self._curved(body)
-        if edge is None or path is None or edge.slide is None:
+        if edge is None or path is None or edge.slide is None or edge.joining is None:
             return
-        motion, at = self.vectors.motion, self.scene.center(body)
+        motion = self.vectors.motion
+        if self.vectors.formula(body, at, place, level) is not None:
+            place, at = edge.joining.place, edge.joining.point
         if level == "velocity" or edge.slide_rate is None or f"{level} {place}" in self._told:
             return
+        moves = self.phrases.value.known(edge.slide) != 0
         normal = path.tangent.turned() if self.phrases.value(path.curvature) > 0 else -path.tangent.turned()
-        speed = self.phrases.math(edge.slide**2)
-        parts = line(self.phrases.math(edge.slide_rate), " ", Name("e_t"), " + ", speed, "/ρ ", Name("e_n"))
-        note = line(
-            Name("e_t"), " = ", *self._vector(path.tangent, PURE), ", ", Name("e_n"), " = ", *self._vector(normal, PURE)
-        )
-        radius = list(self._radius(path, place, note))
+        across = line(" + ", self.phrases.math(edge.slide**2), "/ρ ", Name("e_n")) if moves else ()
+        parts = line(self.phrases.math(edge.slide_rate), " ", Name("e_t"), *across)
+        units = line(Name("e_t"), " = ", *self._vector(path.tangent, PURE))
+        note = line(*units, ", ", Name("e_n"), " = ", *self._vector(normal, PURE)) if moves else units
+        radius = list(self._radius(path, place, note)) if moves else []
         yield from radius
         sides = (line(Name(f"a_{place}")), parts)
         yield from self._once(f"{level} {place}", sides, motion.acceleration(at, body), level, () if radius else note)
@@ -253,7 +252,8 @@ class AskedTelling:
         if radius.is_Symbol and plain_name(radius.name) == "ρ":
             return
         clean = self.phrases.symbolic or is_clean(self.phrases.ledger, radius)
-        shown = (self.phrases.math(radius),) if clean and not longer(radius, LONGEST) else ()
+        told = clean and not longer(radius, LONGEST) and not (value and radius.is_number)
+        shown = (self.phrases.math(radius),) if told else ()
         yield Equation((line("ρ"), *shown, *value), None, note=note)
 
     def _asked_radius(self, answer: Found, q: Quantity) -> Iterator[Block]:
