@@ -23,7 +23,7 @@ from planar_cli.motion.source import Singular
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
 from planar_cli.motion.transition import Moment, Resolved, grazing, resolve, turnings
 from planar_cli.motion.unstable import growth_note
-from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, watch_of
+from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, telling_of, watch_of
 from planar_cli.motion.zeno import Bounces, summed_up
 from planar_cli.records import changing
 
@@ -301,24 +301,24 @@ class Follower:
         """What ended the run: guards, the next state, or the time."""
         number = len(regime.guards)
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
-        events = [e for e in self.waiting.next() if e.crossing is not None]
+        told = telling_of(self.waiting.next())
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
         if (last := next((g for i in (*fallen, *grazed) if (g := regime.guards[i]).kind == LENGTH), None)) is not None:
             self.outcome = endings.spent(last, self.t)
             return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
             self.transitions.append(grazing(guard.joint, self.t, self.y, self.choice))
-        for crossing in run.crossings:
-            event = events[crossing.index - number] if crossing.index >= number else None
-            if event is not None and meant(event, crossing.way):
+        for crossing in (c for c in run.crossings if c.index >= number):
+            event, telling = told[crossing.index - number]
+            if event in self.waiting.next() and meant(telling, crossing.way):
                 noise = min(max(NOISE * self.setting.tolerance, ROUNDING), LOUDEST), self.automaton.time_scale
-                real = self.waiting.counts(event, regime, self.choice, run, *noise)
+                real = self.waiting.counts(event, telling, regime, self.choice, run, *noise)
                 if real and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)
                 elif run.t1 == run.t0 and not fallen:
                     self.t, self.y = beyond(regime, self.t, self.y, self.automaton.time_scale)
         if self.outcome is None and (not run.crossings or any(regime.guards[i].kind in ENDS for i in fallen)):
-            for event in [e for e in events if e in self.waiting.next()]:
+            for event in [e for e, c in told if c is e.crossing and e in self.waiting.next()]:
                 if at_edge(event, regime, self.choice, run, self.setting.tolerance):
                     self._reach(event)
         again = next((regime.guards[i] for i in fallen if regime.guards[i].kind == AGAIN), None)

@@ -52,6 +52,8 @@ class Event:
     """The time at which it is, where the file says so [s]."""
     crossing: Crossing | None = None
     """What reaches zero there."""
+    others: tuple[Crossing, ...] = ()
+    """What reaches zero there too, and tells the state where the first one is only touched; all hold there."""
     modes: tuple[tuple[str, str], ...] = ()
     """Joints with the mode that they have there: it is reached when they all have it."""
     conditions: tuple[Condition, ...] = ()
@@ -64,6 +66,11 @@ class Event:
     """At t = infinity: reached when the motion has settled."""
     back: int = 0
     """It comes before so many of the given times that are listed just before it: after them it never happens."""
+
+    @property
+    def crossings(self) -> tuple[Crossing, ...]:
+        """All that reaches zero there."""
+        return self.others if self.crossing is None else (self.crossing, *self.others)
 
 
 @record

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from planar_cli.motion.automaton import Automaton, Choice, Regime
 from planar_cli.motion.crossings import Watch
 from planar_cli.motion.drive import Run
-from planar_cli.motion.schedule import Event, Reached, Schedule
+from planar_cli.motion.schedule import Crossing, Event, Reached, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.settling import next_look, settled
 
@@ -26,6 +26,12 @@ LOOKS = (0.01, 0.03, 0.1)
 
 EDGE = 0.01
 """So much of a run before its end its functions are looked at."""
+SHARP = 1e-4
+"""So many time scales before the end of a run it is looked how fast a number comes to zero."""
+FLAT = 0.1
+"""What comes to zero more slowly than this part of the fastest is only touched there."""
+ALSO = 1e-9
+"""Below this part of its scale what comes to zero faster is zero at the same instant."""
 
 
 class Waiting:
@@ -135,22 +141,25 @@ class Waiting:
                 return event
         return None
 
-    def counts(self, event: Event, regime: Regime, choice: Choice, run: Run, noise: float, span: float) -> bool:
+    def counts(
+        self, event: Event, crossing: Crossing, regime: Regime, choice: Choice, run: Run, noise: float, span: float
+    ) -> bool:
         """Is a change of sign at the end of a run, of what tells a state, a zero, and more than rounding?
 
-        Just after the state before it is still that one's zero; what has died out has no zeros; and at a pole or a jump
-        it does not become small. `noise`: what has come of the tolerance, in parts of scales; `span`: the time scale
-        [s].
+        Just after the state before it is still that one's zero; what has died out has no zeros; at a pole or a jump it
+        does not become small; and what is only touched does not tell a state before that does which crosses. `noise`:
+        what has come of the tolerance, in parts of scales; `span`: the time scale [s].
         """
-        assert event.crossing is not None
         if run.t1 - self._since(event) <= max(SOON, noise) * span:
             return False
         looks = [t for part in LOOKS if (t := run.t1 - part * span) >= run.t0]
-        values = [event.crossing.value(regime, choice, t, run.at(t)) for t in looks]
-        here = abs(event.crossing.value(regime, choice, run.t1, run.y1))
-        if here > max(noise * event.crossing.scale, SMALL * max(map(abs, values), default=0.0)):
+        values = [crossing.value(regime, choice, t, run.at(t)) for t in looks]
+        here = abs(crossing.value(regime, choice, run.t1, run.y1))
+        if here > max(noise * crossing.scale, SMALL * max(map(abs, values), default=0.0)):
             return False
-        return not values or max(map(abs, values)) > noise * event.crossing.scale
+        if values and max(map(abs, values)) <= noise * crossing.scale:
+            return False
+        return not event.others or _is_sharpest(event, crossing, regime, choice, run, span)
 
     def due(self, t: float) -> list[Event]:
         """The states whose time has come."""
@@ -216,19 +225,38 @@ def at_edge(event: Event, regime: Regime, choice: Choice, run: Run, tolerance: f
     if abs(crossing.value(regime, choice, run.t1, run.y1)) > near or abs(before) <= near:
         return False
     way = "falls" if before > 0 else "rises"
-    return meant(event, way) and fits(event, regime, choice, run.t1, run.y1)
+    return meant(crossing, way) and fits(event, regime, choice, run.t1, run.y1)
 
 
-def meant(event: Event, way: str) -> bool:
+def meant(crossing: Crossing, way: str) -> bool:
     """Does the number pass zero in the way that the state means?"""
-    assert event.crossing is not None
-    return event.crossing.sense == 0 or way == ("falls" if event.crossing.sense < 0 else "rises")
+    return crossing.sense == 0 or way == ("falls" if crossing.sense < 0 else "rises")
+
+
+def telling_of(events: Iterable[Event]) -> list[tuple[Event, Crossing]]:
+    """What tells that states are reached, in the order in which it is watched."""
+    return [(e, crossing) for e in events for crossing in e.crossings]
+
+
+def _is_sharpest(event: Event, crossing: Crossing, regime: Regime, choice: Choice, run: Run, span: float) -> bool:
+    """Does nothing else that tells the state come to zero there much faster, a little later?
+
+    The instant at which a height is largest is known to half the digits by the height, to all by its rate.
+    """
+    before = max(run.t1 - SHARP * span, run.t0)
+
+    def ways(one: Crossing) -> tuple[float, float]:
+        values = [one.value(regime, choice, t, run.at(t)) / one.scale for t in (before, run.t1)]
+        return abs(values[1] - values[0]), abs(values[1])
+
+    own, _ = ways(crossing)
+    return all(here <= ALSO or own >= FLAT * way for way, here in map(ways, event.crossings))
 
 
 def watch_of(regime: Regime, choice: Choice, events: Iterable[Event]) -> Watch:
     """The guards, and behind them what tells that the next states are reached."""
     scales, falling = [g.scale for g in regime.guards], [True] * len(regime.guards)
-    crossings = [e.crossing for e in events if e.crossing is not None]
+    crossings = [crossing for _, crossing in telling_of(events)]
     if not crossings:
         return Watch(regime.watch, scales, falling)
 

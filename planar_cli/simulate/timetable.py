@@ -58,6 +58,7 @@ class Timetable:
         """One state after the first."""
         crossing: Crossing | None = None
         time, after, rest, endless = None, "", False, False
+        equal = list[Relation]()
         modes: list[tuple[str, str]] = []
         conditions: list[Condition] = []
         for statement in self._telling(state):
@@ -82,27 +83,33 @@ class Timetable:
                     size = _vanishing(statement)
                     if size is None:
                         crossing = self._crossing(statement)
+                        equal.append(statement)
                     else:
                         # A magnitude does not change its sign: it is smallest there, and nothing.
                         crossing = self._extreme(Extreme(size, -1, statement.text, statement.mark))
                         conditions.append(self._condition(statement))
                 case Relation():
                     conditions.append(self._condition(statement))
-        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless)
+                    if equal and statement.operator == "=" and _vanishing(statement) is None:
+                        equal.append(statement)
+        if len(equal) > 1:
+            conditions.append(self._condition(equal[0]))
+        others = tuple(self._crossing(r) for r in equal[1:])
+        return Event(state.name, time, crossing, others, tuple(modes), tuple(conditions), after, rest, endless)
 
     # --- what tells it -----------------------------------------------------------------------------------------------
 
     def _telling(self, state: State) -> list[Statement]:
         """The statements, what tells most sharply when they hold first.
 
-        Rest tells better than a place that is only just reached in it. Of something that is largest where something
-        else dates the state, a sought constant makes the most, not the time.
+        Rest tells better than a place that is only just reached in it, and so does what is largest. Of something that
+        is largest where something else dates the state, a sought constant makes the most, not the time.
         """
         rest = [s for s in state.relations if isinstance(s, AtRest | Equilibrium)]
         other = [s for s in state.relations if not isinstance(s, AtRest | Equilibrium)]
         if chooses(self.problem, state):
             other = [s for s in other if not isinstance(s, Extreme)]
-        return [*rest, *other]
+        return [*rest, *sorted(other, key=lambda s: not isinstance(s, Extreme))]
 
     def _time(self, relation: Relation) -> float:
         side = relation.right if isinstance(relation.left, Name) and relation.left.name == "t" else relation.left
