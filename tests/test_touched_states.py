@@ -7,6 +7,7 @@ from math import pi, sqrt
 import pytest
 from answered import first, solve
 
+from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Run, Settings, followed, prepared
 
@@ -64,3 +65,22 @@ def motion(top: str) -> Run:
     problem, wrong = load_text(BALL.format(top=top))
     assert problem is not None, wrong
     return followed(prepared(problem, {}), Settings(estimate=False, times=5.0))
+
+
+def test_what_is_largest_where_its_value_is_given() -> None:
+    """Largest in time: the unknown is not what makes it so."""
+    thrown = BALL.format(top="y(b) = 1.25 m, y(b) is largest").replace("9.81 m/s]", "v_0]")
+    found = solve(thrown.replace("bodies:", "unknowns: {v_0: m/s}\nbodies:").replace("met: reached(top)", "v: v_0"))
+    assert first(found["v"]) == pytest.approx(sqrt(2 * 9.81 * 1.25))
+    wanted = "y(b) = 4 m, y(b) is largest"
+    with pytest.raises(NoSolution, match=r"state top is never reached: y\(b\) = 4 m; y\(b\) is largest$"):
+        solve(BALL.format(top=wanted).replace("met: reached(top)", "t: t @ top"))
+
+
+def test_what_is_largest_where_a_state_is_only_just_reached() -> None:
+    thrown = BALL.format(top="y(b) = 4.905 m, x(b) is largest").replace("9.81 m/s]", "v_0]")
+    with pytest.raises(NoSolution) as wrong:
+        solve(thrown.replace("bodies:", "unknowns: {v_0: m/s}\nbodies:").replace("met: reached(top)", "v: v_0"))
+    told = wrong.value.diagnostics[0]
+    assert told.message == "`x(b) is largest` at about v_0 = 9.81 m/s, the last value with which state top is reached"
+    assert "`v(P).y = 0`" in (told.hint or "")

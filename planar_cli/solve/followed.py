@@ -115,7 +115,7 @@ def _demand_all_reached(problem: Problem, run: Run) -> None:
     asked = asked_about(problem)
     for state in problem.states:
         if state.name not in run.measures.moments and state.name not in asked:
-            texts = "; ".join(r.text for r in state.relations if isinstance(r, Relation))
+            texts = "; ".join(dict.fromkeys(r.text for r in state.relations if isinstance(r, Relation)))
             text = f"state {state.name} is never reached: {texts}" if texts else f"state {state.name} is never reached"
             raise NoSolution([Diagnostic(state.mark, "PL621", text, run.trajectory.outcome.words)])
 

@@ -75,8 +75,11 @@ def _chosen(problem: Problem, best: Best) -> dict[str, float]:
     unknown = problem.unknowns[0]
     if best.state:
         number = _number(unknown, best.value, problem.us, 3)
-        text = f"beyond about {number} the state {best.state} is not reached; what is best there is no matter of slopes"
-        hint = "state what ceases to hold there, such as `N(P) = 0` of a contact that is only just kept"
+        state = next(s for s in problem.states if s.name == best.state)
+        asked = next(r for r in state.relations if isinstance(r, Extreme))
+        text = f"`{asked.text}` at about {number}, the last value with which state {best.state} is reached"
+        hint = "write in its place what ceases to hold there: `N(P) = 0` of a contact that is only just kept, "
+        hint += "`v(P).y = 0` of what only just comes so high"
         raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)])
     return {unknown.name: best.value}
 
@@ -109,7 +112,8 @@ def _number(unknown: Symbol, value: float, us: bool, figures: int = 6) -> str:
     """A constant with its value in its own unit."""
     unit = parse_unit(unknown.unit or "1")
     measure = "" if unit.text == "1" else f" {unit.text}"
-    return f"{unknown.name} = {display(Decimal(repr(value)), unit, us):.{figures}g}{measure}"
+    rounded = float(f"{display(Decimal(repr(value)), unit, us):.{figures}g}")
+    return f"{unknown.name} = {rounded:.6g}{measure}"
 
 
 def _of_extreme(problem: Problem) -> Undecided | None:

@@ -294,7 +294,7 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     assert name is not None
     stop, demands = course.stops[name], course.demands[name]
     stated = next(s.relations for s in course.problem.states if s.name == name)
-    texts = "; ".join(r.text for r in stated)
+    texts = "; ".join(dict.fromkeys(r.text for r in stated))
     if not demands or all(d.kind == "inequality" for d in demands):
         lacking = missing(course)
         if lacking is not None:
