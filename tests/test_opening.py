@@ -94,15 +94,26 @@ def _given(stem: str) -> str:
     [
         ("ex-4-10", "Work and energy"),
         ("ex-4-05", "Newton's second law"),
-        ("ex-2-09", "Coriolis acceleration"),
+        ("ex-2-09", "2 ω × v_rel"),
         ("ex-4-13", "across the blow"),
-        ("four-bar", "Kinematics"),
+        ("four-bar", "v_B = v_A + ω × r_B/A"),
         ("two-blocks-joined-by-a-cord", "Newton's second law"),
+        ("ex-1-02", "Position vectors: r_B = r_A + r_B/A."),
+        ("ex-1-07", "Simple harmonic motion."),
+        ("ex-1-10", "Constant angular acceleration."),
+        ("ex-1-13", "Path coordinates: a = v̇ e_t + v²/ρ e_n."),
+        ("ex-1-14", "Polar coordinates"),
+        ("ex-4-07", "Kinetic energy of each body"),
+        ("wind-felt-by-a-cyclist", "Relative motion"),
     ],
 )
 def test_the_principle_that_is_used(stem: str, words: str) -> None:
     """Also where all forces are summed in slanting directions."""
     assert words in _notes(stem)["Principle"]
+
+
+def test_polar_coordinates_about_a_fixed_point_are_no_relative_motion() -> None:
+    assert "elative" not in _notes("ex-1-14")["Principle"]
 
 
 def test_one_answer_alone_has_no_head() -> None:

@@ -8,11 +8,11 @@ import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.plain import simplified
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Line, Math, Name, Text, line
 from planar_cli.solve.law import Law
 
 ROOT = sp.Symbol("lambda")
-UNDAMPED = "no damping"
+UNDAMPED, HARMONIC = "no damping", "simple harmonic motion"
 _WHAT_IS_ZERO = re.compile(r", (?:c|ω²) [=<] 0")
 
 
@@ -31,16 +31,24 @@ def with_coefficients(words: str, law: Law | None, time: sp.Symbol) -> Line:
         return line(words)
     if before.startswith(UNDAMPED) and time not in law.f.free_symbols:
         square = line(Name("omega_0"), "² = ", Math(simplified(stiffness)))
-        return line("simple harmonic motion with ", *square, _WHAT_IS_ZERO.sub("", after))
+        return line(f"{HARMONIC} with ", *square, _WHAT_IS_ZERO.sub("", after))
     before = before.replace("the roots 0 and -c of", "0 and another root of")
     terms = [*(ROOT * t for t in sp.Add.make_args(damping)), *sp.Add.make_args(stiffness)]
     return line(before, Math(ROOT**2), *map(_with_sign, terms), " = 0", _WHAT_IS_ZERO.sub("", after))
 
 
+def linear_method(words: str, law: Law | None, time: sp.Symbol) -> str:
+    """How a linear law is solved, as the head of a page names it: by what `with_coefficients` prints."""
+    text = "".join(p.text for p in with_coefficients(words, law, time) if isinstance(p, Text))
+    if text.startswith(HARMONIC):
+        return "Simple harmonic motion."
+    return "Linear equation of motion, solved by its characteristic equation."
+
+
 def _kind(words: str, driven: bool) -> str:
     """How a law swings whose ω_n and ζ were told."""
     if words == UNDAMPED and not driven:
-        return "simple harmonic motion"
+        return HARMONIC
     return words + {"under-damped": ", ζ < 1", "critically damped": ", ζ = 1", "over-damped": ", ζ > 1"}.get(words, "")
 
 

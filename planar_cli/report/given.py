@@ -83,7 +83,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
     for block in page:
         summed |= isinstance(block, Equation) and _is_of_forces(block.note)
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
-        for piece in _pieces(block):
+        for piece in pieces_of(block):
             match piece:
                 case Text(text):
                     found |= set(re.findall(r"\w+", text))
@@ -104,7 +104,7 @@ def _is_of_forces(note: Line) -> bool:
     return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf"))
 
 
-def _pieces(value: object) -> Iterator[Inline]:
+def pieces_of(value: object) -> Iterator[Inline]:
     """All pieces of the lines of a block."""
     match value:
         case Text() | blocks.Name() | Math() | Value():
@@ -113,10 +113,10 @@ def _pieces(value: object) -> Iterator[Inline]:
             yield from (value.left, value.right)
         case tuple():
             for part in value:
-                yield from _pieces(part)
+                yield from pieces_of(part)
         case _:
             for slot in getattr(value, "__slots__", ()):
-                yield from _pieces(getattr(value, slot))
+                yield from pieces_of(getattr(value, slot))
 
 
 def given_rows(problem: Problem, page: Mentioned, figures: int) -> tuple[tuple[Line, ...], ...]:
@@ -351,7 +351,7 @@ def _driven(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
     for relation in (law.statement for law in problem.motion):
         if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
             left, right = said(relation.left, figures), said(relation.right, figures)
-            names = {p.name for p in _pieces(left) if isinstance(p, blocks.Name)}
+            names = {p.name for p in pieces_of(left) if isinstance(p, blocks.Name)}
             number = number_of(relation.right) is not None and not is_zero(relation.right)
             if left and right and number and (page.numeric or page.words.isdisjoint(names)):
                 yield line(left, " = ", right)

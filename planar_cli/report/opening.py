@@ -12,8 +12,9 @@ from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Value, line
 from planar_cli.report.given import Mentioned, given_rows, idle_masses, mentioned
+from planar_cli.report.principles import principles
 from planar_cli.report.sides import AS_WRITTEN, said
-from planar_cli.report.uses import Uses, principles
+from planar_cli.report.uses import Uses
 from planar_cli.report.words import Phrases
 
 MOST_GIVEN = 18
@@ -33,7 +34,8 @@ def opening_notes(
     names = dict.fromkeys(f.name for f in problem.find)
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
-    yield Note("Principle", line(" ".join(principles(uses))))
+    if told := principles(uses, blocks):
+        yield Note("Principle", line(" ".join(told)))
 
 
 def not_used(problem: Problem, blocks: Sequence[Block], figures: int) -> Iterator[Note]:

@@ -9,11 +9,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 from typing import Any
 
+import sympy as sp
+
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import GROUND
+from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
+from planar_cli.report.characteristic import linear_method
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
@@ -22,6 +26,7 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
 MOVING = ("v", "a", "coriolis")
+OVER_TIME = "Integration over time."
 
 
 @record
@@ -56,6 +61,14 @@ class Uses:
     left_out: list[tuple[str, str]] = field(default_factory=list)
     """Points whose relation leaves out an unknown, with that."""
     cords: list[str] = field(default_factory=list)
+    extreme: bool = False
+    """Is something largest or smallest?"""
+    axles: bool = False
+    """Does a body turn about a fixed pin?"""
+    asked: set[str] = field(default_factory=set)
+    """The words of all that is asked: r, v, omega."""
+    taut: set[str] = field(default_factory=set)
+    """Of what kinds the joints are that pull: rope, belt, link."""
     moments: list[Moments] = field(default_factory=list)
     groups: list[tuple[str, ...]] = field(default_factory=list)
     """Several bodies whose forces are summed together."""
@@ -72,6 +85,12 @@ class Uses:
     """Kinds of integrals of laws, v(t), v(q), …; constant: of such an acceleration; steady: of such a speed."""
     over: set[str] = field(default_factory=set)
     """What integrals of laws that are not constant run over, in words."""
+    constant: set[str] = field(default_factory=set)
+    """The units of the coordinates whose speed or acceleration is constant."""
+    passages: set[str] = field(default_factory=set)
+    """What is told beside the equations, by the kinds of `solve.passages`."""
+    kinetic_energy: bool = False
+    """Is the kinetic energy of one instant asked?"""
     integrated: bool = False
     swings: bool = False
 
@@ -98,11 +117,15 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
             _of_motion(found, part.motion)
         if part.followed is not None:
             found.integrated = True
+        found.passages |= {p.kind for p in part.tale.passages if p.rows} if part.tale is not None else set()
+        found.beside |= any(_refers(i) for i in part.instants)
         for answer in part.found:
+            found.kinetic_energy |= part.motion is None and answer.energy
             what = answer.find.found.what if answer.find is not None else None
+            found.asked |= {n.word for n in walk(what) if isinstance(n, Quantity)} if what is not None else set()
             if isinstance(what, Quantity) and what.word in MOVING:
                 base = what.things[1] if len(what.things) == 2 else GROUND
-                found.beside |= base != GROUND
+                found.beside |= base != GROUND and any(_moves(i, base) for i in part.instants)
                 _add(found.frames, base if any(_turns(i, base) for i in part.instants) else None)
     return found
 
@@ -110,6 +133,25 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
 def _turns(instant: InstantSolution, body: str) -> bool:
     motion = instant.trial.system.motion
     return motion is not None and body in motion.velocities and motion.velocities[body].angular != 0
+
+
+def _refers(instant: InstantSolution) -> bool:
+    """Does the file give a velocity or an acceleration relative to something that moves?"""
+    problem = instant.instant.scene.problem
+    stated = [*(law.statement for law in problem.motion), *(problem.instant or ())]
+    stated += [s for state in problem.states for s in state.relations]
+    given = (n for s in stated for n in walk(s) if isinstance(n, Quantity) and n.word in MOVING)
+    return any(len(q.things) == 2 and _moves(instant, q.things[1]) for q in given)
+
+
+def _moves(instant: InstantSolution, base: str) -> bool:
+    """Does a body, or a point, to which something refers move?"""
+    scene, motion = instant.instant.scene, instant.trial.system.motion
+    owner = base if base in scene.bodies else scene.owner(base)
+    if owner == GROUND or motion is None:
+        return False
+    v = motion.velocity(scene.point(base), owner)
+    return base == owner or v.x != 0 or v.y != 0
 
 
 def _stages(part: PartSolution, instant: InstantSolution) -> tuple[Stage, ...]:
@@ -123,6 +165,7 @@ def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]
     found.at_rest |= instant.instant.at_rest
     found.together = max([found.together, *(len(b.unknowns) for s in stages for b in s.blocks)])
     for w in written:
+        found.extreme |= w.source == "extreme"
         if w.law == "relation":
             _of_relation(found, w)
         elif w.law == "single":
@@ -140,6 +183,7 @@ def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]
 def _of_joint(found: Uses, instant: InstantSolution, mode: Mode) -> None:
     motion = instant.trial.system.motion
     for j in mode.facts.joinings:
+        found.axles |= j.path is None and j.rolling is None and j.base == GROUND and _turns(instant, j.mover)
         if j.rolling is not None:
             _add(found.rolling, (j.mover, j.base, j.place))
         if j.path is not None and motion is not None and not mode.facts.laws and _turns(instant, j.base):
@@ -148,7 +192,9 @@ def _of_joint(found: Uses, instant: InstantSolution, mode: Mode) -> None:
     rubs = mode.name == "stick" or (mode.name == "slip" and mode.facts.laws)
     if rubs and joint and found.forces:
         _add(found.sticking if mode.name == "stick" else found.slipping, joint)
-    _add(found.cords, next((push.joint for push in mode.facts.pushes if push.kind == "tension"), None))
+    pulling = next((push.joint for push in mode.facts.pushes if push.kind == "tension"), None)
+    _add(found.cords, pulling)
+    found.taut |= {type(j).kind for j in instant.instant.scene.problem.joints if j.name == pulling}
 
 
 def _of_relation(found: Uses, w: Written) -> None:
@@ -178,17 +224,20 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
         found.restitution |= e.kind == "blow" and e.words.startswith("Restitution")
         if e.law is not None and e.law.f != 0:
             steady = not e.law.f.free_symbols & {*motion.varying, e.law.v}
+            if steady:
+                found.constant.add(e.law.coordinate.unit)
             found.laws.add(e.kind if not steady else "constant" if e.law.order == 2 else "steady")
-            found.over |= set() if steady else {_over(e)}
+            found.over |= set() if steady else {_over(e, motion.ledger.symbols["t"])}
         found.integrated |= e.kind == "followed"
+        found.extreme |= e.kind == "extreme"
     found.integrated |= any(p.how in ("integral", "quadrature", "flow") for s in motion.spans for p in s.pieces)
     found.swings |= bool(motion.oscillations)
 
 
-def _over(e: Relation) -> str:
+def _over(e: Relation, time: sp.Symbol) -> str:
     """What the integral of a law runs over."""
     if e.span is not None and EQUATION in e.span.words:
-        return "Linear equation of motion, solved by its characteristic equation."
+        return linear_method(e.span.words, e.law, time)
     if e.kind in ("v(q)", "q(v)"):
         turns = e.law is not None and e.law.coordinate.unit == "rad"
         return f"Integration over the {'angle: ω dω = α dθ' if turns else 'way: v dv = a ds'}."
@@ -203,53 +252,3 @@ def _relations(routes: Iterable[RouteTrace]) -> Iterator[Relation]:
 def _add(kept: list[Any], new: Any) -> None:
     if new is not None and new not in kept:
         kept.append(new)
-
-
-def principles(uses: Uses) -> list[str]:
-    """What the head of a page names, a sentence for each."""
-    return list(_laws(uses)) or ["Kinematics: places, velocities and accelerations."]
-
-
-def _laws(uses: Uses) -> Iterator[str]:
-    if uses.coriolis:
-        yield "Motion relative to a turning body, with the Coriolis acceleration."
-    elif uses.beside:
-        yield "Motion relative to a moving body."
-    if uses.relations and not (
-        uses.kinetic or uses.energies or uses.momenta or uses.blows or uses.beside or uses.coriolis
-    ):
-        yield "Kinematics: places, velocities and accelerations."
-    if uses.forces:
-        yield DALEMBERT if uses.inertial else "Newton's second law."
-    if any("virtual power" in words for words in uses.singles):
-        yield "Virtual power, in which no reaction takes part."
-    if any(words.startswith("Lagrange") for words in uses.singles):
-        yield "Lagrange's equations, in which no reaction takes part."
-    if uses.blows:
-        yield "Impulse and momentum across the blow."
-    if uses.energies:
-        yield "Work and energy between the states."
-    yield from _momenta(uses)
-    over = uses.over | ({OVER_TIME} if uses.integrated else set())
-    if over:
-        yield from sorted(over)
-    elif "constant" in uses.laws:
-        yield "Constant acceleration."
-    if uses.swings:
-        yield "Small oscillations about an equilibrium."
-
-
-def _momenta(uses: Uses) -> Iterator[str]:
-    if any(b.gain != 0 or not b.law.kept for b in uses.momenta):
-        yield "Impulse and momentum over a time."
-    kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
-    if any(b.law.lead != TURNING for b in kept):
-        yield "Conservation of momentum."
-    if any(b.law.lead == TURNING for b in kept):
-        yield "Conservation of angular momentum."
-
-
-OVER_TIME = "Integration over time."
-TURNING = "↺ "
-"""The lead of a balance of moments or of angular momentum."""
-DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in equilibrium."

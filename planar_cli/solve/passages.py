@@ -12,6 +12,9 @@ import sympy as sp
 from planar_cli.records import record
 from planar_cli.units import PURE, Dimension
 
+PLACES, RATES, ALONG, RADIAL, CURVE = "places", "rates", "along", "radial", "curve"
+"""Kinds of passages: places, their derivatives, components along a path and of polar coordinates, and curves."""
+
 
 @record
 class Row:
@@ -37,10 +40,11 @@ def sides_of(row: Row) -> tuple[Any, ...]:
 
 @record
 class Passage:
-    """A sentence, and the lines that it introduces."""
+    """A sentence, and the lines that it introduces. `kind`: one of those above."""
 
     heading: str
     rows: tuple[Row, ...]
+    kind: str = ""
 
 
 @record

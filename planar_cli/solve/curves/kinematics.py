@@ -21,7 +21,7 @@ from planar_cli.problem.scene import GROUND, Find
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
-from planar_cli.solve.passages import Passage, Row, told_function
+from planar_cli.solve.passages import ALONG, PLACES, RADIAL, RATES, Passage, Row, told_function
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.units import LENGTH, PURE, TIME
@@ -79,10 +79,10 @@ class Story:
         told = [self._function(f) for f in explained(self.functions.found, self.used)]
         known = {r.line.lhs for r in told}
         first = [*told, *(r for r in rows[0] if r.line.lhs not in known)]
-        passages = [Passage(GIVEN, tuple(self._given())), Passage(HEADINGS[0], tuple(first))]
+        passages = [Passage(GIVEN, tuple(self._given())), Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates())))
-        passages += [Passage(HEADINGS[n], tuple(rows[n])) for n in (1, 2)]
+        passages += [Passage(HEADINGS[n], tuple(rows[n]), RATES) for n in (1, 2)]
         passages += [p for point in _along_paths(asked, polar) for p in self._path_passages(point, asked)]
         return tuple(p for p in (*passages, *around) if p.rows)
 
@@ -175,7 +175,7 @@ class Story:
             own = {s: sizes[s] for s in formula.free_symbols}
             told.append(Row("", (symbol, formula), value, dimension, False, own))
             sizes[symbol] = value
-        yield Passage("Along the path:" if wanted - {"v", "a"} else "Magnitudes:", tuple(told))
+        yield Passage("Along the path:" if wanted - {"v", "a"} else "Magnitudes:", tuple(told), ALONG)
 
     # --- polar coordinates -------------------------------------------------------------------------------------------
 
@@ -200,7 +200,7 @@ class Story:
             parts = (ddr - r * dtheta**2, r * ddtheta + 2 * dr * dtheta)
             told += self._components(2, point, parts, (size, angle))
         told += [row for n in sorted(whole) for row in self._magnitude(n, point, told)]
-        yield Passage("Components along r and across it:", tuple(told))
+        yield Passage("Components along r and across it:", tuple(told), RADIAL)
 
     def _magnitude(self, n: int, point: str, told: list[Row]) -> Iterator[Row]:
         """The magnitude by both components, which are told."""

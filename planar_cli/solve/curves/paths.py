@@ -23,7 +23,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
-from planar_cli.solve.passages import Passage, Row, sides_of, told_function
+from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, told_function
 from planar_cli.solve.regimes.functions import Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import Found
@@ -75,7 +75,7 @@ class CurveReader:
             short = tuple(r for r in every if not _too_long(r))
             if len(short) < len(every):
                 heading = heading.removesuffix(":") + " (lines too long for a page are left out):"
-            passage = Passage(heading, short)
+            passage = Passage(heading, short, CURVE)
             return self._found(find, self._named(q, curve, value)), passage
         loops = loops_of(self.regime)
         driver = driver_of(self.regime, loops, single)
@@ -90,7 +90,7 @@ class CurveReader:
         if curve.equation is not None:
             rows.append(Row(f"places computed along the loop all lie on one {curve.kind}", curve.equation))
         return self._found(find, self._named(q, curve, scene.valuations[0])), Passage(
-            self._heading(q) + ":", tuple(rows)
+            self._heading(q) + ":", tuple(rows), CURVE
         )
 
     def _found(self, find: Find, curve: Curve) -> Found:

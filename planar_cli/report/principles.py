@@ -1,0 +1,153 @@
+"""Which principles a page names at its head: what its trace used, with the formula of the course that it prints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Name, Text
+from planar_cli.report.given import pieces_of
+from planar_cli.report.uses import OVER_TIME, Uses
+from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES
+
+CROSS, DOUBLED, CORIOLIS = " × ", " + 2 ", "a_cor"
+"""The product in v = ω × r; what stands before that of a Coriolis acceleration, and its name."""
+LENGTHS = {
+    "rope": "The cord keeps its length.",
+    "link": "The link keeps its length.",
+    "belt": "The belt does not slip: both rims have its speed.",
+}
+DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
+POSITIONS = "Position vectors: r_B = r_A + r_B/A."
+RADIAN = "rad"
+TURNING = "↺ "
+"""The lead of a balance of moments or of angular momentum."""
+DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in equilibrium."
+
+
+@record
+class Printed:
+    """Formulas of kinematics that a page prints. `names`: in its equations; `levels`: v, a of the points of bodies that
+    turn; `coriolis`: 2 ω × v_rel.
+    """
+
+    names: frozenset[str]
+    levels: frozenset[str]
+    coriolis: bool
+
+
+def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
+    """What the head of a page names, a sentence for each."""
+    found = _printed(page)
+    return list(_laws(uses, found)) or list(_kinematics(uses, found)) or list(_last(uses))
+
+
+def _last(uses: Uses) -> Iterator[str]:
+    """What a page rests on that uses none of the other principles."""
+    if uses.asked & {"v", "a", "dot", "ddot", "omega", "alpha"} or uses.laws:
+        yield DERIVATIVES
+    elif uses.extreme:
+        yield "A largest or smallest value: there its derivative is zero."
+    elif uses.asked and uses.asked <= {"r", "x", "y"}:
+        yield POSITIONS
+    elif uses.asked & {"I", "k"}:
+        yield "Parallel axes: I_A = I_G + m d²."
+
+
+def _printed(page: Sequence[Block]) -> Printed:
+    names: set[str] = set()
+    levels: set[str] = set()
+    coriolis = False
+    for block in page:
+        if not isinstance(block, Equation):
+            continue
+        own = list(pieces_of(block))
+        heads = [p.name for p in own if isinstance(p, Name)]
+        texts = [p.text for p in own if isinstance(p, Text)]
+        names |= set(heads)
+        if CROSS in texts:
+            levels |= {h[0] for h in heads[:1] if h[:2] in ("v_", "a_")}
+            coriolis |= DOUBLED in texts
+    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names)
+
+
+def _laws(uses: Uses, page: Printed) -> Iterator[str]:
+    moved = uses.kinetic or uses.energies or uses.momenta or uses.blows
+    if not moved and uses.relations:
+        yield from _kinematics(uses, page)
+    elif uses.coriolis or uses.beside:
+        yield from _relative(uses, page)
+    if uses.forces:
+        yield DALEMBERT if uses.inertial else "Newton's second law."
+    if any("virtual power" in words for words in uses.singles):
+        yield "Virtual power, in which no reaction takes part."
+    if any(words.startswith("Lagrange") for words in uses.singles):
+        yield "Lagrange's equations, in which no reaction takes part."
+    if uses.blows:
+        yield "Impulse and momentum across the blow."
+    if uses.energies:
+        yield "Work and energy between the states."
+    yield from _momenta(uses)
+    over = uses.over | ({OVER_TIME} if uses.integrated else set())
+    if over:
+        yield from sorted(over)
+    elif "constant" in uses.laws:
+        yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}acceleration."
+    elif "steady" in uses.laws and not moved:
+        yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}velocity."
+    if uses.swings:
+        yield "Small oscillations about an equilibrium."
+
+
+def _momenta(uses: Uses) -> Iterator[str]:
+    if any(b.gain != 0 or not b.law.kept for b in uses.momenta):
+        yield "Impulse and momentum over a time."
+    kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
+    if any(b.law.lead != TURNING for b in kept):
+        yield "Conservation of momentum."
+    if any(b.law.lead == TURNING for b in kept):
+        yield "Conservation of angular momentum."
+
+
+# --- kinematics ------------------------------------------------------------------------------------------------------
+
+
+def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
+    """The formulas of the course by which places, velocities and accelerations were found."""
+    yield from _relative(uses, page)
+    yield from _bodies(uses, page)
+    if RADIAL in uses.passages or "e_r" in page.names:
+        yield "Polar coordinates: v_r = ṙ, v_θ = r θ̇; a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇."
+    if "e_n" in page.names or ALONG in uses.passages:
+        yield "Path coordinates: a = v̇ e_t + v²/ρ e_n."
+    if RATES in uses.passages:
+        yield "Position vectors, differentiated: v = dr/dt, a = dv/dt."
+    elif PLACES in uses.passages:
+        yield POSITIONS
+    if CURVE in uses.passages:
+        yield "The path of a point: its coordinates, with their parameter eliminated."
+    if uses.kinetic_energy:
+        yield "Kinetic energy of each body: T = 1/2 m v_G² + 1/2 I_G ω²."
+
+
+def _relative(uses: Uses, page: Printed) -> Iterator[str]:
+    if page.coriolis:
+        yield "Motion relative to a turning body: v_P = v_P′ + v_rel, a_P = a_P′ + a_rel + 2 ω × v_rel."
+    elif uses.coriolis:
+        yield "Motion relative to a turning body: v_P = v_P′ + v_rel."
+    elif uses.beside:
+        yield "Relative motion: v_B = v_A + v_B/A."
+
+
+def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
+    """How the velocities of the points of bodies hang together."""
+    if page.levels and not uses.coriolis:
+        told = {"v": "v_B = v_A + ω × r_B/A", "a": "a_B = a_A + α × r_B/A - ω² r_B/A"}
+        yield f"Rigid bodies: {', '.join(told[v] for v in 'va' if v in page.levels)}."
+    elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:
+        yield "Rotation about a fixed axis: v = r ω, a_t = r α, a_n = r ω²."
+    if uses.rolling:
+        yield "Rolling without slipping: the points that touch have the same velocity."
+    for kind in sorted(uses.taut):
+        if kind in LENGTHS:
+            yield LENGTHS[kind]
