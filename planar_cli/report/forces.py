@@ -212,7 +212,8 @@ def _inertia(
             continue
         v = -direction if reversed_sense else direction
         size = _size(direction, instant, body, phrases)
-        if size.is_number and not is_clean(phrases.ledger, model.mass * component, dimension=kinds[0]):
+        hidden = size.is_number and not is_clean(phrases.ledger, model.mass * component, dimension=kinds[0])
+        if hidden or longer(size, SHORT):
             size = _distance(direction, component, instant, body) or size
         force = (
             sp.Mul(model.mass, size, component, evaluate=False)
@@ -327,7 +328,7 @@ def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: 
     ]
     for owner in sorted(bodies, key=lambda b: b != body):
         own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
-        ends = {centre_of(scene, owner): scene.center(owner), **own}
+        ends = {centre_of(scene, b): scene.center(b) for b in (body, owner) if "_" not in centre_of(scene, b)} | own
         found = [e for e in ends.items() if _same(e[1], scene.center(body), value)]
         for (start, here), (end, there) in (*product(own.items(), found), *product(own.items(), ends.items())):
             arm = there - here

@@ -82,9 +82,14 @@ class Phrases:
         return Neat(self.ledger, self.value)
 
     def met(self, expr: sp.Expr) -> sp.Expr:
-        """Of a formula in pieces those that the motion meets; with letters all of them; |v| as it goes."""
+        """Of a formula in pieces those that the motion meets; with letters all of them; |v| as it goes, and of what is
+        known to be positive |v| = v.
+        """
         expr = one_way(expr, self.ways)
-        return expr if self.symbolic else met(expr, self.value)
+        if self.symbolic:
+            return expr
+        forward = {a: a.args[0] for a in expr.atoms(sp.Abs) if (self.value.known(a.args[0]) or 0) > 0}
+        return met(expr.xreplace(forward), self.value)
 
     def numbers(
         self, expr: sp.Expr, sizes: Mapping[sp.Symbol, Decimal] | None = None, turns: bool = True

@@ -16,7 +16,7 @@ import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.exact import ONE, ZERO
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.equation.system import System
@@ -26,6 +26,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.solve.instant import candidates as c
 from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced
+from planar_cli.solve.instant.drawn_ways import named_ways
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.multibody.linear import Row
 
@@ -247,7 +248,7 @@ class Offers:
             self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS),
             self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
         ]
-        for direction, words in self._named_directions(group):
+        for direction, words in named_ways(self.system, self.numbers, group.bodies):
             found.append(
                 self._force(group, direction, words, c.ALONG_CONTACT if words.startswith("along") else c.NAMED_SLANT)
             )
@@ -283,25 +284,6 @@ class Offers:
     def _percussion(self, group: Group, row: Row) -> bool:
         """Does inertia cancel about this point? Nobody looks for a centre of percussion to be rid of α."""
         return any(not row[j] and any(r[j] for r in group.rows) for j in self._spins)
-
-    def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
-        """Along and across the paths and contacts of the group's bodies."""
-        placed = ((e.components, e.body) for e in self.system.tree.edges if (e.body,) == group.bodies)
-        found = [w for s, b in placed if s is not None for w in s.ways(self.scene.center_name(b))]
-        for push in self.system.pushes:
-            for action in push.actions:
-                drawn = push.kind in ("normal", "friction", "tension")
-                if drawn and action.body in group.bodies and action.force is not None:
-                    x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
-                    if abs(x) > CERTAIN and abs(y) > CERTAIN:
-                        if push.kind == "tension":
-                            tie = self.scene.problem.called(push.joint)
-                            found.append((action.force, f"along {tie}"))
-                            found.append((action.force.turned(), f"perpendicular to {tie}"))
-                        else:
-                            way = "normal" if push.kind == "normal" else "contact"
-                            found.append((action.force, f"along the {way} at {push.place}"))
-        return found[:12]
 
     def _named_points(self, group: Group) -> dict[str, Vec]:
         found: dict[str, Vec] = {}

@@ -19,6 +19,7 @@ from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import Candidate, Choice
+from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
@@ -117,6 +118,8 @@ class Writer:
             parts = [(way, self.settled(part)) for way, part in zip(ways, components.accelerations, strict=True)]
             signed = [(-way, -part) if part.could_extract_minus_sign() else (way, part) for way, part in parts]
             return [(way, part) for way, part in signed if part != 0]
+        if carried := carried_parts(self.system, body, self.vanishes):
+            return carried
         axes = [(Vec(sp.S.One, sp.S.Zero), x, "x"), (Vec(sp.S.Zero, sp.S.One), y, "y")]
         axes = [axis for axis in axes if axis[1] != 0]
         if len(axes) == 1:
@@ -163,9 +166,8 @@ class Writer:
         """a · t where a is parallel to t."""
         along = self.settled(a.dot(tangent))
         form = self.numbers.form(along)
-        return sp.Add(
-            *(trigonometric(expanded(c)) * x for x, c in form.terms.items()), trigonometric(expanded(form.constant))
-        )
+        terms = (trigonometric(expanded(c)) * x for x, c in form.terms.items())
+        return sp.Add(*terms, trigonometric(expanded(form.constant)))
 
     def _tangents(self, body: str) -> list[Vec]:
         found = []
@@ -292,7 +294,6 @@ class Writer:
         if choice.through:
             (p, d), (q, e) = (line_of(self.system, self.numbers, bodies, s) for s in choice.through)
             place = p + d * (tidy((q - p).cross(e)) / tidy(d.cross(e)))
-        ledger = self.system.scene.ledger
         place = Vec(tidy(place.x), tidy(place.y))
         for name, (known, _) in self.centres.items():
             if all(self.numbers.value.is_zero(getattr(known, axis) - getattr(place, axis)) for axis in ("x", "y")):
@@ -300,7 +301,7 @@ class Writer:
         name = next(
             letter
             for letter in (*LETTERS, *(f"C_{i}" for i in range(99)))
-            if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres
+            if letter not in {*self.system.scene.points, *self.system.scene.ledger.symbols, *self.centres}
         )
         place = Vec(self._short(place.x), self._short(place.y))
         self.centres[name] = (place, choice.through)
