@@ -52,7 +52,7 @@ def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
         found = _left_out(instant, trial, relation, [r.text for r in given if r is not relation])
         if found is not None:
             return found
-    bodies, joints = _parts(instant, texts)
+    bodies, joints = parts_of(instant, texts)
     laws = [f"the equations of motion of {listed(bodies)}"] if bodies else []
     held = [f"the joints {listed(joints)}" if len(joints) > 1 else f"the joint {joints[0]}"] if joints else []
     words = [*laws, *held, *(f"`{r.text}`" for r in given)]
@@ -71,7 +71,7 @@ def off_balance(instant: Instant, trial: Trial) -> NoSolution | None:
     if trial.objection == "velocities" or not _contradicted(trial):
         return None
     texts = sources(trial)
-    bodies, _ = _parts(instant, texts)
+    bodies, _ = parts_of(instant, texts)
     if not bodies or not _light(instant, bodies) or any(r.text in texts for r, _ in instant.statements.relations):
         return None
     names, balance = listed(bodies), "balances" if len(bodies) == 1 else "balance"
@@ -96,7 +96,7 @@ def _body_mark(instant: Instant, name: str, otherwise: Mark) -> Mark:
     return next((b.mark for b in instant.scene.problem.bodies if b.name == name), otherwise)
 
 
-def _parts(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
+def parts_of(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
     """The bodies whose equations take part, and the joints."""
     bodies = [b for b in instant.scene.bodies if any(t.startswith(f"{b}, a") for t in texts)]
     return bodies, list(dict.fromkeys(instant.aliases[t] for t in texts if t in instant.aliases))
@@ -289,4 +289,4 @@ def demand_drawn(instant: Instant, trial: Trial) -> None:
         raise NoSolution(wrong)
 
 
-__all__ = ["check_positions", "clash", "demand_drawn", "sources"]
+__all__ = ["check_positions", "clash", "demand_drawn", "parts_of", "sources"]

@@ -9,8 +9,12 @@ import sympy as sp
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.diagnosis.clash import clash, parts_of, sources
+from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.asked import names_anywhere
-from planar_cli.solve.instant.instant import Instant
+from planar_cli.solve.instant.instant import Instant, Trial
+
+HINT = "add the joint that does, or correct it: a guide, a pin, a link, rolling on a surface"
 
 
 def placed_by_nothing(instant: Instant) -> NoSolution | None:
@@ -18,18 +22,34 @@ def placed_by_nothing(instant: Instant) -> NoSolution | None:
 
     A formula of fewer coordinates than the body has freedoms is a constraint, and a constraint takes reactions.
     """
-    scene = instant.scene
     held = {a.body for _, modes in instant.modes for m in modes for push in m.facts.pushes for a in push.actions}
-    for body in scene.problem.bodies:
-        model = scene.bodies[body.name]
-        inside = (model.center.x + model.center.y + model.theta).free_symbols & set(scene.ledger.coordinates)
-        if not inside or body.name in held or len(inside) >= (3 if scene.rigid(body.name) else 2):
-            continue
-        names = " and ".join(sorted(s.name for s in inside))
-        text = f"the place of {body.name} is written with {names}, but no joint holds it so, nor do the loads"
-        hint = "add the joint that does: a guide, a pin, a link, rolling on a surface"
-        return NoSolution([Diagnostic(body.mark, "PL602", text, hint)])
+    for body in instant.scene.problem.bodies:
+        if body.name not in held and (names := _written_with(instant, body.name)):
+            text = f"the place of {body.name} is written with {names}, but no joint holds it so, nor do the loads"
+            return NoSolution([Diagnostic(body.mark, "PL602", text, HINT)])
     return None
+
+
+def held_by_too_little(instant: Instant, trial: Trial) -> NoSolution:
+    """What to say where equations of motion contradict each other though joints act on every body that is so placed."""
+    bodies, _ = parts_of(instant, sources(trial))
+    placed = {name: names for name in bodies if (names := _written_with(instant, name))}
+    if not placed:
+        return NoSolution([clash(instant, trial, instant.scene.problem.find[0].mark)])
+    names = listed(dict.fromkeys(placed.values()))
+    text = f"the joints and loads do not hold {listed(placed)} as written with {names}: "
+    text += f"the equations of motion of {listed(bodies)} contradict each other"
+    mark = next(b.mark for b in instant.scene.problem.bodies if b.name in placed)
+    return NoSolution([Diagnostic(mark, "PL602", text, HINT)])
+
+
+def _written_with(instant: Instant, name: str) -> str:
+    """The coordinates with which the place of a body is written, if they are fewer than its freedoms."""
+    scene = instant.scene
+    model = scene.bodies[name]
+    inside = (model.center.x + model.center.y + model.theta).free_symbols & set(scene.ledger.coordinates)
+    constrains = len(inside) < (3 if scene.rigid(name) else 2)
+    return " and ".join(sorted(s.name for s in inside)) if constrains else ""
 
 
 def driven_with(problem: Problem, sought: Iterable[sp.Symbol]) -> str:

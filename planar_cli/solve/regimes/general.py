@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
+from itertools import islice
 from typing import Any
 
 import sympy as sp
@@ -22,11 +23,12 @@ from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.clash import off_balance
-from planar_cli.solve.diagnosis.placed import placed_by_nothing
+from planar_cli.solve.diagnosis.placed import held_by_too_little, placed_by_nothing
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.stages import Stage, acceleration_unknowns, needed
 from planar_cli.solve.instant.study import Velocities, solve_velocities
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.principled import usual
 from planar_cli.solve.regimes.constraints import Constraint, constraints_of, drawn_starts, project
 from planar_cli.solve.regimes.drawing import beside, ranges
@@ -36,6 +38,8 @@ from planar_cli.solve.solution import InstantSolution
 
 IN_LOOPS = 150
 """Where loops close, longer formulas are followed in numbers only, and left as they come."""
+MOST_COMPARED = 16
+"""With so many choices of modes it is looked whether the equations fit."""
 
 
 @changing
@@ -109,14 +113,20 @@ class General:
     def govern(self, exprs: Iterable[sp.Expr]) -> None:
         """Work out everything that these expressions need."""
         finisher = self._finisher()
-        wanted = list(exprs)
-        self.solution, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
+        wanted, finds = list(exprs), self.instant.scene.problem.find
+        try:
+            self.solution, self.stages, _ = finisher.work(wanted, finds)
+        except Disagreement:
+            if _contradicts(self.trial) and not _fits_otherwise(self.instant, self.trial):
+                # Some of the equations were solved, and the others do not hold then.
+                raise held_by_too_little(self.instant, self.trial) from None
+            raise
         self.unreached = tuple(unreached(self.stages, wanted))
         if self.unreached:
             # What the principle of the file does not tell must be known all the same; what it tells is told by it.
             finisher = self._finisher()
             finisher.principle = usual()
-            _, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
+            _, self.stages, _ = finisher.work(wanted, finds)
         self.finisher = finisher
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
@@ -247,6 +257,15 @@ def _general(
 
 def _contradicts(trial: Trial) -> bool:
     return any(outcome.solved.conflict is not None for outcome in trial.outcomes)
+
+
+def _fits_otherwise(instant: Instant, trial: Trial) -> bool:
+    """Do the equations not contradict each other with other modes, or are there too many of these to tell?"""
+    others = [c for c in islice(instant.choices(), MOST_COMPARED + 1) if c != trial.choice]
+    speeds = dict(trial.velocities[0].values)
+    tried = (instant.try_choice(c, instant.scene.valuations, given=speeds) for c in others)
+    false = (_contradicts(again) or again.objection == "velocities" for again in tried)
+    return len(others) >= MOST_COMPARED or not all(false)
 
 
 def _independent(
