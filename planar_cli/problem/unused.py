@@ -27,11 +27,12 @@ def check_unknowns(problem: Problem) -> Iterator[Diagnostic]:
 
 
 def unused(problem: Problem) -> list[str]:
-    """The names of `given`, `symbols` and `surfaces` on which neither the scene nor a find of any part rests."""
+    """The names of `given` and `symbols` on which neither the scene nor a find of any part rests. A surface is no
+    datum: something may lie or roll on it by the way in which it is placed.
+    """
     parts = [problem, *(case.problem for case in problem.cases)]
     used = set().union(*(used_names(part) for part in parts))
-    declared = [s.name for s in (*problem.given, *problem.symbols)] + [s.name for s in problem.surfaces]
-    return [name for name in declared if name not in used]
+    return [s.name for s in (*problem.given, *problem.symbols) if s.name not in used]
 
 
 def used_names(problem: Problem) -> set[str]:

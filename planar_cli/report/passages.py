@@ -29,7 +29,7 @@ def _row(row: Row, phrases: Phrases) -> Equation:
             else None
         )
         sides = sides[:1] if sides_of(row)[-1].is_number else [*sides, *([in_numbers] if in_numbers else [])]
-        sides.append(phrases.of_dimension(row.value, row.dimension, row.angle))
+        sides.append(phrases.of_dimension(row.value, row.dimension, row.angle) if row.value else line("0"))
     return Equation(tuple(sides), None, lead)
 
 

@@ -8,7 +8,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
 from planar_cli.report.given import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
-from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES
+from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 
 CROSS, DOUBLED, CORIOLIS = " × ", " + 2 ", "a_cor"
 """The product in v = ω × r; what stands before that of a Coriolis acceleration, and its name."""
@@ -18,6 +18,8 @@ LENGTHS = {
     "belt": "The belt does not slip: both rims have its speed.",
 }
 DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
+ROLLS = "Rolling without slipping: the points that touch have the same velocity."
+ROLLS_BY_ARC = "Rolling without slipping: the way of the centre is the arc r φ."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
 RADIAN = "rad"
 TURNING = "↺ "
@@ -146,8 +148,8 @@ def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
         yield f"Rigid bodies: {', '.join(told[v] for v in 'va' if v in page.levels)}."
     elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:
         yield "Rotation about a fixed axis: v = r ω, a_t = r α, a_n = r ω²."
-    if uses.rolling:
-        yield "Rolling without slipping: the points that touch have the same velocity."
+    if uses.rolling or ROLLING in uses.passages:
+        yield ROLLS if uses.rolling else ROLLS_BY_ARC
     for kind in sorted(uses.taut):
         if kind in LENGTHS:
             yield LENGTHS[kind]

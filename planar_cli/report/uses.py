@@ -117,7 +117,7 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
             _of_motion(found, part.motion)
         if part.followed is not None:
             found.integrated = True
-        found.passages |= {p.kind for p in part.tale.passages if p.rows} if part.tale is not None else set()
+        found.passages |= {p.kind for p in part.tale.passages} if part.tale is not None else set()
         found.beside |= any(_refers(i) for i in part.instants)
         for answer in part.found:
             found.kinetic_energy |= part.motion is None and answer.energy

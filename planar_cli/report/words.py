@@ -262,6 +262,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
     if found.kind == "vector":
         what = found.find.found.what if found.find is not None else None
         place = isinstance(what, Quantity) and what.word in ("IC", "r")
+        if not place and not any(numbers):
+            return (Text("0"),)
         return _vector_line(numbers, unit, phrases.figures, place)
     words = direction_words(found, numbers[0])
     shown = abs(numbers[0]) if words else numbers[0]

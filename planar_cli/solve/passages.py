@@ -12,8 +12,10 @@ import sympy as sp
 from planar_cli.records import record
 from planar_cli.units import PURE, Dimension
 
-PLACES, RATES, ALONG, RADIAL, CURVE = "places", "rates", "along", "radial", "curve"
-"""Kinds of passages: places, their derivatives, components along a path and of polar coordinates, and curves."""
+PLACES, RATES, ALONG, RADIAL, CURVE, ROLLING = "places", "rates", "along", "radial", "curve", "rolling"
+"""Kinds of passages: places, their derivatives, components along a path and of polar coordinates, curves,
+and that a wheel rolls, which has no rows.
+"""
 
 
 @record

@@ -6,7 +6,7 @@ all others in Cartesian ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
@@ -14,14 +14,17 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.jets import Jet, magnitude
+from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities, direction_angle
 from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.scene import GROUND, Find
+from planar_cli.problem.scene import GROUND, Find, Polar
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
-from planar_cli.solve.passages import ALONG, PLACES, RADIAL, RATES, Passage, Row, told_function
+from planar_cli.solve.curves.rolled import rolled
+from planar_cli.solve.passages import ALONG, PLACES, RADIAL, RATES, ROLLING, Passage, Row, sides_of, told_function
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.units import LENGTH, PURE, TIME
@@ -71,20 +74,53 @@ class Story:
             for p in self._polar_passages(point, origin, level, _magnitudes(asked, point))
         ]
         rows: tuple[list[Row], list[Row], list[Row]] = ([], [], [])
-        for (thing, angular), level in _wanted(asked, {point for point, _ in polar}).items():
+        wanted = _wanted(asked, {point for point, _ in polar})
+        for (thing, angular), level in {**self._origins(wanted), **wanted}.items():
             for name, jet in self._jets(thing, angular):
-                for n, row in enumerate(self._derivatives(name, jet, level, angular)):
+                whole = not angular and any(_is_whole(u.quantity, thing) for u in asked)
+                for n, row in enumerate(self._derivatives(name, jet, level, angular, whole)):
                     if row is not None:
                         rows[n].append(row)
         told = [self._function(f) for f in explained(self.functions.found, self.used)]
-        known = {r.line.lhs for r in told}
-        first = [*told, *(r for r in rows[0] if r.line.lhs not in known)]
-        passages = [Passage(GIVEN, tuple(self._given())), Passage(HEADINGS[0], tuple(first), PLACES)]
+        known = {sides_of(r)[0] for r in told}
+        first = [*told, *(r for r in rows[0] if sides_of(r)[0] not in known)]
+        rolling = self._rolling() if first else ()
+        passages = [Passage(GIVEN, tuple(self._given())), *rolling, Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates())))
         passages += [Passage(HEADINGS[n], tuple(rows[n]), RATES) for n in (1, 2)]
         passages += [p for point in _along_paths(asked, polar) for p in self._path_passages(point, asked)]
-        return tuple(p for p in (*passages, *around) if p.rows)
+        return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
+
+    def _rolling(self) -> Iterator[Passage]:
+        """That a wheel which the file places by an arc rolls."""
+        for r in rolled(self.quantities):
+            rolls = f"{r.body} rolls on {r.surface} without slipping: "
+            yield Passage(f"{rolls}{r.centre} advances by the arc that has touched it.", (), ROLLING)
+
+    def _origin(self, thing: str) -> str:
+        """The point that moves and from which the file measures another; "" where there is none."""
+        scene = self.quantities.scene
+        place = next((p.place for p in scene.problem.points if p.name == thing), None)
+        if not isinstance(place, Polar) or self.driven is not None:
+            return ""
+        at = self.quantities.place(place.origin)
+        return place.origin if any(j.rate not in (None, 0) for j in (at.x, at.y)) else ""
+
+    def _origins(self, wanted: Mapping[tuple[str, bool], int]) -> dict[tuple[str, bool], int]:
+        """The origins of what is told, whose places are told before it."""
+        found = {(o, False): 0 for thing, angular in wanted if not angular and (o := self._origin(thing))}
+        return {**(self._origins(found) if found else {}), **found}
+
+    def _from_origin(self, name: str, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:
+        """x_P = x_G + r cos θ, where the file measures P from G."""
+        axis, _, thing = name.partition("_")
+        origin = self._origin(thing)
+        if not origin or axis not in ("x", "y"):
+            return ()
+        at = self._jet(getattr(self.quantities.place(origin), axis))
+        rest, base = self.clean(closed - self.regime.closed(at.value)), sp.Symbol(f"{axis}_{origin}", real=True)
+        return () if 0 in (rest, at.value) else (base + rest,)
 
     def _function(self, function: Function) -> Row:
         """A coordinate as a function, with its value."""
@@ -110,17 +146,26 @@ class Story:
         """A place with its derivatives."""
         return jet if self.driven is None else self.driven.jet(jet)
 
-    def _derivatives(self, name: str, jet: Jet, level: int, angular: bool) -> Iterator[Row | None]:
-        """q, q̇, q̈ as rows; None where there is nothing to say."""
+    def _derivatives(self, name: str, jet: Jet, level: int, angular: bool, whole: bool = False) -> Iterator[Row | None]:
+        """q, q̇, q̈ as rows; None where there is nothing to say. `whole`: is the vector asked, also where it is zero?"""
         closed = self.regime.closed(jet.value) if self.driven is None else jet.value
         self.used.append(closed)
         stem = closed.name if isinstance(closed, sp.Symbol) and closed in self.regime.rates else name
         for n, expr in enumerate((closed, jet.rate, jet.second)[: level + 1]):
-            if expr is None or (n and jet.rate == 0):
+            if expr is None or (n and jet.rate == 0 and not whole):
                 return
             formula, symbol = self.clean(expr), sp.Symbol(f"{stem}{DOTS[n]}", real=True)
-            line = sp.Eq(symbol, formula, evaluate=False)
+            between = (self._from_origin(name, closed, formula), self._by_chain(closed, formula), ())[n]
+            line = (symbol, *between, formula) if between else sp.Eq(symbol, formula, evaluate=False)
             yield None if formula == symbol else self._row(line, formula, n, angular)
+
+    def _by_chain(self, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:
+        """The derivative of a place by the chain rule, before the rates of the coordinates are put in."""
+        rates = {q: sp.Symbol(f"{q.name}_dot", real=True) for q in self.regime.rates if q in closed.free_symbols}
+        if self.driven is not None or not self.with_rates or any(q in self.functions.found for q in rates):
+            return ()
+        found = factored(simplified(sp.Add(*(sp.diff(closed, q) * rate for q, rate in rates.items()))))
+        return () if found in (formula, 0) else (found,)
 
     def _jets(self, thing: str, angular: bool) -> Iterator[tuple[str, Jet]]:
         """The angle of a body, or x and y of a point that moves, with the names under which they are told."""
@@ -251,6 +296,11 @@ def _asked(finds: Iterable[Find]) -> Iterator[Use]:
                 dots += 1 if q.word == "dot" else 2
             elif q.word in ANGLES or q.word in LEVELS:
                 yield Use(q, min({**LEVELS, **ANGLES}[q.word] + dots, 2))
+
+
+def _is_whole(quantity: Quantity, thing: str) -> bool:
+    """Are both components of the velocity or the acceleration of a thing asked?"""
+    return quantity.word in ("v", "a") and not quantity.parts and quantity.things == (thing,)
 
 
 def _polar(asked: list[Use]) -> dict[tuple[str, str], int]:

@@ -1,0 +1,40 @@
+"""Wheels that roll without slipping on a straight surface because the file places them so: no joint says it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from planar_cli.equation.plain import identically_zero
+from planar_cli.equation.quantities import Quantities
+from planar_cli.problem.scene import Line, Round
+from planar_cli.records import record
+
+
+@record
+class Rolled:
+    """A wheel, its centre and what it rolls on."""
+
+    body: str
+    centre: str
+    surface: str
+
+
+def rolled(quantities: Quantities) -> Iterator[Rolled]:
+    """The wheels that touch a surface at rest wherever they are, with a point that has no velocity there."""
+    scene, motion = quantities.scene, quantities.motion
+    surfaces = [s for s in scene.surfaces.values() if isinstance(s.shape, Line) and s.speed is None and not s.body]
+    for body in scene.bodies.values() if surfaces else ():
+        shape = body.shape
+        if not isinstance(shape, Round) or shape.center not in scene.formulas or body.name not in motion.velocities:
+            continue
+        centre, radius = scene.point(shape.center), scene.value(shape.radius)
+        for surface in surfaces:
+            assert isinstance(surface.shape, Line)
+            normal = scene.surface_direction(surface).turned()
+            reach = (centre - scene.point(surface.shape.through)).dot(normal)
+            contact = centre - normal * reach
+            v = motion.velocity(contact, body.name)
+            moves = motion.velocity(centre, body.name)
+            touches = identically_zero(reach**2 - radius**2)
+            if touches and identically_zero(v.x) and identically_zero(v.y) and (moves.x, moves.y) != (0, 0):
+                yield Rolled(body.name, shape.center, surface.name)

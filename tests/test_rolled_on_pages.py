@@ -1,0 +1,44 @@
+"""A wheel that the file places by the arc on which it has rolled: the page says so before its places."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+ROLLS = "disk rolls on floor without slipping: G advances by the arc that has touched it."
+TEXTBOOK = ROOT / "problems" / "textbook"
+
+
+def _page(path: Path) -> str:
+    return Terminal(200).render(narrate(worked(path)[0]))
+
+
+@pytest.mark.parametrize("stem", ["ex-1-03", "ex-1-04", "ex-1-05"])
+def test_a_wheel_placed_by_an_arc_rolls(stem: str) -> None:
+    page = _page(TEXTBOOK / f"{stem}.yaml")
+    assert page.index(ROLLS) < page.index("x_G = r φ")
+    assert "x_P = x_G - r sin φ = r (φ - sin φ)" in page
+    assert "Not used" not in page
+
+
+def test_a_wheel_that_slips_does_not_roll(tmp_path: Path) -> None:
+    """Placed by another arc than its own, it touches the floor with a point that moves."""
+    text = (TEXTBOOK / "ex-1-03.yaml").read_text(encoding="utf-8").split("answers:", maxsplit=1)[0]
+    path = tmp_path / "slips.yaml"
+    path.write_text(text.replace("[r*phi, r]", "[2*r*phi, r]"), encoding="utf-8")
+    page = _page(path)
+    assert "x_G = 2 r φ" in page
+    assert "rolls" not in page
+
+
+def test_derivatives_by_the_chain_rule() -> None:
+    page = _page(TEXTBOOK / "ex-1-05.yaml")
+    assert "ẏ_P = r φ̇ sin φ = r ω sin φ" in page
+    assert "ẏ_G = 0" in page and "ÿ_G = 0" in page
+    assert "a_G = 0\n" in page
