@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
 ROLLS = "disk rolls on floor without slipping: G advances by the arc that has touched it."
@@ -32,13 +34,14 @@ def test_a_wheel_that_slips_does_not_roll(tmp_path: Path) -> None:
     text = (TEXTBOOK / "ex-1-03.yaml").read_text(encoding="utf-8").split("answers:", maxsplit=1)[0]
     path = tmp_path / "slips.yaml"
     path.write_text(text.replace("[r*phi, r]", "[2*r*phi, r]"), encoding="utf-8")
-    page = _page(path)
+    page = Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0]))
     assert "x_G = 2 r φ" in page
     assert "rolls" not in page
 
 
 def test_derivatives_by_the_chain_rule() -> None:
-    page = _page(TEXTBOOK / "ex-1-05.yaml")
+    page = unicodedata.normalize("NFC", _page(TEXTBOOK / "ex-1-05.yaml"))
     assert "ẏ_P = r φ̇ sin φ = r ω sin φ" in page
-    assert "ẏ_G = 0" in page and "ÿ_G = 0" in page
+    assert "ẏ_G = 0" in page
+    assert "ÿ_G = 0" in page
     assert "a_G = 0\n" in page
