@@ -20,6 +20,7 @@ from planar_cli.base_units import factor_to_base
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator, widely
 from planar_cli.errors import NoValue
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import GRAVITY, Scales
 from planar_cli.records import changing, record
 from planar_cli.units import PURE, Unit, parse_unit
@@ -185,6 +186,16 @@ class Ledger:
     def behind(self, symbol: sp.Symbol) -> sp.Expr:
         """The formula of a named intermediate, or of a constant that is given by one; of others the symbol itself."""
         return sp.sympify(self.definitions.get(symbol, self.values.get(symbol, symbol)))
+
+    def heading(self, angle: sp.Expr) -> Vec:
+        """The unit vector in a direction. Of one that is given by name as a right angle it is that of the axis: φ = 90°
+        leaves no cos φ in the equations.
+        """
+        parts, given = (sp.cos(angle), sp.sin(angle)), Valuation({}, self.values)
+        if angle.free_symbols <= self.values.keys():
+            signs = [given(p) for p in parts]
+            parts = next((tuple(sp.Integer(round(s)) for s in signs) for p in parts if given.is_zero(p)), parts)
+        return Vec(*parts)
 
     def natural(self, symbol: sp.Symbol) -> Decimal:
         """An ordinary size of what a symbol stands for; of a letter of the file, 1 in the base units."""

@@ -109,7 +109,7 @@ class Moving:
 
     def heading(self, angle: sp.Expr) -> Vec:
         """The unit vector in a direction that may vary with the motion."""
-        return Vec(sp.cos(angle), sp.sin(angle))
+        return self._scene.ledger.heading(angle)
 
     def _over_time(self, table: Table, mark: Mark) -> sp.Expr:
         """Straight lines between the instants of a table, constant before the first and after the last."""

@@ -113,8 +113,7 @@ class Scene(Decided):
     def surface_direction(self, surface: Surface) -> Vec:
         """The direction of a straight surface, which turns with the body that carries it."""
         assert isinstance(surface.shape, Line)
-        angle = self.value(surface.shape.angle) + self.turn(surface.body or GROUND)
-        return Vec(sp.cos(angle), sp.sin(angle))
+        return self.ledger.heading(self.value(surface.shape.angle) + self.turn(surface.body or GROUND))
 
     def _gravity(self) -> sp.Expr:
         if "g" not in self.ledger.symbols:
@@ -201,8 +200,7 @@ class Scene(Decided):
 
     def unit(self, angle: Side) -> Vec:
         """The unit vector in a direction given by an angle."""
-        value = self.value(angle)
-        return Vec(sp.cos(value), sp.sin(value))
+        return self.ledger.heading(self.value(angle))
 
     def length(self, v: Vec) -> sp.Expr:
         """|v|, in its simplest form when v lies along an axis."""

@@ -12,10 +12,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
@@ -25,14 +23,13 @@ from planar_cli.report.forces import centre_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
+from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension
+from planar_cli.units import ACCELERATION, VELOCITY, Dimension
 
-LONGEST = 40
-"""A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
 MOVING = ("v", "a", "coriolis")
 AXES = ("x", "y", "along", "across")
 """Parts of a vector that are components along an axis."""
@@ -47,6 +44,7 @@ class AskedTelling:
         self.scene = instant.instant.scene
         self._told: set[str] = set()
         self._named: set[str] = set()
+        self.paths = PathTelling(vectors, phrases, self._once)
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
@@ -66,7 +64,7 @@ class AskedTelling:
                 yield from told
             elif isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
-            elif isinstance(what, Quantity) and (radius := list(self._asked_radius(answer, what))):
+            elif isinstance(what, Quantity) and (radius := list(self.paths.asked_radius(answer, what))):
                 yield from radius
             else:
                 yield from self._formula(answer)
@@ -187,13 +185,13 @@ class AskedTelling:
         """v_P = v_A + ω × r_P/A = [x, y]."""
         level = "velocity" if word == "v" else "acceleration"
         if point not in self.scene.points:
-            own = centre_of(self.scene, point)
-            yield from self._on_path(point, own, self.scene.center(point), level)
+            own, at = centre_of(self.scene, point), self.scene.center(point)
+            yield from self.paths.acceleration(point, at, own, level)
             yield from self._along_body(point, own, level)
-            yield from self._body_point(point, self.scene.center(point), own, level)
+            yield from self._body_point(point, at, own, level)
             return
         place = self.scene.point(point)
-        yield from self._on_path(self.scene.owner(point), point, place, level)
+        yield from self.paths.acceleration(self.scene.owner(point), place, point, level)
         yield from self._along_body(self.scene.owner(point), point, level)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
             if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
@@ -210,61 +208,6 @@ class AskedTelling:
             yield from self.vectors.along(body)
             yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
 
-    def _on_path(self, body: str, place: str, at: Vec, level: str) -> Iterator[Block]:
-        """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n. Of a body that turns only the point that
-        is led along the path moves so, and the others by the vector equation that starts from it.
-        """
-        edge, path = self.vectors.edges.get(body), self._curved(body)
-        if edge is None or path is None or edge.slide is None or edge.joining is None:
-            return
-        motion = self.vectors.motion
-        if self.vectors.formula(body, at, place, level) is not None:
-            place, at = edge.joining.place, edge.joining.point
-        if level == "velocity" or edge.slide_rate is None or f"{level} {place}" in self._told:
-            return
-        moves = self.phrases.value.known(edge.slide) != 0
-        normal = path.tangent.turned() if self.phrases.value(path.curvature) > 0 else -path.tangent.turned()
-        across = line(" + ", self.phrases.math(edge.slide**2), "/ρ ", Name("e_n")) if moves else ()
-        parts = line(self.phrases.math(edge.slide_rate), " ", Name("e_t"), *across)
-        units = line(Name("e_t"), " = ", *self._vector(path.tangent, PURE))
-        note = line(*units, ", ", Name("e_n"), " = ", *self._vector(normal, PURE)) if moves else units
-        radius = list(self._radius(path, place, note)) if moves else []
-        yield from radius
-        sides = (line(Name(f"a_{place}")), parts)
-        yield from self._once(f"{level} {place}", sides, motion.acceleration(at, body), level, () if radius else note)
-
-    def _curved(self, body: str) -> Path | None:
-        """The fixed curve along which a particle moves; None: it is straight there, or there is none."""
-        edge = self.vectors.edges.get(body)
-        path = edge.joining.path if edge is not None and edge.joining is not None else None
-        if edge is None or path is None or path.curvature == 0 or edge.parent != "ground":
-            return None
-        return None if self.phrases.value.known(path.curvature) is None else path
-
-    def _radius(self, path: Path, place: str, note: Line = ()) -> Iterator[Block]:
-        """ρ of the path of a particle, once; nothing where the file gives it by that letter."""
-        if f"ρ {place}" in self._told:
-            return
-        self._told.add(f"ρ {place}")
-        sense = 1 if self.phrases.value(path.curvature) > 0 else -1
-        radius = abs(1 / path.curvature) if self.phrases.symbolic else sense / path.curvature
-        value = () if self.phrases.symbolic else (self.phrases.of_dimension(self.phrases.value(radius), LENGTH),)
-        if radius.is_Symbol and plain_name(radius.name) == "ρ":
-            return
-        clean = self.phrases.symbolic or is_clean(self.phrases.ledger, radius)
-        told = clean and not longer(radius, LONGEST) and not (value and radius.is_number)
-        shown = (self.phrases.math(radius),) if told else ()
-        yield Equation((line("ρ"), *shown, *value), None, note=note)
-
-    def _asked_radius(self, answer: Found, q: Quantity) -> Iterator[Block]:
-        """The same where it is asked for by that letter."""
-        if q.word != "rho" or plain_name(answer.name) != "ρ" or answer.unit.text not in ("m", "ft"):
-            return
-        body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
-        path = self._curved(body)
-        if path is not None:
-            yield from self._radius(path, centre_of(self.scene, body))
-
     def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The equation of a point of a body with its value, after those of the points on which it rests."""
         body = self.vectors.carrier(body)
@@ -273,6 +216,7 @@ class AskedTelling:
             return
         edge, sides, arm = found
         if edge.joining is not None and not self.vectors.rests(edge, level):
+            yield from self.paths.acceleration(body, edge.joining.point, edge.joining.place, level)
             yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
         motion = self.vectors.motion
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
@@ -282,7 +226,7 @@ class AskedTelling:
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
         if key not in self._told:
             self._told.add(key)
-            value = self._vector(vector, VELOCITY if level == "velocity" else ACCELERATION)
+            value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
             yield Equation((*sides, value) if value else sides, None, note=note)
 
     def _seen(self, point: str, frame: str, word: str) -> Iterator[Block]:
@@ -357,7 +301,8 @@ class AskedTelling:
         """v²/ρ, where that is asked of a particle on a fixed curve; else nothing."""
         body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
         edge = self.vectors.edges.get(body)
-        if q.word != "a" or q.parts[-1].kind != "n" or len(q.things) > 1 or self._curved(body) is None or edge is None:
+        curved = self.paths.curved(body) is not None
+        if q.word != "a" or q.parts[-1].kind != "n" or len(q.things) > 1 or not curved or edge is None:
             return ()
         return () if edge.slide is None else line(self.phrases.math(edge.slide**2), "/ρ")
 
@@ -381,14 +326,6 @@ class AskedTelling:
     @staticmethod
     def _dimension(q: Quantity) -> Dimension:
         return VELOCITY if q.word == "v" else ACCELERATION
-
-    def _vector(self, vector: Vec, dimension: Dimension) -> Line:
-        """[x, y] with its unit; in letters where they are short."""
-        if self.phrases.symbolic:
-            if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
-                return ()
-            return line("[", self.phrases.math(factored(vector.x)), ", ", self.phrases.math(factored(vector.y)), "]")
-        return self.phrases.vector(self.phrases.certain(vector.x), self.phrases.certain(vector.y), dimension)
 
 
 def _rational(number: Decimal) -> sp.Rational:

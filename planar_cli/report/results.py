@@ -25,22 +25,38 @@ def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> li
     left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
     if phrases.symbolic:
         return _formulas(instant, x, left, choice, phrases)
+    own = choice.roots[choice.taken].value
+    free = not any(c.objection for c in instant.left_out if _root_of(c, x) == 1 - choice.taken)
+    if len(left) == 1 and left[0].value == -own and free and _is_speed(instant, x):
+        return [_opposite(phrases.shown(x.symbol, left[0].value), own > 0)]
     parts: list[Any] = ["other roots: "]
     for i, root in enumerate(left):
         parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
     return [Paragraph(line(*parts, " (", _reason(instant, choice, phrases.figures), ")"))]
 
 
+def _is_speed(instant: InstantSolution, x: SolvedLine) -> bool:
+    return x.symbol in instant.trial.system.tree.velocity_unknowns()
+
+
+def _root_of(other: Any, x: SolvedLine) -> int | None:
+    """Which root a branch takes."""
+    return next((c.taken for c in other.branch.choices if c.symbol == x.symbol), None)
+
+
+def _opposite(other: Any, positive: bool) -> Paragraph:
+    """Nothing tells the two senses of a motion apart."""
+    told = "; the positive one is taken" if positive else ""
+    return Paragraph(line("The other root, ", other, f", is the same motion the opposite way{told}."))
+
+
 def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: Any, phrases: Phrases) -> list[Block]:
     """Of letters only the speed of a motion the other way is said."""
-    if x.symbol not in instant.trial.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
+    if not _is_speed(instant, x) or len(left) != 1 or left[0].expression is None:
         return []
     if not identically_zero(left[0].expression + x.formula):
         return []
-    other = phrases.math(left[0].expression)
-    positive = "; the positive one is taken" if choice.roots[choice.taken].value > 0 else ""
-    told = line("The other root, ", other, f", is the same motion the opposite way{positive}.")
-    return [Paragraph(told)]
+    return [_opposite(phrases.math(left[0].expression), choice.roots[choice.taken].value > 0)]
 
 
 def _reason(instant: InstantSolution, choice: Any, figures: int) -> Line:

@@ -318,7 +318,8 @@ class VectorTelling:
         """Is the point at which a body is joined at rest, or without acceleration?"""
         motion = self.motion
         linear = (motion.velocities if level == "velocity" else motion.accelerations)[edge.body].linear
-        return bool(linear.x == 0 and linear.y == 0)
+        nothing = dict.fromkeys(self.zero, sp.S.Zero)
+        return all(sp.sympify(p).xreplace(nothing) == 0 for p in (linear.x, linear.y))
 
     def _arm(self, place: str, reference: str, arm: Vec) -> Line:
         """The arm in numbers, or in letters where they are short."""

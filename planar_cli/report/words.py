@@ -328,7 +328,8 @@ def _with_numbers(equation: Any, phrases: Phrases) -> Math | None:
 
 def components(x: Decimal, y: Decimal, unit: str, figures: int) -> Line:
     """[x, y] with the unit of both."""
-    return (Text("["), Value(x, "1", figures), Text(", "), Value(y, "1", figures), Text("] "), Text(_unit_only(unit)))
+    shown = (Text("["), Value(x, "1", figures), Text(", "), Value(y, "1", figures), Text("]"))
+    return shown if unit == "1" else (*shown, Text(f" {_unit_only(unit)}"))
 
 
 def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -> Line:

@@ -14,7 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.principles.base import Balance
+from planar_cli.principles.base import Balance, Source
 from planar_cli.records import record
 from planar_cli.solve.regimes.equations import NO_MASS, Equation
 from planar_cli.solve.regimes.potential import potential
@@ -117,9 +117,17 @@ def _closed(regime: Regime, offered: Offered) -> Closed | None:
             found = potential(rate, regime) if regime.told(rate) else None
         if found is None or found.has(sp.Integral) or longer(found, balance.longest):
             return None
-        if found.free_symbols & set(regime.letters):
+        if found.free_symbols & set(regime.letters) and not _stays(regime, source, found):
             functions.append((source.words, found))
     return Closed(offered, amounts, tuple(functions))
+
+
+def _stays(regime: Regime, source: Source, function: sp.Expr) -> bool:
+    """Do joints that close a loop keep it as it is, as a level rail the height of a slider at the end of two rods?"""
+    if len(function.free_symbols & set(regime.letters)) < 2:
+        return False
+    rate = regime.closed(source.rate)
+    return rate == 0 or (not longer(rate, COMPARED) and simplified(rate) == 0)
 
 
 def balance_equations(course: RegimeSequence, closed: Sequence[Sequence[Closed]], k: int) -> Iterator[Equation]:

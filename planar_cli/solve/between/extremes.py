@@ -33,6 +33,6 @@ def stationary(
         hint += "and give it in this one: `given: {mu: limit.mu}`"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
     free = [x.name for x in letters if x in kept and "__" not in x.name]
-    words = f"{like.words}, so {unchanged(free)}"
+    words = f"{like.words}, so {unchanged(free, objective)}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
     return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]

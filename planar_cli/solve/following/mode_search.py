@@ -114,7 +114,8 @@ class ModeSearch(ModeChoice):
                 return SolvedMotion(course, finds, course.equilibria.branch, None, course.base())
             found = self._solve_departing(course, finds)
             if isinstance(found, SolvedMotion):
-                stays = self.stays and not course.regimes[0].free
+                # A start alone, beside an equilibrium about which it swings, is no motion that would be told.
+                stays = self.stays and not course.regimes[0].free and len(course.states) > 1
                 why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
                 return replace(found, checks=(*found.checks, *why))
             modes = found

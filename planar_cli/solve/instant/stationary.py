@@ -102,7 +102,7 @@ def stationary_of(seeker: Seeker, extreme: Extreme, side: sp.Expr) -> Stationary
     if not slope.free_symbols & sought:
         return None
     free = [z.name for z in letters if z in sought]
-    words = f"{extreme.text}, so {unchanged(free)}"
+    words = f"{extreme.text}, so {unchanged(free, side)}"
     found = Condition("extreme", words, slope, mark=extreme.mark)
     return Stationary(found, slope, tuple(related), objective, tuple(letters))
 

@@ -20,8 +20,9 @@ MOST = 4
 LONGEST = 400
 
 
-def unchanged(free: Sequence[str]) -> str:
-    """What an extreme means for the unknowns on which it depends."""
+def unchanged(letters: Sequence[str], extreme: sp.Expr) -> str:
+    """What an extreme means for the unknowns on which it depends; it is not one of them itself."""
+    free = [x for x in letters if not extreme.is_Symbol or x != extreme.name]
     if len(free) == 1:
         return f"its derivative with respect to {free[0]} is zero"
     return f"it does not change with a small change of {', '.join(free)}" if free else "it is stationary"

@@ -1,0 +1,120 @@
+"""What moves along a fixed curve: its acceleration by components along and across the path, and the radius of it.
+
+    a_P = a_t e_t + v²/ρ e_n                       (An Introduction to Planar Dynamics, 1.4)
+
+Of a rigid body only the point that is joined to the curve moves so; its others follow by a_B = a_A + α × r_B/A - …
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.factoring import factored
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import Path
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.blocks import Block, Equation, Line, Name, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.forces import centre_of
+from planar_cli.report.names import plain_name
+from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import Found
+from planar_cli.units import LENGTH, PURE, Dimension
+
+LONGEST = 40
+"""A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
+Once = Callable[[str, tuple[Line, ...], Vec, str, Line], Iterator[Block]]
+"""Tells the sides of a vector with its components, where its key was not told before."""
+
+
+class PathTelling:
+    """Lines of what moves along a fixed curve."""
+
+    def __init__(self, vectors: VectorTelling, phrases: Phrases, once: Once) -> None:
+        self.vectors, self.phrases, self.once = vectors, phrases, once
+        self.scene = vectors.system.scene
+        self._told: set[str] = set()
+
+    def acceleration(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
+        """a = a_t e_t + v²/ρ e_n of the point of a body that moves along the curve; at rest a_t e_t alone."""
+        edge, path = self.vectors.edges.get(body), self.curved(body)
+        if level == "velocity" or edge is None or path is None or edge.slide is None or edge.slide_rate is None:
+            return
+        if not self._on_curve(body, at):
+            return
+        tangent = line(Name("e_t"), " = ", *vector_of(path.tangent, PURE, self.phrases))
+        parts, radius, note = line(self.phrases.math(edge.slide_rate), " ", Name("e_t")), list[Block](), tangent
+        if edge.slide not in self.vectors.zero and self.phrases.value.known(edge.slide) != 0:
+            bends = path.tangent.turned()
+            normal = bends if self.phrases.value(path.curvature) > 0 else -bends
+            note = line(*tangent, ", ", Name("e_n"), " = ", *vector_of(normal, PURE, self.phrases))
+            parts = line(*parts, " + ", self.phrases.math(edge.slide**2), "/ρ ", Name("e_n"))
+            radius = list(self._radius(path, place, note))
+        yield from radius
+        vector = self.vectors.motion.acceleration(at, body)
+        sides = (line(Name(f"a_{index_of(place)}")), parts)
+        yield from self.once(f"acceleration {place}", sides, vector, "acceleration", () if radius else note)
+
+    def _on_curve(self, body: str, at: Vec) -> bool:
+        """Does this point of a body move along the curve, as a particle does and what does not turn?"""
+        motion, is_zero = self.vectors.motion, self.phrases.value.is_zero
+        if all(
+            t[body].angular in self.vectors.zero or is_zero(t[body].angular)
+            for t in (motion.velocities, motion.accelerations)
+        ):
+            return True
+        arm = self.scene.arms.between(motion.accelerations[body].point, at)
+        return is_zero(arm.x) and is_zero(arm.y)
+
+    def curved(self, body: str) -> Path | None:
+        """The fixed curve along which a body moves; None: it is straight there, or there is none."""
+        edge = self.vectors.edges.get(body)
+        path = edge.joining.path if edge is not None and edge.joining is not None else None
+        if edge is None or path is None or path.curvature == 0 or edge.parent != "ground":
+            return None
+        return None if self.phrases.value.known(path.curvature) is None else path
+
+    def _radius(self, path: Path, place: str, note: Line = ()) -> Iterator[Block]:
+        """ρ of the path of a point, once; nothing where the file gives it by that letter."""
+        if place in self._told:
+            return
+        self._told.add(place)
+        sense = 1 if self.phrases.value(path.curvature) > 0 else -1
+        radius = abs(1 / path.curvature) if self.phrases.symbolic else sense / path.curvature
+        value = () if self.phrases.symbolic else (self.phrases.of_dimension(self.phrases.value(radius), LENGTH),)
+        whole = simplified(self._in_full(radius))
+        radius = whole if whole.is_Symbol else radius
+        if radius.is_Symbol and plain_name(radius.name) == "ρ":
+            return
+        clean = self.phrases.symbolic or (bool(radius.free_symbols) and is_clean(self.phrases.ledger, radius))
+        shown = (self.phrases.math(radius),) if clean and not longer(radius, LONGEST) else ()
+        yield Equation((line("ρ"), *shown, *value), None, note=note)
+
+    def _in_full(self, expr: sp.Expr) -> sp.Expr:
+        """With what the names of long coordinates stand for, which hide the length of a cord."""
+        named = self.phrases.ledger.definitions
+        return expr.xreplace({s: named[s] for s in expr.free_symbols if s in named})
+
+    def asked_radius(self, answer: Found, q: Quantity) -> Iterator[Block]:
+        """The same where it is asked for by that letter."""
+        if q.word != "rho" or plain_name(answer.name) != "ρ" or answer.unit.text not in ("m", "ft"):
+            return
+        body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
+        path = self.curved(body)
+        if path is not None:
+            yield from self._radius(path, centre_of(self.scene, body))
+
+
+def vector_of(vector: Vec, dimension: Dimension, phrases: Phrases) -> Line:
+    """[x, y] with its unit; in letters where they are short."""
+    if not phrases.symbolic:
+        return phrases.vector(phrases.certain(vector.x), phrases.certain(vector.y), dimension)
+    if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
+        return ()
+    shown: list[Any] = [phrases.math(factored(sp.sympify(p))) for p in (vector.x, vector.y)]
+    return line("[", shown[0], ", ", shown[1], "]")

@@ -1,0 +1,36 @@
+"""Lines that were not true of what they name: points beside a curve, ways along a track, level bodies, roots."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def page(name: str) -> str:
+    """The printed page of a problem file."""
+    return Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "unsaid"),
+    [
+        ("rigid-bodies/beam-on-two-ropes", "a_B = α × r_B/A = [0, -14.72] m/s²", "ρ = "),
+        ("rigid-bodies/bar-on-two-slanting-cords", "a_G = a_A + α × r_G/A = [-1.307, -7.546] m/s²", "ρ = "),
+        ("rigid-bodies/plate-on-parallel-links", "a_G = a_Ct e_t = [4.248, -2.452] m/s²", "ρ = "),
+        ("particles/pendulum-tension", "ρ = l = 1.2 m", "√(l² + 4 y_P²)/2 ="),
+        ("momentum/rocket-up-and-along", "a_P = (", "sin φ"),
+        ("energy/slider-crank-with-a-spring", "U of the weight of AB", "U of the weight of slider"),
+        ("systems/flat-faced-follower-about-to-lift", "is the same motion the opposite way", "the smaller one"),
+        ("oscillations/connecting-rod-on-a-knife-edge", "T_B = 2 π/ω_0", "nothing moves"),
+        ("motion/least-speed-to-a-target", "v_0 is smallest, so its derivative with respect to β is zero", "β, v_0"),
+    ],
+)
+def test_a_page_says_what_is_true(name: str, said: str, unsaid: str) -> None:
+    """The point of a rigid body that moves along a curve is the one that is joined to it; at rest v²/ρ is nothing."""
+    printed = page(name)
+    assert said in printed
+    assert unsaid not in printed
