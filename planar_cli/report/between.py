@@ -15,6 +15,7 @@ from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
 from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
@@ -26,8 +27,10 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 
 LONGEST, MOST_NAMED = 60, 8
-SHORT, FEW = 36, 16
-"""A longer equation is told with its numbers, where it has some; one whose parts were told with theirs."""
+SHORT, SOME, FEW = 36, 24, 16
+"""A longer equation is told with its numbers, where it has some; one whose parts were told with theirs; and such a one
+in which one unknown stands plainly.
+"""
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
 FINITE = "the impulse of weights, springs and other finite forces is negligible"
 
@@ -42,6 +45,8 @@ class BetweenTelling:
     """In which is told what rests on no letter without a number."""
     unknowns: Collection[sp.Symbol] = ()
     """What the equation at hand is solved for."""
+    geometry: Collection[sp.Expr] = ()
+    """What vanishes by relations of places from which these follow together with the equation at hand."""
     long: bool = False
     """Is its solution a long formula?"""
     told: set[str] = field(default_factory=set)
@@ -100,11 +105,13 @@ class BetweenTelling:
 
     def _energies(self, b: BalanceTrace, number: int) -> Iterator[Block]:
         """Energies one by one with their numbers, then their balance."""
-        yield from EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches).lines()
+        telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry)
+        yield from telling.lines()
         first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
-        whole = self._put(b.before) + self._put(b.gain)
-        parts = [put for e in (b.before, *(e for _, e in b.brought)) if (put := self._put(e)) != 0]
+        gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
+        parts = [put for put in (self._put(b.before), *gains) if put != 0]
+        whole = self._put(b.before) + (sp.Add(*gains) if self.geometry else self._put(b.gain))
         yield self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
 
     def _equation(
@@ -119,7 +126,8 @@ class BetweenTelling:
         """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`: of its
         left side, which were told one by one.
         """
-        most = (0 if self.long else FEW) if parts and self._is_plain(left - right) else SHORT
+        plain = bool(parts) and self._is_plain(left - right)
+        most = (0 if self.long else FEW) if plain else SOME if parts else SHORT
         short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
         found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
         if found is None:

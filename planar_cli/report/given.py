@@ -71,7 +71,7 @@ class Mentioned:
     numeric: bool = False
     """Are numbers put into formulas?"""
     summed: bool = False
-    """Does a sum of forces or moments stand in numbers, among which its weights are?"""
+    """Does a sum of forces, moments or energies stand in numbers, among which its weights are?"""
 
 
 def mentioned(page: Iterable[Block]) -> Mentioned:
@@ -100,8 +100,8 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
 
 
 def _is_of_forces(note: Line) -> bool:
-    """Is an equation in numbers one of forces or moments?"""
-    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf"))
+    """Is an equation in numbers one of forces, moments or energies?"""
+    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf", "in J"))
 
 
 def pieces_of(value: object) -> Iterator[Inline]:

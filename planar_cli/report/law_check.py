@@ -19,7 +19,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.energies import STATE
+from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace

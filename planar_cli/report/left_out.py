@@ -116,6 +116,9 @@ def _on_the_way(
     if _close(start, r.value):
         return _by_sign(r.value, others)
     grows = r.value > start
+    state = line(Math(r.unknown), " = ", Math(earlier), " is state ", _state(found, earlier), " itself")
+    if earlier in told and all(_close(v, start) for v in others):
+        return state
     beyond = [v for v in others if not _close(v, start) and (v > start) is grows]
     if any(abs(v - start) < abs(r.value - start) for v in beyond):
         return _by_sign(r.value, others)

@@ -10,9 +10,10 @@ import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import by_name, longer, simplified
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
+from planar_cli.report.angles_found import by_function
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
@@ -23,7 +24,7 @@ from planar_cli.report.integrals import in_times, over_coordinates, plain_integr
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
-from planar_cli.report.origins import head, is_steady, known_from, sides_of, told_once, turning_blocks
+from planar_cli.report.origins import head, is_steady, known_from, letter_of, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
@@ -199,9 +200,13 @@ class MotionTelling:
             plain = r.formula is not None and not longer(r.formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
-            if len(sides) == 2:
-                sides = (sides[0], *self._solved(leg, r, route), sides[1])
-            yield Equation(named or sides, None, lead if i == 0 else ())
+            if first := self._by_function(leg, r, numbers, route):
+                yield Equation(first, None, lead if i == 0 else ())
+                yield Equation((sides[0], sides[-1]))
+            else:
+                if len(sides) == 2:
+                    sides = (sides[0], *self._solved(leg, r, route), sides[1])
+                yield Equation(named or sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
 
@@ -234,6 +239,12 @@ class MotionTelling:
         found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, self.numeric)
         return [] if found is None else [found]
 
+    def _by_function(self, leg: RouteStep, r: Result, numbers: list[int], route: RouteTrace) -> tuple[Any, ...]:
+        """The sine of an angle, from its equation in numbers where it stands so."""
+        (e, *more) = leg.relations
+        counted = not more and len(leg.unknowns) == 1 and set(numbers) <= self.between.counted
+        return by_function(r, sides_of(e, route) if counted else None, leg.unknowns, self.numeric)
+
     def _is_told(self, r: Result) -> bool:
         """Does a formula stand before its value, or nothing at all?"""
         formula = self._formula(r)
@@ -260,7 +271,8 @@ class MotionTelling:
         result = leg.results[0]
         if (e.kind == "link" or e.is_datum) and result.formula is not None:
             return bool(expanded(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
-        return e.span is not None and e.span.explicit is not None and self._letter(e) == leg.results[0].unknown
+        own = letter_of(e, self.found.ledger)
+        return e.span is not None and e.span.explicit is not None and own == result.unknown
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
@@ -269,6 +281,8 @@ class MotionTelling:
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
             self.between.plain, self.between.unknowns = route.plain, leg.unknowns
+            places = [x for x in leg.relations if x.source is None and x.span is None]
+            self.between.geometry = [x.residual.xreplace(route.plain) for x in places]
             self.between.long = any(r.formula is not None and longer(r.formula, FEW) for r in leg.results)
             yield from self.between.blocks(e.source, self._number())
             return
@@ -293,13 +307,13 @@ class MotionTelling:
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":
             return line("the rate of this quantity"), line("0")
-        letter = self._letter(e)
+        letter = letter_of(e, self.found.ledger)
         if letter is not None:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
                 return self.phrases.math(own), self.phrases.math(self._neat(own - residual))
         if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
-            own = self._letter(e)
+            own = letter_of(e, self.found.ledger)
             if own in route.plain:
                 explicit = e.span.explicit.xreplace(route.plain)
                 explicit = explicit if own in self.found.route.plain else self._neat(explicit)
@@ -378,18 +392,3 @@ class MotionTelling:
             phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
             told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
             yield from rejected(self.found, r, phrases, told)
-
-    def _letter(self, e: Relation) -> sp.Symbol | None:
-        """The letter that a relation between states gives, by its kind."""
-        span = e.span
-        if span is None:
-            return None
-        if span.explicit is not None:
-            found = (span.residual + span.explicit).expand() if span.residual.is_Add else span.residual + span.explicit
-            found = simplified(found)
-            return found if found.is_Symbol else None
-        if e.kind == "v(q)":
-            roles = self.found.ledger.roles
-            own = [s for s in by_name(span.residual.free_symbols) if s in roles and roles[s].at == e.stop]
-            return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
-        return None

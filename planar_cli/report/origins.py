@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import by_name, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
@@ -145,3 +147,19 @@ def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
         elif not isinstance(block, Equation | Result):
             heading = None
         yield block
+
+
+def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
+    """The letter that a relation between states gives, by its kind."""
+    span = e.span
+    if span is None:
+        return None
+    if span.explicit is not None:
+        found = (span.residual + span.explicit).expand() if span.residual.is_Add else span.residual + span.explicit
+        found = simplified(found)
+        return found if found.is_Symbol else None
+    if e.kind == "v(q)":
+        roles = ledger.roles
+        own = [s for s in by_name(span.residual.free_symbols) if s in roles and roles[s].at == e.stop]
+        return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
+    return None

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.expansion import expanded
@@ -33,6 +34,10 @@ PART = 16
 """A formula of more operations is not told with some of its letters."""
 FEW, LONGEST = 12, 45
 """A formula of more operations is told with one number for all that is known; and with no numbers put in at all."""
+FEW_PARTS = 4
+"""Of so many parts an equation is told by them as they are."""
+PLAIN = 2
+"""Of no more terms in all a sum is told without its parts."""
 OPENED = 150
 """A longer formula is not multiplied out to see whether it gets shorter so."""
 
@@ -67,7 +72,7 @@ def put_in(
     parts = [left] if isinstance(left, sp.Expr) else list(left)
     left = sp.Add(*parts)
     if left.free_symbols & set(unknowns) or not parts:
-        parts = [left]
+        parts = _alike(parts, unknowns) or [left]
     elif phrases.has_numbers(left):
         parts = [e for e in parts if not phrases.value.is_zero(e)] or [sp.S.Zero]
     writer = Writer(unknowns, phrases)
@@ -75,9 +80,24 @@ def put_in(
     after = writer.written(right)
     if after is None or any(e is None for e in found):
         return None
+    if len(found) > 1 and left.free_symbols & set(unknowns):
+        whole = writer.written(left)
+        found = writer.one_number(found) if whole is None or len(sp.Add.make_args(whole)) > PLAIN else [whole]
     before = sp.Add(*found, evaluate=False) if len(found) > 1 else found[0]
     shown = (Math(before, writer.texts), Math(after, writer.texts))
     return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after))
+
+
+def _alike(parts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol]) -> list[sp.Expr]:
+    """Parts that are the same but for a known factor as one; none where they are many."""
+    found: dict[sp.Expr, list[tuple[sp.Expr, sp.Expr]]] = {}
+    for part in parts:
+        known, rest = factor_terms(part).as_independent(*unknowns, as_Add=False)
+        found.setdefault(rest, []).append((part, known))
+    if len(parts) < 2 or len(found) > FEW_PARTS:
+        return []
+    own = [(rest, *group) for rest, group in found.items()]
+    return [first[0] if not more else sp.Add(first[1], *(k for _, k in more)) * rest for rest, first, *more in own]
 
 
 def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, constant: bool = False) -> Math | None:
@@ -161,6 +181,22 @@ class Writer:
         except (Mixed, NoValue, Unvalued):
             return None
         return min(found, key=operations)
+
+    def one_number(self, parts: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Written parts of a sum with one number for all that are numbers among its terms."""
+        terms = [t for part in parts for t in sp.Add.make_args(part)]
+        numbers = [t for t in terms if t.is_number or t.as_coeff_Mul()[1] in self.sizes]
+        if len(numbers) < 2:
+            return list(parts)
+        whole = sum((self._size(t) for t in numbers), Decimal(0))
+        rest = [t for t in terms if t not in numbers]
+        if abs(whole) <= SMALL * max(abs(self._size(t)) for t in numbers):
+            return rest or [sp.S.Zero]
+        return [self._text(significant(abs(whole), self.phrases.figures), abs(whole), whole < 0), *rest]
+
+    def _size(self, term: sp.Expr) -> Decimal:
+        factor, number = term.as_coeff_Mul()
+        return Decimal(int(factor)) * self.sizes.get(number, Decimal(1))
 
     def _tree(self, expr: sp.Expr) -> sp.Expr:
         if not expr.free_symbols & self.unknowns:

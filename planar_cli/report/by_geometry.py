@@ -1,0 +1,45 @@
+"""Formulas made shorter by relations of geometry that stand beside them: with 0 = r sin φ + l sin θ, the height
+r sin φ + l sin θ is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import sympy as sp
+
+from planar_cli.equation.counting import operations
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import longer
+
+LONGEST = 40
+"""A longer formula is left as it is."""
+
+
+def by_geometry(expr: sp.Expr, residuals: Collection[sp.Expr], unknowns: Collection[sp.Symbol]) -> sp.Expr:
+    """The shortest form of an expression that differs from it by multiples of residuals, which vanish."""
+    if not residuals or longer(expr, LONGEST) or not expr.free_symbols & set(unknowns):
+        return expr
+    opened = found = expanded(expr)
+    for residual in residuals:
+        found = min((found, *_without(found, residual, unknowns)), key=operations)
+    return expr if found == opened else found
+
+
+def _without(expr: sp.Expr, residual: sp.Expr, unknowns: Collection[sp.Symbol]) -> Iterator[sp.Expr]:
+    """The expression without each of the terms that both have."""
+    if longer(residual, LONGEST):
+        return
+    own, other = _terms(expr, unknowns), _terms(residual, unknowns)
+    for part, factor in other.items():
+        if part != 1 and part in own:
+            yield expanded(expr - own[part] / factor * residual)
+
+
+def _terms(expr: sp.Expr, unknowns: Collection[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:
+    """The coefficients of what holds unknowns."""
+    found: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(expanded(expr)):
+        known, part = term.as_independent(*unknowns, as_Add=False)
+        found[part] = found.get(part, sp.S.Zero) + known
+    return found

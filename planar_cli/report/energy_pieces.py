@@ -1,0 +1,175 @@
+"""The pieces of which energies are told: formulas, then their letters and numbers as far as one line holds them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import display
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.records import record
+from planar_cli.report.blocks import Math, Value
+from planar_cli.report.by_geometry import by_geometry
+from planar_cli.report.clean import is_clean
+from planar_cli.report.notation import plain
+from planar_cli.report.numbers import quantity
+from planar_cli.report.put_in import Writer, in_known, partly
+from planar_cli.report.words import Phrases, told_unit
+from planar_cli.solve.between.trace import BalanceTrace
+from planar_cli.units import (
+    ENERGY,
+    LENGTH,
+    RATE,
+    Dimension,
+    Unit,
+    parse_unit,
+)
+
+SHORT = 16
+"""With more operations a formula of an energy is told by what it is made of."""
+WIDE = 88
+"""So many characters of a chain fit into a line."""
+STATE = "__"
+
+
+@record
+class EnergyPieces:
+    """Tells the parts of one balance. `unknowns`: what it is solved for; `plain`: letters that are data, with what they
+    are. All else has a number.
+    """
+
+    balance: BalanceTrace
+    unknowns: Collection[sp.Symbol]
+    phrases: Phrases
+    plain: Mapping[sp.Symbol, sp.Expr]
+    told: set[tuple[sp.Symbol, sp.Expr]]
+    """The stretches that were told before."""
+    geometry: Collection[sp.Expr]
+    """What vanishes by relations that stand before, of which the unknowns are found together with this balance."""
+
+    def _put(self, expr: sp.Expr) -> sp.Expr:
+        put = sp.sympify(expr).xreplace(dict(self.plain))
+        short = by_geometry(put, self.geometry, self.unknowns)
+        return short if longer(short, SHORT * 4) else simplified(short)
+
+    def _vanishes(self, put: sp.Expr) -> bool:
+        """Is it nothing, whatever is sought?"""
+        if put == 0 or put.free_symbols & set(self.unknowns):
+            return bool(put == 0 or self._summed(put)[0].expr == 0)
+        return self.phrases.value.is_zero(put)
+
+    def _short(self, put: sp.Expr, dimension: Dimension = ENERGY) -> bool:
+        return not longer(put, SHORT) and is_clean(self.phrases.ledger, put, dimension=dimension)
+
+    def _fitting(self, formula: Math, put: sp.Expr, numbers: tuple[Any, ...] = ()) -> tuple[Any, ...]:
+        """A formula of what an energy is made of, then as much of its letters and numbers as one line holds.
+        `numbers`: the formula with its numbers.
+        """
+        last = self._numbers(put, ())
+        letters = (self.phrases.math(put),) if self._short(put) and not put.is_number else ()
+        value = last[0]
+        substituted = tuple(self.phrases.substituted(put, value)) if letters and isinstance(value, Value) else ()
+        whole = (formula, *letters, *substituted, *last)
+        if letters and fits(whole):
+            return whole
+        if letters and not isinstance(value, Value) and fits(short := (formula, *letters, *last)):
+            return short
+        return (formula, *(numbers if isinstance(value, Value) else ()), *last)
+
+    def _numbers(self, put: sp.Expr, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
+        """What it is by the unknowns; or its value, after the numbers put in."""
+        if put.free_symbols & set(self.unknowns):
+            return self._summed(put)
+        return (*numbers, self._joule(put))
+
+    def _chain(self, put: sp.Expr) -> tuple[Any, ...]:
+        """A formula, its numbers, and its value or what it is by the unknowns."""
+        if put == 0:
+            return (self.phrases.math(put),)
+        about = self._about_axis(put)
+        if put.free_symbols & set(self.unknowns):
+            if about is not None:
+                return (self.phrases.math(about), *self._summed(put))
+            shown = self._summed(put)
+            formula = self.phrases.math(put)
+            return (formula, *(s for s in shown if s != formula)) if self._short(put) else shown
+        value = self._joule(put)
+        if about is not None:
+            return (self.phrases.math(about), *self.phrases.substituted(about, value), value)
+        if not put.is_number and not is_clean(self.phrases.ledger, put, dimension=ENERGY):
+            part = partly(put, [s for s in put.free_symbols if STATE in s.name], self.phrases)
+            if part is not None:
+                return part, value
+        formulas = (self.phrases.math(put),) if not put.is_number and not longer(put, 2 * SHORT) else ()
+        return (*formulas, *(self.phrases.substituted(put, value) if formulas else ()), value)
+
+    def _about_axis(self, put: sp.Expr) -> sp.Expr | None:
+        """I_A ω²/2 of a body that turns about a fixed point A, where lengths are numbers of the file; None: it does
+        not, or nothing on the page has defined I_A.
+        """
+        ledger = self.phrases.ledger
+        speeds = [s for s in put.free_symbols if s in ledger.units and ledger.units[s].dimension == RATE]
+        if len(speeds) != 1 or is_clean(ledger, put, dimension=ENERGY):
+            return None
+        factor = 2 * put / speeds[0] ** 2
+        if simplified(factor).free_symbols & {speeds[0]}:
+            return None
+        for symbol in ledger.definitions:
+            title = ledger.titles.get(symbol, "")
+            fixed = title.startswith("moment of inertia") and " about " in title
+            if fixed and self.phrases.value.is_zero(simplified(factor) - symbol):
+                return symbol * speeds[0] ** 2 / 2
+        return None
+
+    def _summed(self, expr: sp.Expr, unit: str = "J") -> tuple[Any, ...]:
+        """A formula with numbers for all but the unknowns. `unit`: of one that has none of these."""
+        if not expr.free_symbols & set(self.unknowns):
+            return (self._value(expr, parse_unit(unit)),)
+        writer = Writer(self.unknowns, self.phrases)
+        found = writer.written(expr)
+        return (self.phrases.math(expr) if found is None else Math(found, writer.texts),)
+
+    def _joule(self, expr: sp.Expr) -> Value:
+        return self._value(expr, parse_unit("J"))
+
+    def _length(self, expr: sp.Expr) -> tuple[Any, ...]:
+        """A height or a stretch: its formula where that is short, its number."""
+        (letter, *more) = expr.free_symbols or (sp.S.One,)
+        unit = self.phrases.ledger.units.get(letter)
+        multiple = not more and unit is not None and unit.dimension == LENGTH and (expr / letter).is_number
+        clean = bool(expr.free_symbols) and (multiple or self._short(expr, LENGTH))
+        if expr.free_symbols & set(self.unknowns):
+            shown, formula = self._summed(expr, "m"), self.phrases.math(expr)
+            return (formula, *(s for s in shown if s != formula)) if clean else shown
+        value = self._value(expr, parse_unit("m"))
+        if clean:
+            return (self.phrases.math(expr), *self.phrases.substituted(expr, value), value)
+        own = {s for s in expr.free_symbols if STATE in s.name}
+        return (*(in_known(expr, own, value, self.phrases) if own else ()), value)
+
+    def _value(self, expr: sp.Expr, unit: Unit) -> Value:
+        own = self.phrases.page_unit(unit)
+        text = told_unit(own, unit.dimension == ENERGY)
+        zero = self.phrases.value.is_zero(expr)
+        number = display(self.phrases.value(sp.S.Zero if zero else expr), own, self.phrases.ledger.us)
+        return Value(number, text, self.phrases.figures)
+
+    def _with(
+        self, told: sp.Expr, ends: Mapping[sp.Symbol, sp.Expr], factor: Mapping[sp.Symbol, Decimal]
+    ) -> tuple[Any, ...]:
+        """A formula with heights or stretches as numbers. `factor`: of one that is a number already."""
+        sizes = dict(factor)
+        for own, expr in ends.items():
+            listed = own in self.phrases.ledger.units
+            sizes[own] = self.phrases.value(expr) if listed else self._value(expr, parse_unit("m")).number
+        found = self.phrases.numbers(told, sizes)
+        return () if found is None else (found,)
+
+
+def fits(sides: tuple[Any, ...]) -> bool:
+    """Does a chain of formulas stand in one line?"""
+    texts = (plain(s.expr, s.values) if isinstance(s, Math) else quantity(s.number, s.unit, s.figures) for s in sides)
+    return sum(len(t) + 3 for t in texts) <= WIDE

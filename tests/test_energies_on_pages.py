@@ -1,0 +1,59 @@
+"""Energies between states as they are read: stretches of springs, heights and speeds each in a line of its own."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.by_geometry import by_geometry
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-17", "stretch of the spring OB, s_1 = (2 - √3) l = (2 - √3) · 0.5 = 0.1340 m"),
+    ("ex-4-17", "U of the spring OB = 1/2 k (s_1² - s_2²) = 1/2 · 400 (0.1340² - 0²) = 3.590 J"),
+    ("ex-4-17", "v_B,2 = 2 l θ̇_2 sin θ_2 = 0.5 θ̇_2"),
+    ("ex-4-17", "1/2 m v_G,AB,2² + 1/2 I_AB θ̇_2²"),
+    ("ex-4-10", "y_AB,1 = √2/2 l_0 sin θ_1 + l_0 = √2/2 · 0.2828 sin(-45°) + 0.2828 = 0.1414 m"),
+    ("collar-with-a-slanting-spring", "stretch of the spring coil, δ_2 = √(d² + s_2²) - l_0 = "),
+])  # fmt: skip
+def test_what_an_energy_is_made_of_has_a_line(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+def test_a_spring_at_its_own_length_needs_no_stretches() -> None:
+    assert "U of the spring buffer = -1/2 k (s_deepest - a)²" in page("block-down-a-slope-onto-a-buffer")
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-4-13", "-54.44 - 117.7 sin θ_3 = 0 in J (2): sin θ_3 = -54.44/117.7 = -0.4624 θ_3 = -27.54°"),
+    ("ex-4-11", "78.48 (sin β_2 - 0.7071) - 250 (2 sin β_2 - 1.414)² = 0 in J"),
+    ("swing-from-which-the-cord-just-holds", "cos φ_0 = 1 - l φ̇_1²/(2 g) = 1 - 2 (-1.852)² / (2 · 9.81) = 0.6505"),
+])  # fmt: skip
+def test_an_angle_comes_from_its_sine(stem: str, lines: str) -> None:
+    assert lines in page(stem)
+
+
+def test_g_is_given_where_energies_are_in_numbers() -> None:
+    assert "g = 9.81 m/s²" in page("ex-4-13")
+
+
+def test_a_height_that_the_guide_keeps_is_none() -> None:
+    """With 0 = r sin φ + l sin θ a slider does not rise, and the rod's centre rises with φ alone."""
+    r, length, phi, theta = sp.symbols("r l phi theta", positive=True)
+    guide = r * sp.sin(phi) + length * sp.sin(theta)
+    assert by_geometry(3 * guide, [guide], [phi, theta]) == 0
+    assert by_geometry(r * sp.sin(phi) + length * sp.sin(theta) / 2, [guide], [phi, theta]) in (
+        r * sp.sin(phi) / 2,
+        -length * sp.sin(theta) / 2,
+    )
