@@ -39,3 +39,25 @@ def test_a_block_on_a_free_smooth_wedge_is_summed_along_it() -> None:
 
 def test_the_size_of_what_is_positive_is_itself() -> None:
     assert "/|" not in _page("kinematics/car-that-brakes-in-a-bend")
+
+
+def test_about_a_point_of_contact_the_acceleration_of_the_mass_centre_has_a_moment() -> None:
+    page = _page("textbook/ex-4-05")
+    assert "spool rolls without slipping:   a_G = -R α" in page
+    assert "-P (R + r) = I_G α - m a_G R" in page
+    assert "3 equations, 3 unknowns: a_G, α, F_C" in page
+    assert "(1) in (2):     α = -P (R + r) / (m R² + I_G)" in page
+
+
+def test_about_a_pivot_one_moment_of_inertia_is_enough() -> None:
+    page = _page("textbook/ex-4-06")
+    assert "rod turns about A:   a_G = -1/4 L α" in page
+    assert "1/4 m g L = I_A α" in page
+
+
+def test_a_point_on_a_taut_cord_is_told_to_move_across_it() -> None:
+    assert "a_P has no part along it, only a_Pt across it" in _page("textbook/ex-4-04")
+
+
+def test_normal_parts_of_two_bodies_are_two_arrows() -> None:
+    assert "m_2 AG_AB ω_AB² ↖ at G_AB,  m_2 OA ω_OA² ↖ at G_AB" in _page("plans/chain-5")

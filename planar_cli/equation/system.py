@@ -24,7 +24,9 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import ROPES, sways
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Number, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
+from planar_cli.problem.scene import GROUND
 from planar_cli.records import changing, record
 
 
@@ -234,6 +236,31 @@ class System:
             if self.scene.rigid(name):
                 found.append(Condition("given", text, twists[name].angular, body=name))
         return found
+
+    # --- how a body is led -------------------------------------------------------------------------------------------
+
+    def straight_ways(self, body: str) -> list[Vec]:
+        """The directions of the straight lines along which it is led or rolls."""
+        found = []
+        for mode in self.modes.values():
+            for j in mode.facts.joinings:
+                if body in (j.mover, j.base) and j.path is not None and j.path.curvature == 0:
+                    found.append(j.path.tangent)
+                if body in (j.mover, j.base) and j.rolling is not None:
+                    found.append(j.rolling.tangent)
+        return found
+
+    def is_pivot(self, body: str, point: Vec) -> bool:
+        """Is it held at a fixed point there? A wheel rolls over its point of contact."""
+        return any(
+            {j.mover, j.base} == {body, GROUND}
+            and j.path is None
+            and j.rolling is None
+            and j.drift is None
+            and all(self.scene.is_zero(p) for p in (j.point.x - point.x, j.point.y - point.y))
+            for mode in self.modes.values()
+            for j in mode.facts.joinings
+        )
 
 
 def make_system(

@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
@@ -19,7 +20,6 @@ from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.forces import centre_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant

@@ -8,10 +8,10 @@ from typing import Protocol
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
-from planar_cli.report.forces import centre_of
 from planar_cli.report.inertias import alike_together, inertia_line
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases

@@ -11,7 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.words import Phrases
+from planar_cli.report.words import Phrases, direction_words
 from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, RATE, VELOCITY
@@ -89,4 +89,7 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
 
 def _beyond(answer: Found) -> str:
     """What there is beyond a zero. A speed that comes to zero may stay there: friction turns with it."""
-    return "" if answer.unit.dimension in (VELOCITY, RATE) else "; beyond it, it has the other sign"
+    if answer.unit.dimension in (VELOCITY, RATE):
+        return ""
+    other = direction_words(answer, -answer.values[0]) if answer.values else ""
+    return f"; beyond it, it is {other}" if other else "; beyond it, it has the other sign"

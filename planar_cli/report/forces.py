@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import display
 from planar_cli.equation.one_way import one_way
@@ -70,15 +71,6 @@ def force_rows(
         else:
             rows.append(Forces(body, acting, inertia or (Text("0"),)))
     return rows
-
-
-def centre_of(scene: Scene, body: str) -> str:
-    """What the mass centre of a body is called: its point, of a particle its own name, else G."""
-    model = scene.bodies[body]
-    if not model.rigid or (model.center_name and model.center_name != body):
-        return model.center_name or body
-    alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
-    return "G" if alone else f"G_{body}"
 
 
 def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> Line:
@@ -328,7 +320,7 @@ def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: 
     ]
     for owner in sorted(bodies, key=lambda b: b != body):
         own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
-        ends = {centre_of(scene, b): scene.center(b) for b in (body, owner) if "_" not in centre_of(scene, b)} | own
+        ends = {centre_of(scene, owner): scene.center(owner), centre_of(scene, body): scene.center(body), **own}
         found = [e for e in ends.items() if _same(e[1], scene.center(body), value)]
         for (start, here), (end, there) in (*product(own.items(), found), *product(own.items(), ends.items())):
             arm = there - here

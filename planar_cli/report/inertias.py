@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import are_zero, longer
 from planar_cli.equation.scene import Scene
@@ -14,7 +15,6 @@ from planar_cli.problem.scene import Body, Rod, Round
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Text, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.forces import centre_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace

@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
@@ -19,7 +20,6 @@ from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, Name, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.forces import centre_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases

@@ -7,12 +7,12 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.components import Components
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
-from planar_cli.report.forces import centre_of
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 

@@ -73,8 +73,9 @@ class SolvingTelling:
     def count(self, stage: Stage) -> Line:
         """How many equations there are, and which unknowns."""
         blocks = [b for b in stage.blocks if not is_given(b) and not is_told(b, stage)]
-        equations = sum(len(b.equations) for b in blocks)
-        unknowns = [u for b in blocks for u in b.unknowns]
+        named = self._named(stage, [w for b in blocks for w in b.equations])
+        equations = sum(len(b.equations) for b in blocks) + len(named)
+        unknowns = [*named, *(u for b in blocks for u in b.unknowns)]
         parts: list[Any] = [
             f"{equations} equation{'s' if equations != 1 else ''}, "
             f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: ",
@@ -82,6 +83,12 @@ class SolvingTelling:
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]
         return line(*parts)
+
+    @staticmethod
+    def _named(stage: Stage, written: Sequence[Written]) -> dict[sp.Symbol, int]:
+        """The accelerations that stand for others in these equations, with the numbers of the lines that say so."""
+        held = {s for w in written for s in w.residual.free_symbols}
+        return {x.symbol: x.number for x in stage.lines if x.symbol in held}
 
     def is_needed(self, stage: Stage) -> bool:
         """Is there more to solve than what the file gives, and what is zero at sight?"""
@@ -180,6 +187,8 @@ class SolvingTelling:
         if x.symbol in self._inserted:
             inserted = numbered([self.number(stage, n) for n in self._inserted[x.symbol]])
             lead = line(f"{inserted} in ", *lead)
+        elif put_in := self._put_for(x, stage):
+            lead = line(f"{numbered(put_in)} in ", *lead)
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
@@ -195,6 +204,12 @@ class SolvingTelling:
             Equation(sides, None, lead),
             *other_roots(self.instant, x, self.phrases),
         ]
+
+    def _put_for(self, x: SolvedLine, stage: Stage) -> list[int]:
+        """The lines of accelerations that stand in the equation of a result, but no longer in the result."""
+        own = [w for b in stage.blocks for w in b.equations if w.number in x.equations]
+        gone = self._named(stage, own).items()
+        return [self.number(stage, n) for s, n in gone if s not in x.formula.free_symbols | self._valued]
 
     def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
         """The values of named accelerations that are put into a formula, those that were not told before."""

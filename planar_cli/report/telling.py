@@ -6,13 +6,14 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer
 from planar_cli.report.actions import moment_words, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
-from planar_cli.report.forces import centre_of, force_rows
+from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, places
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.motion import Edge, Motion
 from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
@@ -20,7 +21,6 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.forces import centre_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
@@ -78,8 +78,7 @@ class VectorTelling:
 
     def _taut(self, j: Joining, level: str) -> Line:
         """What a link or a taut cord between two points says."""
-        called = self.system.scene.problem.called(j.joint)
-        named = f"{called[:1].upper()}{called[1:]}"
+        named = self._called(j)
         v = "v" if level == "velocity" else "a"
         own = Name(f"{v}_{index_of(j.place)}")
         if j.base == GROUND and level == "velocity":
@@ -195,10 +194,28 @@ class VectorTelling:
         reference = self._reference(edge)
         if edge.joining is not None and not self.rests(edge, level):
             yield from self.point(edge.parent, edge.joining.point, reference, level)
+            yield from self._tied(edge, level)
         key = f"{level} {body} {place}"
         if key not in self._told:
             self._told.add(key)
             yield Equation(sides, None, note=self.arm_once(place, edge, arm))
+
+    def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
+        """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""
+        j = edge.joining
+        if j is None or j.base != GROUND or level == "velocity" or edge.slide_rate in (None, *self.zero):
+            return
+        v = self.motion.velocities[edge.body].linear
+        tied = any(push.kind == "tension" for push in self.system.modes[j.joint].facts.pushes)
+        if tied and v.x == 0 and v.y == 0 and f"tied {j.place}" not in self._told:
+            self._told.add(f"tied {j.place}")
+            own, along = Name(f"a_{index_of(j.place)}"), self.phrases.math(edge.slide_rate)
+            why = f"{self._called(j)} keeps its length and {j.place} is at rest: "
+            yield Paragraph(line(why, own, " has no part along it, only ", along, " across it"))
+
+    def _called(self, j: Joining) -> str:
+        called = self.system.scene.problem.called(j.joint)
+        return f"{called[:1].upper()}{called[1:]}"
 
     def _slid(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The vector equation of what slides along a body that turns."""

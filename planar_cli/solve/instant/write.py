@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.motion import Motion
@@ -23,12 +24,15 @@ from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
+from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.written import Explicit, Written
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
 MOST_READ = 60
 """A premise of more operations than this is not told."""
+MOST_NORMAL = 3
+"""So many parts of a mass centre's normal acceleration are drawn at most."""
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
@@ -124,11 +128,11 @@ class Writer:
         axes = [axis for axis in axes if axis[1] != 0]
         if len(axes) == 1:
             return [(axes[0][0], self._component(body, axes[0][1], ""))]
-        for tangent in self._tangents(body):
+        for tangent in self.system.straight_ways(body):
             if self.vanishes(a.cross(tangent)):
                 return [(tangent, self._component(body, self._along(a, tangent), ""))]
         parts = self._vector_parts(x, y)
-        if len(parts) <= 3:
+        if len({part.as_independent(*self.numbers.unknowns)[1] for _, part in parts}) <= 3:
             return parts
         return [(direction, self._component(body, expr, suffix)) for direction, expr, suffix in axes]
 
@@ -141,19 +145,23 @@ class Writer:
             (Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown)
             for unknown in dict.fromkeys((*form_x.terms, *form_y.terms))
         ]
-        if form_x.constant != 0 or form_y.constant != 0:
-            parts.append(self._normal_part(Vec(form_x.constant, form_y.constant)))
+        parts += self._normal_parts(Vec(form_x.constant, form_y.constant))
         return [self._unit_part(Vec(self.short(v.x), self.short(v.y)) if size != 1 else v, size) for v, size in parts]
 
-    def _normal_part(self, v: Vec) -> tuple[Vec, sp.Expr]:
-        """The part that velocities make; ω² is taken out where it is the only one."""
-        speeds = set(self.system.tree.velocity_unknowns()) & (v.x.free_symbols | v.y.free_symbols)
-        if len(speeds) == 1:
-            square = next(iter(speeds)) ** 2
-            arm = Vec(cancelled(v.x / square), cancelled(v.y / square))
-            if not speeds & (arm.x.free_symbols | arm.y.free_symbols):
-                return arm, square
-        return Vec(self.shortened(v.x), self.shortened(v.y)), sp.S.One
+    def _normal_parts(self, v: Vec) -> list[tuple[Vec, sp.Expr]]:
+        """The parts that velocities make: one for each ω², or product of two speeds; what is neither in one lump."""
+        speeds = sorted(set(self.system.tree.velocity_unknowns()) & (v.x.free_symbols | v.y.free_symbols), key=str)
+        found: dict[sp.Expr, list[sp.Expr]] = {}
+        for i, part in enumerate((v.x, v.y)):
+            for term in sp.Add.make_args(expanded(part)):
+                rest, product = term.as_independent(*speeds) if speeds else (term, sp.S.One)
+                found.setdefault(product, [sp.S.Zero, sp.S.Zero])[i] += rest
+        arms = [(Vec(cancelled(x), cancelled(y)), product) for product, (x, y) in found.items()]
+        arms = [(arm, p) for arm, p in arms if not (self.vanishes(arm.x) and self.vanishes(arm.y))]
+        if len(arms) > MOST_NORMAL or any(p == 1 or p.is_Add for _, p in arms):
+            lump = Vec(self.shortened(v.x), self.shortened(v.y))
+            return [] if self.vanishes(lump.x) and self.vanishes(lump.y) else [(lump, sp.S.One)]
+        return arms
 
     def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
         known = size != 1 and not v.x.has(sp.Add) and not v.y.has(sp.Add)
@@ -169,29 +177,16 @@ class Writer:
         terms = (trigonometric(expanded(c)) * x for x, c in form.terms.items())
         return sp.Add(*terms, trigonometric(expanded(form.constant)))
 
-    def _tangents(self, body: str) -> list[Vec]:
-        found = []
-        for mode in self.system.modes.values():
-            for j in mode.facts.joinings:
-                if body in (j.mover, j.base) and j.path is not None and j.path.curvature == 0:
-                    found.append(j.path.tangent)
-                if body in (j.mover, j.base) and j.rolling is not None:
-                    found.append(j.rolling.tangent)
-        return found
-
     def _component(self, body: str, expr: sp.Expr, axis: str) -> sp.Expr:
         if expr.is_Symbol or (-expr).is_Symbol:
             return expr
         scene = self.system.scene
-        name = scene.bodies[body].center_name
-        stem = f"a_{name}" if name else f"a_{body}"
-        where = f" along {axis}" if axis else ""
+        centre = centre_of(scene, body)
+        stem = f"a_{body if '_' in centre else centre}"
         form = self.numbers.form(expr)
         expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
         symbol = scene.ledger.once(stem + axis, "m/s^2", expr)
-        self.lines.append(
-            Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}")
-        )
+        self.lines.append(Explicit(self.number(), symbol, expr, acceleration_words(self.system, body, centre, axis)))
         return symbol
 
     @property
@@ -270,8 +265,9 @@ class Writer:
         return terms
 
     def _fixed(self, body: str, center: Vec) -> bool:
+        """Is it a pivot? About a point of contact that is only now at rest m a_G keeps its moment."""
         a = self.motion.acceleration(center, body)
-        return self.vanishes(a.x) and self.vanishes(a.y)
+        return self.vanishes(a.x) and self.vanishes(a.y) and self.system.is_pivot(body, center)
 
     def _inertia_about(self, body: str, center: Vec, name: str) -> sp.Expr:
         """I_G + m d², named."""
