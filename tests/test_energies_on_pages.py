@@ -57,3 +57,12 @@ def test_a_height_that_the_guide_keeps_is_none() -> None:
         r * sp.sin(phi) / 2,
         -length * sp.sin(theta) / 2,
     )
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-09", "a_Ay,2 = R α_2 = 0.2 · 0.6667 = 0.1333 m/s² tension_A = m_A (g + a_Ay,2) = "),
+    ("hoist-driven-by-a-belt", "S_1 = m (g + a_Ly,2) = 150 (9.81 + 0.5) = "),
+    ("load-wound-up-against-axle-friction", "T_up = m (g + r α_1) = 12 (9.81 + 0.15 (-5.338)) = 108.1 N"),
+])  # fmt: skip
+def test_a_force_is_told_by_the_acceleration_that_is_known(stem: str, line: str) -> None:
+    assert line in page(stem)

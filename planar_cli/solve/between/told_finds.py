@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Role
-from planar_cli.equation.plain import by_name, letters, longer
+from planar_cli.equation.plain import by_name, longer
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.derivation import at_right_angles
 from planar_cli.solve.between.motion_equations import MotionEquations
@@ -60,15 +60,17 @@ class FindTeller:
         """One find, and the letters at its state in which it is shorter."""
         kept = self._kept(asked)
         found = Request(asked.find, self._parts(asked, kept), asked.unit)
-        beside = self._beside(asked, kept)
-        if not beside:
+        places = self._places(asked)
+        if len({(id(reader.regime), stop.name) for reader, stop, _ in places}) != 1 or self.course.symbolic:
             return found
-        reader, _, _ = self._places(asked)[0]
+        regime = id(places[0][0].regime)
+        constant = kept.get(regime) or self.course.rates.names.get(regime, {})
+        beside = self._beside(places, constant)
         names = {g: own for g, (own, _) in beside.items()}
-        parts = self._parts(asked, {**kept, id(reader.regime): {**kept.get(id(reader.regime), {}), **names}})
+        parts = self._parts(asked, {**kept, regime: {**constant, **names}})
         lines = self._used(parts, dict(beside.values()))
         spared = sum(map(operations, found.parts)) - sum(map(operations, parts))
-        if not lines or spared < SPARED or any(p.is_Symbol for p in parts):
+        if spared < SPARED or any(p.is_Symbol for p in parts):
             return found
         for own, formula in lines:
             self.numbers[own] = self.value.extended(self.numbers)(formula)
@@ -114,15 +116,14 @@ class FindTeller:
                 found.append((asked.reader, asked.at, part))
         return found
 
-    def _beside(self, asked: AskedFind, kept: KeptLetters) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
-        """Unknowns of the general position that vary and stand in a find at one state: their letters there, with what
-        they are.
+    def _beside(
+        self, places: Sequence[tuple[Reader, Stop, sp.Expr]], constant: Mapping[sp.Symbol, sp.Expr]
+    ) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
+        """Unknowns of the general position that stand in a find at one state: their letters there, with what they are.
+        `constant`: letters that have their numbers before.
         """
-        places = self._places(asked)
-        if len({(id(reader.regime), stop.name) for reader, stop, _ in places}) != 1 or self.course.symbolic:
-            return {}
         reader, stop, _ = places[0]
-        regime, constant = reader.regime, kept.get(id(reader.regime), {})
+        regime = reader.regime
         formulas: dict[sp.Symbol, sp.Expr] = {}
         for stage in regime.general.stages:
             formulas |= {**stage.algebra.explicit, **stage.algebra.formulas}
@@ -131,8 +132,7 @@ class FindTeller:
         made = {g: self._letter(g, stop.name) for g in by_name(inside) if g in self._units()}
         for letter in list(made):
             closed = regime.closed(letter, frozenset(constant)).xreplace(dict(constant))
-            varies = letters(closed) & set(regime.letters) and operations(closed) >= LEAST
-            if not varies or not self.value.known(self._at(closed, reader, stop)):
+            if operations(closed) < LEAST or not self.value.known(self._at(closed, reader, stop)):
                 del made[letter]
         while True:
             found = {}
