@@ -16,7 +16,7 @@ from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Val
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
-from planar_cli.report.oscillation import periods_told
+from planar_cli.report.oscillation import by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
@@ -153,6 +153,8 @@ class AskedTelling:
             return []
         if formula.is_Symbol:
             return [self.phrases.math(formula)] if span is None else []
+        if span is None and (frequency := by_frequency(formula, self.found, phrases)):
+            return frequency
         if values and (longer(formula, FEW) or not self._is_clean(formula, unit)):
             own = formula.free_symbols & set(self.found.general)
             found = in_known(formula, own, values[0], phrases)

@@ -23,6 +23,8 @@ from planar_cli.report.notation import plain
 
 LONGEST = 90
 """A product of more operations stays as it is."""
+FEW_TERMS = 3, 8
+"""Among so many terms a square is looked for."""
 TURNED = 3
 """So many characters may be spent for the positive one of two differences."""
 
@@ -82,7 +84,8 @@ class Neat:
         return any(
             isinstance(p, sp.Abs)
             or (p.is_Pow and (_holds_sum(p.base) or isinstance(p.base, sp.sin)))
-            or (p.is_Mul and any(map(_shares, p.args)))
+            or (p.is_Mul and any(_shares(a) or (_is_difference(a) and self.sign(a) < 0) for a in p.args))
+            or (p.is_Add and _square_inside(p) is not None)
             for p in sp.preorder_traversal(expr)
         )
 
@@ -136,12 +139,20 @@ class Neat:
 
     def collected(self, total: sp.Expr) -> sp.Expr:
         """R x - r x as (R - r) x, for the differences of letters that are known to be positive; sin² + cos² as 1."""
-        total = _with_one(total) if total.is_Add else total
+        total = self._with_square(_with_one(total)) if total.is_Add else total
         for known in self.ledger.above_zero if total.is_Add else ():
             positive, negative = sorted(known.args, key=lambda a: bool(a.could_extract_minus_sign()))
             if len(known.args) == 2 and positive.is_Symbol and (-negative).is_Symbol:
                 total = _with_difference(total, positive, -negative, known)
         return total
+
+    def _with_square(self, total: sp.Expr) -> sp.Expr:
+        """a² + b² - 2 a b + c as (a - b)² + c."""
+        found = _square_inside(total)
+        if found is None:
+            return total
+        root, rest = found
+        return sp.Add((-root if self.sign(root) < 0 else root) ** 2, *rest)
 
 
 class _Letters:
@@ -278,6 +289,26 @@ def _square_root(total: sp.Expr) -> sp.Expr | None:
         if a is not None and b is not None and rest in (2 * a * b, -2 * a * b):
             return a + b if rest == 2 * a * b else a - b
     return None
+
+
+def _square_inside(total: sp.Expr) -> tuple[sp.Expr, list[sp.Expr]] | None:
+    """The root of a square of letters among the terms of a longer sum, and what is left of these."""
+    if not total.is_Add or not FEW_TERMS[0] <= len(total.args) <= FEW_TERMS[1]:
+        return None
+    for mixed in total.args:
+        factors = [f for f in sp.Mul.make_args(mixed) if f.is_Symbol]
+        if len(factors) != 2 or abs(mixed.as_coeff_Mul()[0]) != 2 or len(sp.Mul.make_args(mixed)) != 3:
+            continue
+        a, b = factors
+        if {a**2, b**2} <= set(total.args):
+            root = a + b if mixed == 2 * a * b else a - b
+            return root, [t for t in total.args if t not in (a**2, b**2, mixed)]
+    return None
+
+
+def _is_difference(total: sp.Expr) -> bool:
+    """Is it one letter less another?"""
+    return total.is_Add and len(total.args) == 2 and all(t.is_Symbol or (-t).is_Symbol for t in total.args)
 
 
 def _root_of(term: sp.Expr) -> sp.Expr | None:

@@ -9,9 +9,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
+from planar_cli.report.formula import is_negative
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, OscillationTrace, Verdict
@@ -35,6 +36,22 @@ def _swings(found: OscillationTrace, value: Valuation) -> bool:
     """Does it go to and fro about the equilibrium, with a period that the linear part tells?"""
     verdict = found.verdict
     return verdict.stable and verdict.power <= 1 and (found.damping == 0 or value(found.square) > 0)
+
+
+def by_frequency(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> list[Math]:
+    """What is a number times the one circular frequency that was told, by its letter: f = ω_0/(2 π); with its number.
+    Empty: it is something else.
+    """
+    (found, *more) = motion.oscillations or (None,)
+    if found is None or more or len(found.motion) > 1 or not _swings(found, motion.value):
+        return []
+    factor = simplified(expr / sp.sqrt(found.square))
+    if not factor.is_number or expr.is_number:
+        return []
+    letter = sp.Symbol("omega_d" if found.damping != 0 else "omega_0", real=True)
+    size = {} if phrases.symbolic else {letter: motion.value(sp.sqrt(found.square))}
+    put = phrases.numbers(factor * letter, size) if size else None
+    return [phrases.math(factor * letter), *([] if put is None else [put])]
 
 
 def oscillation_blocks(
@@ -80,8 +97,9 @@ def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symboli
             if not symbolic and longer(coefficient, LONG):
                 told = Writer((), phrases, texts).written(coefficient) or coefficient
             # The highest derivative first, as the course writes it.
-            less = told.could_extract_minus_sign()
-            term = phrases.math((-told if less else told) * factor)
+            term, other = (phrases.math(e * factor) for e in (told, -told))
+            less = is_negative(term.expr) and not is_negative(other.expr)
+            term = other if less else term
             left += [" - " if less else " + ", Math(term.expr, {**(term.values or {}), **texts})]
     yield Equation((line(*left), phrases.math(sp.S.Zero)))
     if not found.verdict.stable or found.verdict.power > 1:
