@@ -61,3 +61,16 @@ def test_a_point_on_a_taut_cord_is_told_to_move_across_it() -> None:
 
 def test_normal_parts_of_two_bodies_are_two_arrows() -> None:
     assert "m_2 AG_AB ω_AB² ↖ at G_AB,  m_2 OA ω_OA² ↖ at G_AB" in _page("plans/chain-5")
+
+
+def test_an_angular_momentum_and_its_impulse_are_told_before_their_balance() -> None:
+    page = _page("textbook/ex-4-12")
+    assert "about C (C moves parallel to G), through which" in page
+    assert "spool rolls without slipping" in page
+    assert "H_C,2 = I_G ω_2 - m v_G,2 R = m (R² + k_G²) ω_2" in page
+    assert "∫[0 → t_2] (-q (R + r) t) dt = -1/2 q (R + r) t_2² = -187.5 kg·m²/s" in page
+
+
+def test_the_speed_of_a_mass_centre_has_its_reason() -> None:
+    page = _page("textbook/ex-4-17")
+    assert page.count("OA turns about O") == 1, "AB does not turn about it"

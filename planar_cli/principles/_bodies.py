@@ -1,14 +1,24 @@
-"""The family of equations of every body, which Newton, d'Alembert and impulse and momentum share."""
+"""What principles say of every body: its family of equations, and how it moves."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from planar_cli.equation.kinetics import body_residuals
-from planar_cli.principles.base import BodyFamily, Position
+from planar_cli.equation.led import led
+from planar_cli.principles.base import BodyFamily, Moving, Position
 
 
 def body_families(position: Position) -> Iterator[BodyFamily]:
     """Σ F - m a_G along x and y, and Σ M - (r_G × m a_G + I_G α) about the origin."""
     for body in position.system.scene.bodies:
         yield BodyFamily(body, *body_residuals(position.system, body))
+
+
+def moving_of(position: Position, bodies: Iterable[str]) -> Iterator[Moving]:
+    """What kinetic energies and momenta are made of."""
+    scene, motion = position.system.scene, position.motion
+    for name in bodies:
+        body, center = scene.bodies[name], scene.center_name(name)
+        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
+        yield Moving(name, body.mass, body.inertia, v.x, v.y, omega, center, led(position.system, name))

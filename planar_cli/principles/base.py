@@ -140,6 +140,8 @@ class Moving:
     """Of turning [rad/s]."""
     center: str
     """The name of the mass centre."""
+    why: str = ""
+    """How the body is led, so that its mass centre has this velocity."""
 
 
 @record

@@ -11,8 +11,9 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
+from planar_cli.principles._bodies import moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
-from planar_cli.principles.base import Balance, Moving, Position, Principle, Source, Stored
+from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
@@ -75,11 +76,10 @@ class WorkEnergy(Principle):
         if not _closed(position):
             return
         scene, motion = position.system.scene, position.motion
-        kinetic, moving = [], []
+        kinetic = []
         for name, body in scene.bodies.items():
             v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
             kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
-            moving.append(Moving(name, body.mass, body.inertia, v.x, v.y, omega, scene.center_name(name)))
         yield Balance(
             words="work and kinetic energy",
             name="",
@@ -91,7 +91,7 @@ class WorkEnergy(Principle):
             idle=_idle(position),
             adds=True,
             timeless=True,
-            moving=tuple(moving),
+            moving=tuple(moving_of(position, scene.bodies)),
             longest=500,
         )
 

@@ -7,12 +7,13 @@ from typing import ClassVar, final
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
-from planar_cli.principles._bodies import body_families
+from planar_cli.principles._bodies import body_families, moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, unknown_sizes
-from planar_cli.principles.base import Balance, BodyFamily, Impulses, Position, Principle, Source
+from planar_cli.principles.base import Balance, BodyFamily, Impulses, Moving, Position, Principle, Source
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -106,8 +107,10 @@ def _balances(position: Position) -> Iterator[Balance]:
         for name, center in centres.items():
             rate = simplified(expanded(sp.Add(*(_moment(position, w, center) for w in outer))))
             if not rate.free_symbols & loose:
-                through = _passing(position, group, center)
-                yield from _balance(group, _angular(position, group, center), rate, "↺ ", name, passing=through)
+                through, parts = _passing(position, group, center), _angular(position, group, center)
+                aside = "" if name in fixed else _beside(position, group[0], name)
+                moving = tuple(moving_of(position, group))
+                yield from _balance(group, parts, rate, "↺ ", name, aside, through, moving)
 
 
 def _balance(
@@ -118,6 +121,7 @@ def _balance(
     about: str,
     explained: str = "",
     passing: tuple[sp.Expr, ...] = (),
+    moving: tuple[Moving, ...] = (),
 ) -> Iterator[Balance]:
     if sp.Add(*parts.values()) == 0:
         return
@@ -137,7 +141,16 @@ def _balance(
         explained=explained,
         passing=passing,
         lead=arrow,
+        moving=moving,
     )
+
+
+def _beside(position: Position, body: str, point: str) -> str:
+    """Why the law holds about a point that moves: it keeps its place beside the mass centre."""
+    centre = centre_of(position.system.scene, body)
+    if point == position.system.scene.center_name(body) or "_" in centre:
+        return ""
+    return f" ({point} moves parallel to {centre})"
 
 
 def _passing(position: Position, group: tuple[str, ...], center: Vec) -> tuple[sp.Expr, ...]:

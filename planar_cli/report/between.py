@@ -19,6 +19,7 @@ from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
+from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
@@ -52,6 +53,8 @@ class BetweenTelling:
     told: set[str] = field(default_factory=set)
     stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
     """Those of springs that were told."""
+    made: set[sp.Symbol] = field(default_factory=set)
+    """What momenta are made of, and impulses, that were told."""
     counted: set[int] = field(default_factory=set)
     """The numbers of equations in which numbers were put in at once."""
 
@@ -83,6 +86,7 @@ class BetweenTelling:
         lead = line(law.lead, Name(law.name), ":") if law.name else line(law.lead)
         before, after = self._put(b.before), self._put(b.after)
         if not law.letter:
+            yield from MomentumTelling(b, self.unknowns, self.numeric, self.plain, self.made).lines()
             yield self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
             return
         first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"

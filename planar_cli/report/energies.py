@@ -19,6 +19,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits
 from planar_cli.report.in_numbers import SMALL
+from planar_cli.report.inertias import inertia_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
@@ -76,12 +77,14 @@ class EnergyTelling(EnergyPieces):
             yield self._line(lead, *self._chain(put))
             return
         told = [(Math(own), *self._speed(expr, kind, made)) for kind, own, expr in speeds if own != expr]
+        why = line(made.why) if speeds[0][0] == "v" and made.why else ()
         if len(told) > 1 and fits(tuple(side for sides in told for side in sides)):
             (one, *first), (two, *second) = told
-            yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))))
+            yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))), None, note=why)
         else:
-            yield from map(Equation, told)
-        masses, texts = {"v": made.mass, "omega": self._inertia(made)}, {}
+            yield Equation(told[0], None, note=why)
+            yield from map(Equation, told[1:])
+        masses, texts = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}, {}
         for kind, dimension in (("v", MASS), ("omega", INERTIA)):
             if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
                 number = sp.Symbol(f"{NUMBER}{kind}", positive=True)
@@ -90,14 +93,6 @@ class EnergyTelling(EnergyPieces):
         terms = (masses[kind] * own**2 / 2 for kind, own, _ in speeds)
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
         yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
-
-    def _inertia(self, made: Moving) -> sp.Expr:
-        """I as it was told before, else its formula."""
-        ledger = self.phrases.ledger
-        own = (s for s in ledger.definitions if ledger.titles.get(s, "") == f"moment of inertia of {made.body}")
-        known = self.phrases.value.is_zero
-        same = (s for s in own if not ledger.definitions[s].is_number and known(simplified(s - made.inertia)))
-        return next(same, made.inertia)
 
     def _by_others(self, expr: sp.Expr) -> bool:
         """Is a speed more than the size of the one that is sought or known?"""

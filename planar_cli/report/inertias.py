@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.ledger import Kind, Ledger
-from planar_cli.equation.plain import are_zero, longer
+from planar_cli.equation.plain import are_zero, longer, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Body, Rod, Round
 from planar_cli.records import record
@@ -102,6 +102,15 @@ def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
         elif isinstance(source, ImpactEquation) and source.law == "moment":
             found |= {(body, source.lead) for body in source.bodies}
     return found
+
+
+def inertia_of(body: str, formula: sp.Expr, phrases: Phrases) -> sp.Expr:
+    """The moment of inertia of a body by its letter, where that is told, else its formula."""
+    ledger = phrases.ledger
+    own = (s for s in ledger.definitions if ledger.titles.get(s, "") == f"moment of inertia of {body}")
+    known = phrases.value.is_zero
+    same = (s for s in own if not ledger.definitions[s].is_number and known(simplified(s - formula)))
+    return next(same, formula)
 
 
 def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrases) -> Equation:

@@ -42,7 +42,8 @@ def _stored(course: StatedMotion, regime: Regime, b: StateBalance, words: str) -
 
 
 def _at(m: Moving, place: Callable[[sp.Expr], sp.Expr]) -> Moving:
-    return Moving(m.body, place(m.mass), place(m.inertia), place(m.vx), place(m.vy), place(m.omega), m.center)
+    mass, inertia, vx, vy, omega = (place(e) for e in (m.mass, m.inertia, m.vx, m.vy, m.omega))
+    return Moving(m.body, mass, inertia, vx, vy, omega, m.center, m.why)
 
 
 def _storage(
@@ -57,3 +58,12 @@ def _storage(
         if all(value.known(x) is not None for x in letters) and value.is_zero(brought - found.brought):
             return [found]
     return []
+
+
+def impulse_integral(course: StatedMotion, b: StateBalance) -> sp.Expr | None:
+    """∫ΣF dt or ∫ΣM dt between two states, where what acts varies with time alone."""
+    t = course.ledger.symbols["t"]
+    rate = sp.Add(*(s.rate for s in b.law.sources))
+    if b.law.letter or t not in rate.free_symbols or any(s in rate.free_symbols for s in b.stop.letters if s != t):
+        return None
+    return sp.Integral(rate, (t, b.since.t, b.stop.t))

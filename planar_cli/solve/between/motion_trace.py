@@ -16,7 +16,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
-from planar_cli.solve.between.energies import energy_parts
+from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
@@ -209,7 +209,8 @@ class _Tracer:
         if isinstance(source, StateBalance):
             b = source
             parts = energy_parts(self.course, b, self.value)
-            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts, parts)
+            whole = impulse_integral(self.course, b)
+            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts, parts, whole)
         blow, written = source
         return self._impact_equation(blow, written)
 

@@ -46,7 +46,9 @@ class BalanceTrace:
     amounts: tuple[tuple[str, sp.Expr], ...]
     """The amount at the end, by body."""
     parts: EnergyParts | None = None
-    """Of energies, what they are made of."""
+    """Of energies and angular momenta, what they are made of."""
+    impulse: sp.Expr | None = None
+    """The integral over time of what sources bring; None: it does not vary in time, or not with time alone."""
 
     @property
     def gain(self) -> sp.Expr:

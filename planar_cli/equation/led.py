@@ -1,0 +1,34 @@
+"""How a body is led by the joint with the ground on which it rests, in words: why its mass centre moves as it does."""
+
+from __future__ import annotations
+
+from planar_cli.equation.motion import Edge
+from planar_cli.equation.system import System
+from planar_cli.problem.scene import GROUND
+
+
+def root_edge(system: System, body: str) -> Edge | None:
+    """By which joint with the ground a body is led, itself or at the end of bodies on which it turns; None: it slides
+    or rolls on another body, or nothing leads it.
+    """
+    edges = {e.body: e for e in system.tree.edges}
+    edge = edges.get(body)
+    while edge is not None and edge.parent != GROUND:
+        if edge.joining is None or edge.joining.path is not None or edge.joining.rolling is not None:
+            return None
+        edge = edges.get(edge.parent)
+    if edge is None or edge.joining is None or edge.joining.drift is not None:
+        return None
+    return edge
+
+
+def led(system: System, body: str) -> str:
+    """It rolls, or hangs on a wheel that does, or turns about a fixed point; "": neither."""
+    edge = root_edge(system, body)
+    if edge is None or edge.joining is None:
+        return ""
+    j = edge.joining
+    if j.rolling is not None:
+        return f"{edge.body} rolls without slipping"
+    turns = edge.body == body and j.path is None and j.turns and system.scene.rigid(body)
+    return f"{edge.body} turns about {j.place}" if turns else ""

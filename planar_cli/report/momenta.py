@@ -1,0 +1,84 @@
+"""Of what an angular momentum is made, and an impulse that varies in time, before their balance.
+
+v_G = -R ω (rolling),   H_C = I_G ω - m R v_G,   ∫ΣM dt = ∫[0 → t_2] -q (R + r) t dt
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.principles.base import Moving
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Math, Name, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.inertias import inertia_of
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace
+from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, VELOCITY
+
+SHORT = 12
+"""Longer velocities, momenta and impulses stand in the balance alone."""
+
+
+@record
+class MomentumTelling:
+    """Tells what one balance of momenta is made of. `unknowns`: what it is solved for; `plain`: letters that are data;
+    `told`: what was told before.
+    """
+
+    balance: BalanceTrace
+    unknowns: Collection[sp.Symbol]
+    phrases: Phrases
+    plain: Mapping[sp.Symbol, sp.Expr]
+    told: set[sp.Symbol]
+
+    def lines(self) -> Iterator[Block]:
+        """The momentum at the end, of one body that turns; and the impulse."""
+        parts = self.balance.parts
+        if parts is not None and len(parts.moving) == 1 and self.balance.law.about:
+            yield from self._momentum(parts.moving[0])
+        if self.balance.impulse is not None and self.balance.gain != 0:
+            yield from self._impulse(self.balance.impulse)
+
+    def _momentum(self, made: Moving) -> Iterator[Block]:
+        """Where the velocity of the mass centre rests on that of turning: both momenta, then their sum."""
+        after, omega = self._put(self.balance.after), self._put(made.omega)
+        along = [v for v in (self._put(made.vx), self._put(made.vy)) if v != 0]
+        if len(along) != 1 or not omega.is_Symbol or omega not in along[0].free_symbols or made.inertia == 0:
+            return
+        own = sp.Symbol(f"v_{made.center or 'G'}{STATE}{self.balance.stop}", real=True)
+        arm = simplified((after - self._put(made.inertia) * omega) / (self._put(made.mass) * along[0]))
+        inertia = inertia_of(made.body, made.inertia, self.phrases)
+        whole = sp.Add(inertia * omega, made.mass * arm * own, evaluate=False)
+        if own in self.told or any(longer(e, SHORT) for e in (arm, along[0], whole)) or arm.free_symbols & {omega}:
+            return
+        if not is_clean(self.phrases.ledger, along[0], dimension=VELOCITY) or arm.is_number:
+            return
+        self.told.add(own)
+        yield Equation((Math(own), self.phrases.math(along[0])), None, note=line(made.why))
+        amount = line(Name(f"{self.balance.law.name}__{self.balance.stop}"))
+        yield Equation((amount, self.phrases.math(whole), self.phrases.math(after)))
+
+    def _impulse(self, integral: sp.Expr) -> Iterator[Block]:
+        """As an integral, and its value."""
+        gain = self._put(self.balance.gain)
+        about = f"angular impulse about {self.balance.law.about}" if self.balance.law.about else "impulse"
+        dimension = ANGULAR_MOMENTUM if self.balance.law.about else IMPULSE
+        put = integral.xreplace(dict(self.plain))
+        clean = is_clean(self.phrases.ledger, gain, dimension=dimension)
+        if not clean or longer(gain, SHORT) or longer(put.args[0], SHORT):
+            return
+        sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
+        if not gain.free_symbols & set(self.unknowns) and not self.phrases.symbolic:
+            value = self.phrases.value.known(gain)
+            sides += [] if value is None else [self.phrases.of_dimension(value, dimension)]
+        yield Equation(tuple(sides))
+
+    def _put(self, expr: sp.Expr) -> sp.Expr:
+        put = sp.sympify(expr).xreplace(dict(self.plain))
+        return put if longer(put, SHORT * 4) else simplified(put)
