@@ -20,6 +20,7 @@ from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
@@ -140,8 +141,9 @@ class AskedTelling:
 
     def size(self, vector: list[Decimal], dimension: Dimension) -> Math:
         """√(x² + y²) with the numbers, in the units of the page."""
-        numbers = [self.phrases.of_dimension(v, dimension) for v in vector]
-        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
+        numbers = [self.phrases.of_dimension(v, dimension).number for v in vector]
+        figures = figures_of(numbers, lambda v: (v[0] ** 2 + v[1] ** 2).sqrt(), self.phrases.figures)
+        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): significant(n, figures) for i, n in enumerate(numbers)}
         x, y = texts
         return Math(sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False), texts)
 
@@ -278,16 +280,16 @@ class AskedTelling:
             yield Equation(chain, None, note=line(told) if told else ())
             return
         numbers = [self.phrases.of_dimension(v, self._dimension(q)) for v in vector]
-        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
             size = self.size(vector, self._dimension(q))
             yield Equation((*own, line("|", Name(name), "|"), size, *values))
             return
         axis = self._axis(q)
-        names = tuple(texts)
-        for i, cosine in enumerate(axis):
-            texts[sp.Symbol(f"{NUMBER}cos{i}", real=True)] = significant(cosine, self.phrases.figures)
+        counted = [*(n.number for n in numbers), *axis]
+        figures = figures_of(counted, lambda x: x[0] * x[2] + x[1] * x[3], self.phrases.figures)
+        symbols = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in ("0", "1", "cos0", "cos1")]
+        texts, names = {s: significant(x, figures) for s, x in zip(symbols, counted, strict=True)}, symbols[:2]
         cosines = [s for s in texts if s not in names]
         told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
         sides: list[Any] = [*own] or [line(Name(name), f" {told}")]

@@ -16,10 +16,12 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.ledger import display
 from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree, chain, counting
 from planar_cli.report.words import Phrases
@@ -199,7 +201,9 @@ class _Blow:
         words = " (ω + ω′)/2" if work.turns else " (u + u′)/2"
         if work.letter is None:
             return line("J", words)
-        numbers = line(*added([work.size], size, self.phrases), " (")
-        return line(
-            Math(work.letter), words, " = ", *numbers, *added([work.before, work.after], speed, self.phrases), ")/2"
-        )
+        us, figures = self.phrases.ledger.us, self.phrases.figures
+        shown = [display(work.size, size, us), *(display(v, speed, us) for v in (work.before, work.after))]
+        figures = figures_of(shown, lambda x: x[0] * (x[1] + x[2]) / 2, figures)
+        numbers = line(*added([work.size], size, self.phrases, figures), " (")
+        speeds = added([work.before, work.after], speed, self.phrases, figures)
+        return line(Math(work.letter), words, " = ", *numbers, *speeds, ")/2")

@@ -6,7 +6,7 @@ numbers they may give none: a root of it may even be imaginary, 10² - 2 · 9.81
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -17,7 +17,7 @@ from planar_cli.report.numbers import as_printed
 MOST = 8
 """More figures are of use to nobody who works with a pocket calculator."""
 LOST = 1
-"""By so much the last figure shown may differ from what the printed numbers give."""
+"""By so much the last figure may differ from what `MOST` figures give."""
 DEGREE = PI / 180
 
 
@@ -28,8 +28,8 @@ def enough_figures(
     degrees: Collection[sp.Symbol],
     figures: int,
 ) -> int | None:
-    """The fewest figures from `figures` on with which the printed numbers give the value of the formula as it is shown,
-    but for one in its last figure; None where `MOST` of them do not.
+    """The fewest figures from `figures` on with which the printed numbers give the value of the formula as it is shown;
+    where `MOST` of them do not, those with which it is one in the last figure off, and None where there are none.
 
     `rounded`: the formula as printed. `numbers`: of each symbol, as it counts in the formula; those of `degrees` are
     printed in degrees.
@@ -40,10 +40,34 @@ def enough_figures(
     if not value:
         return figures
     unit = {s: DEGREE if s in degrees else ONE for s in numbers}
+
+    def printed(n: int) -> Decimal | None:
+        shown = {s: as_printed(x / unit[s], n) * unit[s] for s, x in numbers.items()}
+        return Valuation(shown).known(rounded(expr, n))
+
+    return _fewest(printed, value, figures)
+
+
+def figures_of(numbers: Sequence[Decimal], worked: Callable[[Sequence[Decimal]], Decimal], figures: int) -> int:
+    """The same of numbers that stand in a line by themselves, and of what is `worked` out of them."""
+    value = worked(numbers)
+    found = _fewest(lambda n: worked([as_printed(x, n) for x in numbers]), value, figures) if value else None
+    return figures if found is None else found
+
+
+def _fewest(printed: Callable[[int], Decimal | None], value: Decimal, figures: int) -> int | None:
+    """`printed`: what so many figures of each number give."""
+    shown = as_printed(value, figures)
+    last = Decimal(10) ** (value.copy_abs().adjusted() + 1 - figures)
+    # One that ends with a 5 behind the last figure is shown with it.
+    places = max(figures, len(shown.as_tuple().digits))
+    near = None
     for n in range(figures, max(MOST, figures) + 1):
-        printed = {s: as_printed(x / unit[s], n) * unit[s] for s, x in numbers.items()}
-        got = Valuation(printed).known(rounded(expr, n))
-        last = Decimal(10) ** (value.copy_abs().adjusted() + 1 - figures)
-        if got is not None and abs(as_printed(got, figures) - as_printed(value, figures)) <= LOST * last:
+        got = printed(n)
+        if got is None:
+            continue
+        off = abs(as_printed(got, places) - shown)
+        if off < last / 20:
             return n
-    return None
+        near = n if near is None and off <= LOST * last else near
+    return near

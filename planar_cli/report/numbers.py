@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from decimal import ROUND_HALF_EVEN, Context, Decimal
+from decimal import ROUND_HALF_EVEN, ROUND_HALF_UP, Context, Decimal
 
 from planar_cli.units import pretty_unit
 
@@ -39,8 +39,17 @@ def significant(number: Decimal, figures: int = 4) -> str:
 
 
 def as_printed(number: Decimal, figures: int) -> Decimal:
-    """The number that a reader of `significant` reads."""
-    return number.normalize(Context(prec=figures, rounding=ROUND_HALF_EVEN))
+    """The number that a reader of `significant` reads. One that ends with a 5 right behind the last figure stands as
+    it is, 12.125: it could be rounded up as well as down.
+    """
+    nearly = _nearly(number, figures)
+    half = len(nearly.as_tuple().digits) == figures + 1 and nearly.as_tuple().digits[-1] == 5
+    return nearly if half else nearly.normalize(Context(prec=figures, rounding=ROUND_HALF_UP))
+
+
+def _nearly(number: Decimal, figures: int) -> Decimal:
+    """The number as it was meant, without the rounding of its last digits."""
+    return number.normalize(Context(prec=max(_EXACT_DIGITS, figures), rounding=ROUND_HALF_EVEN))
 
 
 def quantity(number: Decimal, unit: str = "", figures: int = 4) -> str:
@@ -75,9 +84,8 @@ def vector_words(x: Decimal, y: Decimal, figures: int = 3) -> str:
 
 def _rounded(number: Decimal, figures: int) -> Decimal:
     """Rounded to the figures; without closing zeros and plain integers where the number is exact within them."""
-    nearly = number.normalize(Context(prec=max(_EXACT_DIGITS, figures), rounding=ROUND_HALF_EVEN))
     shown = as_printed(number, figures)
-    if nearly == shown:
+    if _nearly(number, figures) == shown:
         return shown
     # Closing zeros that are significant are shown: 6.180, not 6.18.
     return shown.quantize(Decimal(1).scaleb(shown.adjusted() - figures + 1))

@@ -132,8 +132,9 @@ def _line(
         sides.append(phrases.math(by[0]))
     shown = Value(value(expr), unit)
     if by is not None and not symbolic:
-        frequency = Value(by[1], "", phrases.figures)
-        sides.append(line(phrases.math(2 * sp.pi), "/", frequency))
+        (frequency,) = by[0].free_symbols
+        put = phrases.numbers(by[0], {frequency: by[1]}, turns=False)
+        sides += [] if put is None else [put]
     elif symbolic or not longer(expr, LONG):
         sides.append(phrases.math(expr))
         sides += [] if symbolic else phrases.substituted(expr, shown)

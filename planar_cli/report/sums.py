@@ -7,6 +7,7 @@ from decimal import Decimal
 
 from planar_cli.equation.ledger import display
 from planar_cli.report.blocks import Inline, Text, Value
+from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.words import Phrases
 from planar_cli.units import Unit
 
@@ -26,19 +27,28 @@ def counting(terms: Sequence[Decimal]) -> list[Decimal]:
     return [t for t in terms if abs(t) > largest * ROUNDING]
 
 
-def added(terms: Sequence[Decimal], unit: Unit, phrases: Phrases) -> list[Inline]:
-    """Terms in base units, with their signs, without the unit."""
-    shown = [display(t, unit, phrases.ledger.us) for t in terms]
-    found: list[Inline] = [Value(shown[0], "1", phrases.figures)]
+def added(terms: Sequence[Decimal], unit: Unit, phrases: Phrases, figures: int = 0) -> list[Inline]:
+    """Terms in base units, with their signs, without the unit. `figures`: where the page's are not enough of them."""
+    shown, figures = [display(t, unit, phrases.ledger.us) for t in terms], figures or phrases.figures
+    found: list[Inline] = [Value(shown[0], "1", figures)]
     for number in shown[1:]:
-        found += [Text(" - " if number < 0 else " + "), Value(abs(number), "1", phrases.figures)]
+        found += [Text(" - " if number < 0 else " + "), Value(abs(number), "1", figures)]
     return found
 
 
 def chain(terms: Sequence[Decimal], unit: Unit, phrases: Phrases, told: str = "") -> list[Inline]:
     """Terms in base units and what they come to, with its unit. `told`: another text of that, as J is of N m."""
-    result = sum(terms, Decimal(0))
+    result = sum_of(terms)
     number = display(Decimal(0) if agree(terms, []) else result, unit, phrases.ledger.us)
     text = told or unit.text
     value = Value(number, text.replace("J", unit.text) if phrases.ledger.us else text, phrases.figures)
-    return [*added(terms, unit, phrases), Text(" = "), value] if len(terms) > 1 else [value]
+    if len(terms) < 2:
+        return [value]
+    shown = [display(t, unit, phrases.ledger.us) for t in terms]
+    figures = phrases.figures if agree(terms, []) else figures_of(shown, sum_of, phrases.figures)
+    return [*added(terms, unit, phrases, figures), Text(" = "), value]
+
+
+def sum_of(terms: Sequence[Decimal]) -> Decimal:
+    """What terms come to."""
+    return sum(terms, Decimal(0))

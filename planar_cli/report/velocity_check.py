@@ -10,18 +10,20 @@ is along the guide: neither is how the velocities of the body itself were found.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 from itertools import combinations
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.ledger import display
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
+from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree
 from planar_cli.report.vectors import index_of
@@ -129,7 +131,7 @@ def _centre(scene: _Scene, body: str, one: _Point, other: _Point) -> Line:
         spins.append(_size(point.velocity) / arm)
         letter = index_of(point.name)
         told += [", " if told else "", Name(f"v_{letter}"), "/", _distance("I", letter), " = "]
-        told += [_bare(scene, _size(point.velocity), VELOCITY), "/", _bare(scene, arm, LENGTH)]
+        told += _numbers(scene, [(_size(point.velocity), VELOCITY), (arm, LENGTH)], lambda x: x[0] / x[1], ["/"])
         told += [" = ", _rate(scene, spins[-1])]
     if not agree(spins[:1], spins[1:]) or not agree(spins[:1], [abs(scene.spin(body))]):
         return ()
@@ -149,12 +151,15 @@ def _across(scene: _Scene, one: _Point, other: _Point, spin: Decimal) -> Line:
     if not agree(along[:1], along[1:]) or not agree([across[0] / length, -across[1] / length], [spin]):
         return ()
     a, b = (index_of(p.name) for p in (one, other))
-    terms = added([across[0], -across[1]], coherent_unit(VELOCITY, False, scene.phrases.ledger.us), scene.phrases)
+    unit, us = coherent_unit(VELOCITY, False, scene.phrases.ledger.us), scene.phrases.ledger.us
+    shown = [display(x, unit, us) for x in across] + [_bare(scene, length, LENGTH).number]
+    figures = figures_of(shown, lambda x: (x[0] - x[1]) / x[2], scene.phrases.figures)
+    terms = added([across[0], -across[1]], unit, scene.phrases, figures)
     reach_name = _distance(a, b)
     head = line(
         "across ", reach_name, ": (", Name(f"v_{b}"), " - ", Name(f"v_{a}"), ")/", reach_name, " = (", *terms, ")/"
     )
-    return line(*head, _bare(scene, length, LENGTH), " = ", _rate(scene, spin))
+    return line(*head, _bare(scene, length, LENGTH, figures), " = ", _rate(scene, spin))
 
 
 def _polar(scene: _Scene, j: Joining) -> Line:
@@ -175,9 +180,10 @@ def _polar(scene: _Scene, j: Joining) -> Line:
     if not relative or not across or not agree([relative**2, across**2], [_size(own.velocity) ** 2]):
         return ()
     letter, speed = index_of(own.name), scene.phrases.of_dimension(_size(own.velocity), VELOCITY)
-    v = _bare(scene, abs(relative), VELOCITY)
-    head = line(f"polar coordinates about {pin}: √(", Name("v_rel"), "² + (ω r)²) = √(", v, "² + (")
-    head = line(*head, *_turning(scene, j.base, arm), ")²) = ", speed, "; ", Name(f"v_{letter}"))
+    kinds = [(abs(relative), VELOCITY), (abs(scene.spin(j.base)), RATE), (_size(arm), LENGTH)]
+    numbers = _numbers(scene, kinds, lambda x: (x[0] ** 2 + (x[1] * x[2]) ** 2).sqrt(), ["² + (", " · "])
+    head = line(f"polar coordinates about {pin}: √(", Name("v_rel"), "² + (ω r)²) = √(", *numbers)
+    head = line(*head, ")²) = ", speed, "; ", Name(f"v_{letter}"))
     if own.by not in scene.pins:
         return line(*head, " along its path = ", speed)
     pin, centre = scene.pins[own.by]
@@ -186,8 +192,8 @@ def _polar(scene: _Scene, j: Joining) -> Line:
 
 def _turning(scene: _Scene, body: str, arm: Vec) -> Line:
     """ω r in numbers."""
-    spin = _rate(scene, abs(scene.spin(body)))
-    return line(Value(spin.number, "1", spin.figures), " · ", _bare(scene, _size(arm), LENGTH))
+    kinds = [(abs(scene.spin(body)), RATE), (_size(arm), LENGTH)]
+    return line(*_numbers(scene, kinds, lambda x: x[0] * x[1], [" · "]))
 
 
 def _carried(scene: _Scene, j: Joining, at: Vec) -> Iterator[_Point]:
@@ -206,10 +212,25 @@ def _size(v: Vec) -> Decimal:
     return Decimal(v.dot(v)).sqrt()
 
 
-def _bare(scene: _Scene, value: Decimal, dimension: Dimension) -> Value:
+def _bare(scene: _Scene, value: Decimal, dimension: Dimension, figures: int = 0) -> Value:
     """A number inside a formula."""
-    shown = scene.phrases.of_dimension(value, dimension)
-    return Value(shown.number, "1", shown.figures)
+    shown = scene.phrases.of_dimension(value, dimension, dimension == RATE)
+    return Value(shown.number, "1", figures or shown.figures)
+
+
+def _numbers(
+    scene: _Scene,
+    kinds: list[tuple[Decimal, Dimension]],
+    worked: Callable[[Sequence[Decimal]], Decimal],
+    between: list[str],
+) -> list[Inline | str]:
+    """Numbers inside a formula, with what stands `between` them, to as many figures as its result needs."""
+    shown = [_bare(scene, *kind).number for kind in kinds]
+    figures = figures_of(shown, worked, scene.phrases.figures)
+    told: list[Inline | str] = [_bare(scene, *kinds[0], figures)]
+    for text, kind in zip(between, kinds[1:], strict=True):
+        told += [text, _bare(scene, *kind, figures)]
+    return told
 
 
 def _rate(scene: _Scene, value: Decimal) -> Value:

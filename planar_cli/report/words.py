@@ -115,15 +115,16 @@ class Phrases:
             counted[symbol] = self._in_page_units(symbol, value)
         if not counted:
             return None
-        figures = enough_figures(expr, rounded, counted, set(degrees) - set(apart), self.figures)
+        # One angle may stand in a function, in degrees, and beside it, in radians.
+        expr = _in_radians(expr, apart)
+        counted |= {own: counted[s] for s, own in apart.items()}
+        figures = enough_figures(expr, rounded, counted, degrees, self.figures)
         if figures is None:
             return None
         texts = {s: significant(x, figures) for s, x in counted.items()}
         for symbol in degrees:
-            if symbol in apart:
-                texts[apart[symbol]] = texts[symbol]
             texts[symbol] = significant(self._in_unit(counted[symbol], self.ledger.units[symbol]), figures) + "°"
-        return Math(rounded(_in_radians(expr, apart), figures), texts)
+        return Math(rounded(expr, figures), texts)
 
     def has_numbers(self, expr: sp.Expr) -> bool:
         """Have all symbols of an expression numbers of their own?"""
