@@ -69,6 +69,8 @@ class Condition:
     mark: Mark = NOWHERE
     sense: sp.Expr | None = None
     now: bool = False
+    times: int = 0
+    """How often the relation was differentiated that the file states."""
 
     def rows(self) -> tuple[sp.Expr, ...]:
         """The scalar residuals: one, or two along x and y."""
@@ -150,7 +152,8 @@ def stated(
             continue
         now = any(id(r) not in lasting for r in parts)
         text = TOGETHER.join(r.text for r in parts)
-        found.append(Condition("given", text, residual, mark=parts[0].mark, sense=sense, now=now))
+        mark, times = parts[0].mark, level - own
+        found.append(Condition("given", text, residual, mark=mark, sense=sense, now=now, times=times))
     return found
 
 

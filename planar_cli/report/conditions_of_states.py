@@ -7,12 +7,13 @@ from collections.abc import Iterator
 import sympy as sp
 
 from planar_cli.equation.plain import derivative, longer
-from planar_cli.report.blocks import Block, Equation, Paragraph, line
+from planar_cli.report.as_stated import Stated, root_of_size
+from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.origins import head, sides_of
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, RouteStep
+from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep
 from planar_cli.solve.law import IN_THE_END
 
 FEW, SHORT = 2, 24
@@ -51,3 +52,19 @@ def is_own_name(leg: RouteStep) -> bool:
     if more or r.formula is None or not r.formula.is_Symbol:
         return False
     return plain_name(r.unknown.name.replace("__", "_")) == plain_name(r.formula.name)
+
+
+def followed_from(
+    e: Relation, r: Result, stated: Stated, found: MotionTrace, phrases: tuple[Phrases, Phrases]
+) -> Iterator[Block]:
+    """The condition from which a datum follows that the file does not give itself. `phrases`: of the motion, and of
+    what has numbers.
+    """
+    yield Paragraph(head(e, found.ledger.symbols))
+    if (sized := root_of_size(stated, e.residual, phrases[1])) is not None:
+        yield Equation((Math(sized[0]), phrases[1].shown(r.unknown, sized[1])))
+        return
+    sides = tuple(sp.sympify(side) for side in sides_of(e, found.route))
+    plain = derivative(e.residual, r.unknown).is_number
+    if not plain and not any(longer(side, SHORT) for side in sides) and is_clean(found.ledger, *sides):
+        yield Equation(tuple(phrases[0].math(side) for side in sides))

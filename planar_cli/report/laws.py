@@ -74,7 +74,8 @@ class LawTelling:
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     """What is told of a motion without the laws that stand word for word among the data. `before`: where these are."""
-    given = {_text(b) for b in before if isinstance(b, Equation) and b.lead == line("given:")} - {""}
+    data = (line("given:"), line("differentiated:"))
+    given = {_text(b) for b in before if isinstance(b, Equation) and b.lead in data} - {""}
     found: list[Block] = []
     for block in moving:
         heading = found[-1] if found else None

@@ -18,13 +18,14 @@ from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.conditions_of_states import condition_blocks, is_own_name
+from planar_cli.report.conditions_of_states import is_own_name
+from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
-from planar_cli.report.origins import head, is_steady, known_from, letter_of, sides_of, told_once, turning_blocks
+from planar_cli.report.origins import head, is_steady, letter_of, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
@@ -161,11 +162,7 @@ class MotionTelling:
         return kept[::-1]
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
-        e = leg.relations[0]
-        yield from condition_blocks(leg, self.found, self.phrases)
-        for r in leg.results:
-            lead = ": ".join(x for x in (e.stop, known_from(e, r)) if x) + ":"
-            yield Equation(self._chain(r), None, line(lead))
+        return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations

@@ -13,6 +13,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, places
 from planar_cli.report.inertias import alike_together, by_size, is_sought
@@ -65,6 +66,7 @@ class Telling:
         nothing = {z for s in self.stages for z in vanishing(s)}
         told = {u for s in self.stages for b in s.blocks for u in b.unknowns if not is_given(b)}
         self.vectors = VectorTelling(instant.trial, phrases, nothing - told, instant.open_speeds)
+        self.data = DataTelling(self.scene, instant.state, phrases)
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
         self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
@@ -228,8 +230,7 @@ class Telling:
                 Equation((self.phrases.math(w.left), self.phrases.math(w.right)), number),
             ]
         if w.given:
-            value = self.phrases.shown(w.left) if w.right.is_number else self.phrases.math(w.right)
-            return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
+            return self.data.blocks(w, number)
         if w.law == "relation":
             return self._relation(w, stage, number)
         sides, note = self.numeric.sides(w, stage, (w.left, w.right))

@@ -380,7 +380,7 @@ class Writer:
         written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
-        return replace(written, along=along, place=condition.place)
+        return replace(written, along=along, place=condition.place, times=condition.times)
 
     def _apart(self, residual: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
         """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""

@@ -33,6 +33,8 @@ class Written:
 
     place: str = ""
     """Of a relation, the point that it is about."""
+    times: int = 0
+    """How often a relation of the file was differentiated."""
 
     @property
     def residual(self) -> sp.Expr:

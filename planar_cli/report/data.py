@@ -1,0 +1,76 @@
+"""Data of one instant as numbered lines: what the file gives, and what of it was differentiated."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import field, replace
+from decimal import Decimal
+
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Name as Letter
+from planar_cli.problem.expression import Relation
+from planar_cli.records import changing
+from planar_cli.report.as_stated import NEAR, Stated, between, sentence, stated_in
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Value, line
+from planar_cli.report.sides import number_of, said
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.written import Written
+
+GIVEN, DIFFERENTIATED = line("given:"), line("differentiated:")
+LOWER = ((re.compile("^alpha"), "omega"), (re.compile("^a(?=_)"), "v"), (re.compile("_ddot$"), "_dot"))
+"""By what the name of an acceleration differs from that of its speed."""
+
+
+@changing
+class DataTelling:
+    """Tells the data of one instant. `state`: its name; `told`: which statements of the file stand on the page."""
+
+    scene: Scene
+    state: str
+    phrases: Phrases
+    told: set[str] = field(default_factory=set)
+
+    def blocks(self, w: Written, number: int) -> list[Block]:
+        """letter = value, with the reason where the file says it otherwise."""
+        stated = stated_in(self.scene.problem, self.state, w.lead)
+        letter, value = self.phrases.math(w.left), self._value(w)
+        if w.times and w.right == 0 and (lower := _lower(w.left.name)):
+            return [Equation((letter, value), number, line(Name(lower), " constant:"))]
+        if w.times:
+            return self._differentiated(w, stated, Equation((letter, value), number))
+        self.told.add(w.lead)
+        if not w.right.is_number or w.right == 0:
+            return [Equation((letter, value), number, GIVEN)]
+        value_of = self.phrases.value(w.right)
+        middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
+        lead = () if middle and not isinstance(middle[0], Value) else GIVEN
+        return [Equation((letter, *([middle] if middle else []), value), number, lead)]
+
+    def _formula(self, stated: Stated | None, value: Decimal) -> Line:
+        """A formula of numbers as the file has it."""
+        if not isinstance(stated, Relation) or number_of(stated.right) is not None or isinstance(stated.right, Letter):
+            return ()
+        own = self.phrases.value.known(self.scene.value(stated.right))
+        same = own is not None and abs(own - value) <= NEAR * abs(value)
+        return (said(stated.right, self.phrases.figures) or ()) if same else ()
+
+    def _value(self, w: Written) -> Inline | Line:
+        if w.right == 0:
+            return line("0")
+        return self.phrases.shown(w.left) if w.right.is_number else self.phrases.math(w.right)
+
+    def _differentiated(self, w: Written, stated: Stated | None, equation: Equation) -> list[Block]:
+        """The derivative of a statement, behind that statement where nothing has told it."""
+        if w.lead in self.told:
+            return [replace(equation, lead=DIFFERENTIATED)]
+        self.told.add(w.lead)
+        law = sentence(stated, self.phrases.figures) if stated is not None else ()
+        if not law:
+            return [replace(equation, lead=GIVEN)]
+        often = ", differentiated twice:" if w.times > 1 else ", differentiated:"
+        return [Paragraph(line("Given: ", law, often)), equation]
+
+
+def _lower(name: str) -> str:
+    """The name of the speed whose rate a letter is; "": it is none."""
+    return next((rule.sub(to, name) for rule, to in LOWER if rule.search(name)), "")

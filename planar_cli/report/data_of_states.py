@@ -1,0 +1,45 @@
+"""Data of the states of a motion: what the file gives, as it gives it, and what follows from that at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from planar_cli.report.as_stated import between, gives, stated_in
+from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.conditions_of_states import condition_blocks, followed_from
+from planar_cli.report.origins import known_from
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
+
+
+def datum_blocks(
+    leg: RouteStep,
+    found: MotionTrace,
+    phrases: tuple[Phrases, Phrases],
+    chain_of: Callable[[Result], tuple[Any, ...]],
+    others: Callable[[Result], Iterator[Block]],
+) -> Iterator[Block]:
+    """The data of one step of the route. `phrases`: of the motion, and of what has numbers; `chain_of`: letter =
+    formula = numbers = value; `others`: the roots that were not taken.
+    """
+    e = leg.relations[0]
+    yield from condition_blocks(leg, found, phrases[0])
+    for r in leg.results:
+        chain = chain_of(r)
+        stated = stated_in(found.problem, e.stop, e.words) if e.kind == "given" and _is_number(r, phrases[0]) else None
+        middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
+        sides = (chain[0], *([middle] if middle else []), *chain[1:])
+        if stated is None or gives(stated, r.value, phrases[1]):
+            lead = ": ".join(x for x in (e.stop, known_from(e, r)) if x) + ":"
+            yield Equation(sides, None, line(lead))
+            continue
+        component = bool(middle)
+        yield from () if component else followed_from(e, r, stated, found, phrases)
+        yield Equation(sides, None, line(f"{e.stop}:"))
+        yield from () if component else others(r)
+
+
+def _is_number(r: Result, phrases: Phrases) -> bool:
+    """Does it rest on numbers of the file alone?"""
+    return r.value.is_finite() and (not phrases.symbolic if r.formula is None else bool(r.formula.is_number))

@@ -1,0 +1,51 @@
+"""What is told as given is what the file gives: all else stands with what it follows from."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def _page(stem: str) -> str:
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(FILES[stem])[0])))
+
+
+@pytest.mark.parametrize(
+    ("stem", "line"),
+    [
+        ("ex-1-11", "launch: v_Py,launch = 10 sin 45° = 7.071 m/s"),
+        ("ex-1-15", "start: v_Ax,start = 50 cos 30° = 43.30 m/s"),
+        ("sandbag-into-a-cart", "1: v_bag,y,1 = 6 sin(-40°) = -3.857 m/s"),
+        ("exercise-4-32", "1: given: ω_1 = 15 rpm = 1.571 rad/s"),
+        ("slider-crank-offset", "(1) given: ω_crank = 240 rpm = 25.13 rad/s"),
+        ("ships-passing", "(2) given: v_Bx = 24 km/h · cos 110° = -2.280 m/s"),
+        ("ship-interception", "(1) v_Bx = 5 cos 120° = -2.5 m/s"),
+        ("ladder-leaving-the-wall", "At 3: y_B = 0: l sin θ_3 = 0 3: θ_3 = 180° not 0°: θ_3 > θ_2"),
+        ("load-on-four-strands", "|v_Ay,2|/4 = 1.5 m/s 2: v_Ay,2 = 6 m/s"),
+        ("pucks-at-an-angle", "1: given: v_Ax,1 = 5 m/s"),
+    ],
+)
+def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
+    assert line in _page(stem)
+
+
+@pytest.mark.parametrize(
+    ("stem", "line"),
+    [
+        ("crank-pin-in-a-slotted-arm", "(3) ω_crank constant: α_crank = 0"),
+        ("crane-truck", "(6) v_C,boom constant: a_C,boom = 0"),
+        ("ex-2-09", "(3) given: α_CD = 0.2 rad/s²"),
+        ("follower-with-cycloidal-lift", "differentiated: (1) v_follower,y = h (1 - cos(2 π t/T)) / T"),
+        ("follower-with-cycloidal-lift", "(2) differentiated: a_follower,y = 2 π h sin(2 π t/T)/T²"),
+    ],
+)
+def test_what_is_differentiated_is_not_given(stem: str, line: str) -> None:
+    assert line in _page(stem)
