@@ -82,7 +82,11 @@ class Decided:
         return self._valuations
 
     def _above_zero(self) -> Iterator[sp.Expr]:
-        """The sums that `assume` says to be positive."""
+        """The sums that `assume` says to be positive, and masses of what loses some."""
+        for body in self.problem.bodies:
+            mass = sp.S.Zero if body.mass is None else factor_terms(self.value(body.mass))
+            if mass.is_Add and self.ledger.symbols.get("t") in mass.free_symbols:
+                yield mass
         for relation in self.problem.assume:
             if isinstance(relation, Relation) and relation.operator in ("<", ">"):
                 sides = self.value(relation.left), self.value(relation.right)

@@ -17,6 +17,8 @@ def of_ratios(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
         return expr
 
     def joined(total: Any) -> Any:
+        if (one := _of_two(total, ledger)) is not None:
+            return one
         found: dict[sp.Expr, list[tuple[int, sp.Expr]]] = {}
         rest = []
         for term in total.args:
@@ -29,7 +31,42 @@ def of_ratios(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
             found.setdefault(sign * factor, []).append((sign, logs[0].args[0]))
         return sp.Add(*rest, *(_together(factor, parts, ledger) for factor, parts in found.items()))
 
-    return expr.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), joined)
+    found = expr.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), joined)
+    return found.replace(lambda x: x.is_Mul and any(isinstance(a, sp.log) for a in x.args), _turned)
+
+
+def _of_two(total: sp.Expr, ledger: Ledger) -> sp.Expr | None:
+    """a ln x - a ln y as a ln(x/y), where a sum has these two logarithms alone, in whatever number of terms."""
+    coefficients: dict[sp.Expr, sp.Expr] = {}
+    rest = []
+    for term in total.args:
+        logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log)]
+        if len(logs) > 1 or (term.has(sp.log) and not logs):
+            return None
+        if logs:
+            coefficients[logs[0]] = coefficients.get(logs[0], sp.S.Zero) + term / logs[0]
+        else:
+            rest.append(term)
+    if len(coefficients) != 2 or all(len(sp.Add.make_args(c)) < 2 for c in coefficients.values()):
+        return None
+    (one, a), (other, b) = coefficients.items()
+    if sp.expand(a + b) != 0 or not _is_pure(one.args[0] / other.args[0], ledger):
+        return None
+    if one.args[0].is_Add:
+        one, other, a = other, one, b
+    return sp.Add(*rest, sp.factor(a) * sp.log(one.args[0] / other.args[0]))
+
+
+def _turned(term: Any) -> Any:
+    """a ln(x/y) for -a ln(y/x), and for ln(-(y - x)/x) what it is without two signs."""
+    (log, *more) = [f for f in term.args if isinstance(f, sp.log)]
+    above, below = sp.fraction(log.args[0])
+    if more or below == 1 or not any(f.is_Add for f in sp.Mul.make_args(above)):
+        return term
+    above, factor = sp.expand(above), term / log
+    if above.is_Add and not below.is_Add and factor.could_extract_minus_sign():
+        return -factor * sp.log(below / above)
+    return factor * sp.log(above / below)
 
 
 def _together(factor: sp.Expr, parts: list[tuple[int, sp.Expr]], ledger: Ledger) -> sp.Expr:

@@ -25,6 +25,7 @@ from planar_cli.report.integrals import in_times, over_coordinates, plain_integr
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
+from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.origins import head, is_steady, letter_of, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
@@ -357,7 +358,8 @@ class MotionTelling:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
         if r.formula is None:
             return None
-        formula = in_times(over_coordinates(r.formula, self.general), self.found)
+        formula = of_ratios(r.formula, self.found.ledger)
+        formula = in_times(over_coordinates(formula, self.general), self.found)
         if self.phrases.symbolic:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
