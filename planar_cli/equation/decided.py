@@ -15,9 +15,10 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import derivative, letters, simplified
 from planar_cli.errors import FileProblem, Mark, refuse
-from planar_cli.problem.expression import Relation, Side
+from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
 
 FEW = 12
 """So many draws are tried where every try solves the scene."""
@@ -83,8 +84,9 @@ class Decided:
 
     def _above_zero(self) -> Iterator[sp.Expr]:
         """The sums that `assume` says to be positive, and masses of what loses some."""
-        for body in self.problem.bodies:
-            mass = sp.S.Zero if body.mass is None else factor_terms(self.value(body.mass))
+        masses = [b.mass for b in self.problem.bodies if b.mass is not None]
+        for side in (m for m in masses if not any(isinstance(node, Quantity) for node in walk(m))):
+            mass = factor_terms(self.value(side))
             if mass.is_Add and self.ledger.symbols.get("t") in mass.free_symbols:
                 yield mass
         for relation in self.problem.assume:

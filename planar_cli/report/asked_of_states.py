@@ -12,7 +12,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
@@ -20,7 +20,7 @@ from planar_cli.report.oscillation import by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, Request, SpanIntegral
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, SpanIntegral
 from planar_cli.units import Unit
 
 HENCE = Paragraph(line("Hence:"))
@@ -138,10 +138,25 @@ class AskedTelling:
             values = self._values(asked, asked.unit, formula)
             values = values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
         sides: list[Any] = [name, *self._shown(formula, span, asked.unit, values, phrases), *values]
-        if span is None:
+        if span is not None and (quoted := self._told_before(span)):
+            yield Equation((name, quoted, *values))
+        elif span is None:
             yield Equation(tuple(sides))
         else:
             yield from self.spans.lines(span, (), tuple(sides))
+
+    def _told_before(self, span: SpanIntegral) -> Line:
+        """The work of one source that a balance between the same states has told."""
+        q, value = span.quantity, self.found.value
+        if q.word != "work" or q.at is None or self.phrases.symbolic:
+            return ()
+        sources = (e.source for leg in self.found.route.steps for e in leg.relations)
+        told = [b for b in sources if isinstance(b, BalanceTrace) and (b.since, b.stop) == q.at]
+        for bring, words, work in ((b.law.bring, words, work) for b in told for words, work in b.brought):
+            same = words.split()[-1:] == list(q.things) and span.formula is not None and not value.is_zero(work)
+            if same and value.known(work) is not None and value.is_zero(work - span.formula):
+                return line(Name(bring), f" of the {words}, as above")
+        return ()
 
     def _shown(
         self, formula: sp.Expr, span: SpanIntegral | None, unit: Unit | None, values: list[Value], phrases: Phrases

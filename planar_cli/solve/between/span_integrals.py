@@ -24,7 +24,7 @@ from planar_cli.calculus.antiderivative import definite, where_real
 from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.simulate.quadrature import Piece as Part
@@ -162,7 +162,8 @@ class SpanSolver:
         if tb == FOREVER:
             return self._approached(p, r, rate, segment, q)
         number, how = self._number(rate, segment, ta, tb)
-        g = _potential(rate, segment, ta, tb)
+        g = self._known(rate, segment) if number != 0 else None
+        g = g if g is not None else _potential(rate, segment, ta, tb)
         if g is not None:
             return Piece(*_ends(p, r), rate, "difference", number, r.at(g) - p.at(g), g)
         over = segment.over_time(rate)
@@ -170,6 +171,23 @@ class SpanSolver:
         if over is not None:
             formula = definite(simplified(over), segment.regime.time, p.t, r.t, segment.value)
         return Piece(*_ends(p, r), rate, how, number, formula, None, over)
+
+    def _known(self, rate: sp.Expr, segment: ExactSegment) -> sp.Expr | None:
+        """What the page has anyway, of which this is the rate: a free speed, or what a spring has stored."""
+        regime = segment.regime
+        if not rate.free_symbols & set(regime.letters):
+            return None
+        for speed, acceleration in regime.accelerations.items():
+            for sense in (1, -1):
+                if identically_zero(rate - sense * acceleration):
+                    return sense * speed
+        sources = (s for o in self.course.between.offered.get(id(regime), ()) for s in o.balance.sources)
+        for stored in (s.stored for s in sources if s.stored is not None and s.stored.power > 1):
+            amount = -regime.closed(stored.factor) * regime.closed(stored.measure) ** stored.power / stored.power
+            change = [derivative(amount, q) * pace for q, pace in regime.rates.items()]
+            if identically_zero(rate - sp.Add(*change, derivative(amount, regime.time))):
+                return amount
+        return None
 
     def _approached(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment, q: Quantity) -> Piece:
         """∫ rate dt to a state that is only approached: a difference, where it tends to a value."""
