@@ -120,7 +120,8 @@ class _Walk:
     def _contrary_of(self, item: Node, keys: tuple[str, ...]) -> tuple[str | None, Path_]:
         """What says the contrary of an item of a list, and where below it.
 
-        Where nothing has mass, and places are written, joints only say what these tell: at another point they do not.
+        Where nothing has mass, and places are written, joints only say what these tell: at another point, or across,
+        they do not.
         """
         if isinstance(item, Scalar) and item.text in ("at rest", "equilibrium") and self.names.get("bodies"):
             return f"v({self.names['bodies'][0]}).mag > 0", ()
@@ -131,6 +132,9 @@ class _Walk:
             if key.text in ("at", "point") and isinstance(value, Scalar):
                 others = [name for name in self.names.get("points", []) if name != value.text]
                 return (others[-1] if others else None), (0, i)
+        for i, (key, value) in enumerate(inner.pairs if isinstance(inner, Mapping) else ()):
+            if key.text == "along" and isinstance(value, Scalar):
+                return f"{value.text} + 90 deg", (0, i)
         return None, ()
 
     def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
@@ -153,6 +157,11 @@ class _Walk:
                     # Nor does the new one say anything where it holds for the places as they are written.
                     others = [n for n in self.names.get("points", []) if n not in (node.text, text)]
                     other = others[-1] if others else None
+                if kind in ("number", "sign") and other is None and (_are_statements(keys) or keys[-1] == "table"):
+                    # A count, a mode or a distance may be the same a little later, or on the other side.
+                    value = token.text if kind == "sign" else f"(-{token.text})"
+                    value = f"{float(value) * float(OFF):.6g}" if kind == "sign" else value
+                    other = node.text[: token.start] + value + node.text[token.end :]
                 reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
                 yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
 

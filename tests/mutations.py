@@ -7,11 +7,12 @@ A mutant is refused, has no solution, has another answer, or has the same answer
 cancels stands in the equations). It may have the very same page for a reason:
 
     implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound,
-              and that of a joint where places are written and nothing has mass: at another point it does not fit
+              and that of a joint where places are written and nothing has mass: at another point it does not fit; so
+              does a number of a statement with the other sign, where a little more of it changes nothing: a count
     drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
               told by a name
     even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn,
-              of what is squared
+              of what is squared; or in a statement, where another number with the old sign changes something
     assumed   what is only assumed of letters, and no answer rests on it
     asked     a find asks for another thing of the same value
     a name    a name that nothing else uses is spelt otherwise
@@ -168,7 +169,8 @@ class FileRun:
             return outcome, detail
         at = mutant.at if mutant.against is None else mutant.against
         other, detail = self._judged(replace(mutant, at=at, new=mutant.contrary))
-        return (other, detail) if other in (UNCHANGED, FAULT) else ("implied", detail)
+        excuse = "even" if mutant.kind == "sign" else "implied"
+        return (other, detail) if other in (UNCHANGED, FAULT) else (excuse, detail)
 
     def _judged(self, mutant: Mutant) -> tuple[str, str]:
         try:

@@ -12,7 +12,7 @@ guide the speed of the slide, free bodies two components and a rotation. Joints 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -106,7 +106,7 @@ class TreeBuilder:
             else:
                 joining, body = choice
                 left.remove(joining)
-                edges.append(self._hung(body, joining))
+                edges.append(self._hung(body, joining, {e.slide for e in edges}))
             placed.add(edges[-1].body)
         return Tree(tuple(edges), tuple(left))
 
@@ -173,7 +173,8 @@ class TreeBuilder:
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
         return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y)
 
-    def _hung(self, body: str, joining: Joining) -> Edge:
+    def _hung(self, body: str, joining: Joining, taken: Container[sp.Symbol | None]) -> Edge:
+        """A body that hangs on what is placed. `taken`: speeds of others, which may slide at the same place."""
         backward = body == joining.base
         parent = joining.mover if backward else joining.base
         turns = (joining.turns or not (self.rigid(parent) or joining.keeps)) and self.rigid(body)
@@ -185,6 +186,9 @@ class TreeBuilder:
             path = f"of {joining.place} along its path{seen}"
             bent = joining.path.curvature != 0
             slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}", bent=bent)
+            if slide in taken:
+                path = f"of {body} along its path{seen}"
+                slide, slide_rate = self._pair(body, f"speed {path}", f"acceleration {path}", bent=bent)
         return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
 
 

@@ -30,6 +30,7 @@ from planar_cli.report.origins import head, is_steady, letter_of, sides_of, told
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import without_zeros
 from planar_cli.solve.between.trace import (
@@ -104,6 +105,7 @@ class MotionTelling:
         return "states " + ", ".join(names) if len(names) > 1 else ""
 
     def _body(self) -> Iterator[Block]:
+        yield from times_given(self.found, self.phrases)
         yield from turning_blocks(self.found, self.phrases)
         yield from self._route(self.found.route)
         periods = periods_told(self.found)

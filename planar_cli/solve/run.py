@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
+from decimal import DecimalException
 from typing import Any
 
 import sympy as sp
@@ -13,7 +14,7 @@ from sympy.core.random import seed
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
-from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
+from planar_cli.errors import Mark, NoSolution, NoValue, Undecided, refuse
 from planar_cli.problem.extreme_and_given import with_rates
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
@@ -24,6 +25,7 @@ from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
 from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact
 from planar_cli.solve.diagnosis.known import demand_stated
+from planar_cli.solve.diagnosis.no_value import without_value
 from planar_cli.solve.held import outcome_that_holds
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
@@ -187,18 +189,11 @@ def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, Earli
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
-    """One part. Undecided: a numerical method stops before its goal."""
+    """One part. Undecided: a numerical method stops before its goal, or a formula has no value."""
     try:
         return solve_part(problem, case, units, earlier)
-    except NotReached as error:
-        asked = ", ".join(f"`{f.name}`" for f in problem.find)
-        mark = problem.find[0].mark
-        text = (
-            f"{mark.file}:{mark.line}: {asked}: not decided, {error}; it may help to write places with `coordinates` "
-            "that follow the motion (r and phi of an orbit), to give a rope `along: 90 deg` where its parts stay "
-            "parallel, or to ask at one instant"
-        )
-        raise Undecided(text) from error
+    except (NoValue, DecimalException) as error:
+        raise without_value(problem, error) from error
 
 
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

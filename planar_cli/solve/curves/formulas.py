@@ -7,7 +7,7 @@ Forces come from the equations of the general position.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
 
@@ -170,6 +170,7 @@ class FormulaReader:
         """One find."""
         what = find.found.what
         if is_curve(what):
+            self._check_points(find)
             found, passage = CurveReader(self.regime, drawn_start(self.regime)).answer(find)
             self.curves.append(passage)
             return found
@@ -196,6 +197,16 @@ class FormulaReader:
         energy = any(q.word in ("KE", "PE") for q in quantities_in(what))
         shown = parts if values is None or short else None
         return Found(find.name, kind, self._unit(find), values, shown, "", find, energy, parts)
+
+    def _check_points(self, find: Find) -> None:
+        """The points of a curve move as the joints let them, where these may say something else than the places."""
+        what = find.found.what
+        assert isinstance(what, Quantity)
+        for point in what.things:
+            if point in self.regime.general.instant.scene.points:
+                asked = replace(find.found, what=Quantity("v", (point,), None, (), None, what.mark))
+                moves = replace(find, found=asked, name=point)
+                self._check(moves, _values(moves, self.quantities))
 
     def _check(self, find: Find, raw: tuple[sp.Expr, ...]) -> None:
         """The derivatives of places are what the joints say of velocities and accelerations."""

@@ -241,6 +241,9 @@ def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:
 
 
 def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
+    if poly.domain.is_Exact and poly.degree() > 0:
+        # Near a root that is there twice the iteration does not settle.
+        poly = poly.sqf_part()
     with mpmath.workdps(DIGITS + 10):
         numbers = [sp.N(c, DIGITS + 5) for c in poly.all_coeffs()]
         if any(not n.is_real for n in numbers):
