@@ -74,3 +74,17 @@ def test_an_angular_momentum_and_its_impulse_are_told_before_their_balance() -> 
 def test_the_speed_of_a_mass_centre_has_its_reason() -> None:
     page = _page("textbook/ex-4-17")
     assert page.count("OA turns about O") == 1, "AB does not turn about it"
+
+
+def test_a_long_coefficient_that_is_simple_is_written_so() -> None:
+    page = _page("systems/wheel-pulled-uphill")
+    assert "R α = a_By" in page
+    assert "m g R sin β - T_cord R = I_wheel α - m a_G R" in page
+    assert page.count("a_G = -R α = -0.3 (-5.474) = 1.642 m/s²") == 1, "no line twice"
+
+
+def test_a_spring_between_drawn_places_has_a_length() -> None:
+    page = _page("particles/slider-spring-damper")
+    assert "length of the spring coil:   l_coil = √(0.8² + 0.6²) = 1 m" in page
+    assert "F_dashpot = -12/13 c_d v_P = -12/13 · 30 · 1.5 = -41.54 N" in page
+    assert "F_s = k_s (l_coil - l_0) = 200 (1 - 0.7) = 60 N" in page

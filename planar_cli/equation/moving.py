@@ -58,6 +58,18 @@ class Moving:
                 return one * (self.sign(one) or 1) if moves else self.on_side(sp.sympify(one), self.sign(one) or 1)
         return self._distance(sp.sqrt(v.dot(v)))
 
+    def lettered_length(self, reach: Vec, name: str, words: str) -> sp.Expr:
+        """|r|; a letter for it where the drawing gives it as a number, which would stand bare beside letters."""
+        scene, length = self._scene, self.length(reach)
+        if scene.displacement is not None or scene.ledger.symbolic or not length.is_number:
+            return length
+        parts = [p for p in (reach.x, reach.y) if not self.is_zero(p)]
+        shown = sp.sqrt(sp.Add(*(sp.Pow(p, 2, evaluate=False) for p in parts), evaluate=False), evaluate=False)
+        told = length if len(parts) == 1 or not all(p.is_Rational for p in parts) else shown
+        title, ledger = f"length of {words}", scene.ledger
+        known = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == told), None)
+        return ledger.define(name, told, "m", title, positive=True) if known is None else known
+
     def _distance(self, root: sp.Expr) -> sp.Expr:
         """|r| of a place is r on the side where it is drawn; a speed may change its sign."""
         if longer(root, MANY) or root.free_symbols & self._speeds():

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from decimal import Decimal
 
 import sympy as sp
 
@@ -24,3 +25,13 @@ def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
     sign, rest = found.as_coeff_Mul()
     # A sum of forces keeps its terms: -m g - c v², not -(m g + c v²).
     return sp.Add(*(-a for a in rest.args)) if inside and sign == -1 and rest.is_Add else found
+
+
+def sized(expr: sp.Expr, known: Callable[[sp.Expr], Decimal | None]) -> sp.Expr:
+    """A formula in which |v| = v of what is known to be positive, and |a - b| = b - a where that is positive."""
+    inside: dict[sp.Expr, sp.Expr] = {}
+    for size in expr.atoms(sp.Abs):
+        (own,), value = size.args, known(size.args[0]) or 0
+        if value > 0 or (value < 0 and own.is_Add):
+            inside[size] = own if value > 0 else sp.Add(*(-a for a in own.args))
+    return expr.xreplace(inside)

@@ -99,7 +99,8 @@ class Spring(Load):
             return ()
         if scene.vanishes(length):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")
-        tension = scene.value(self.stiffness) * stretch
+        told = scene.lettered_length(end - start, f"l_{self.name}" if self.name else "l_s", self.called)
+        tension = scene.value(self.stiffness) * self._stretch(scene, told)
         along = (end - start) / length
         ends = ((self.between[0], start, along), (self.between[1], end, -along))
         return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends)

@@ -199,6 +199,9 @@ class MovingScene(Carried):
 
     # --- what loads ask ----------------------------------------------------------------------------------------------
 
+    def lettered_length(self, reach: Vec, name: str, words: str) -> Any:
+        return self.length(reach)
+
     def against(self, velocity: Vec, size: Any) -> Vec:
         """A force of a given size against a velocity; none at rest."""
         speed = self.graph.call("sqrt", velocity.dot(velocity) + TINIEST)

@@ -9,7 +9,9 @@ import sympy as sp
 
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import At, Polar, TwoFacts
-from planar_cli.report.blocks import Block, Equation, Line, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Text, Value, line
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
@@ -90,3 +92,17 @@ def _facts(scene: Scene, place: TwoFacts, phrases: Phrases) -> list[Line]:
         if side is not None:
             found.append(line(f"at {axis} = ", phrases.math(scene.value(side))))
     return found
+
+
+def measured(expr: sp.Expr, phrases: Phrases) -> Math | None:
+    """√(x² + y²) of a length between two places of the drawing, with its numbers; None: it is something else."""
+    square = expr.base if expr.is_Pow and expr.exp == sp.Rational(1, 2) else sp.S.Zero
+    if phrases.symbolic or not square.is_Add:
+        return None
+    if not all(a.is_Pow and a.exp == 2 and a.base.is_Rational for a in square.args):
+        return None
+    texts = {}
+    for i, part in enumerate(square.args):
+        size = phrases.of_dimension(abs(phrases.value(part.base)), LENGTH)
+        texts[sp.Symbol(f"{NUMBER}{i}", real=True)] = significant(size.number, phrases.figures)
+    return Math(sp.sqrt(sp.Add(*(s**2 for s in texts), evaluate=False), evaluate=False), texts)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -25,6 +25,7 @@ from planar_cli.report.blocks import (
     Name,
     Note,
     Paragraph,
+    Text,
     line,
 )
 from planar_cli.report.blow_check import blow_check
@@ -118,6 +119,12 @@ def _says_nothing(block: Block) -> bool:
     return one != "" and one == other
 
 
+def _said(equation: Equation) -> list[Any]:
+    """The sides of an equation, however they are put together."""
+    pieces = ([p for p in side if p != Text("")] if isinstance(side, tuple) else [side] for side in equation.sides)
+    return [_letter_of(side[0]) or side if len(side) == 1 else side for side in pieces]
+
+
 def _letter_of(side: Inline | Line) -> str:
     """The one letter that a side is."""
     piece = side[0] if isinstance(side, tuple) and len(side) == 1 else side
@@ -206,7 +213,9 @@ def _instant_blocks(
     blocks = telling.blocks()
     if part.motion is None:
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
-        return [*blocks, *telling.asked.blocks(mine)], telling.steps, telling.count
+        told = [_said(b) for b in blocks if isinstance(b, Equation)]
+        asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
+        return [*blocks, *asked], telling.steps, telling.count
     stretches = _stretches(part, instant)
     if is_solved_in_steps(part.motion, part.motion.regime(instant)):
         blocks = _without_solution(blocks)

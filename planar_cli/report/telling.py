@@ -15,7 +15,7 @@ from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
-from planar_cli.report.geometry import constructed, places
+from planar_cli.report.geometry import constructed, measured, places
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
@@ -168,6 +168,8 @@ class Telling:
                 sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
                 if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
                     sides = (sides[0], *sized, *(() if self.phrases.symbolic else (value,)))
+                if root := measured(expr, self.phrases):
+                    sides = (sides[0], root, value)
                 if not is_length and is_sought(symbol, ledger):
                     sides = sides[:2]
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))

@@ -14,7 +14,7 @@ from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
-from planar_cli.equation.one_way import one_way
+from planar_cli.equation.one_way import one_way, sized
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Part, Quantity, Side
 from planar_cli.records import record
@@ -82,14 +82,13 @@ class Phrases:
         return Neat(self.ledger, self.value)
 
     def met(self, expr: sp.Expr) -> sp.Expr:
-        """Of a formula in pieces those that the motion meets; with letters all of them; |v| as it goes, and of what is
-        known to be positive |v| = v.
+        """Of a formula in pieces those that the motion meets; with letters all of them; |v| as it goes, of what is
+        known to be positive |v| = v, of a difference |a - b| = b - a where that is positive.
         """
         expr = one_way(expr, self.ways)
         if self.symbolic:
             return expr
-        forward = {a: a.args[0] for a in expr.atoms(sp.Abs) if (self.value.known(a.args[0]) or 0) > 0}
-        return met(expr.xreplace(forward), self.value)
+        return met(sized(expr, self.value.known), self.value)
 
     def numbers(
         self, expr: sp.Expr, sizes: Mapping[sp.Symbol, Decimal] | None = None, turns: bool = True

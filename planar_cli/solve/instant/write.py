@@ -25,6 +25,7 @@ from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
+from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.written import Explicit, Written
 
 LETTERS = "CKQSWZHJ"
@@ -82,7 +83,8 @@ class Writer:
         """A coefficient in its plainest form; a long one as a number."""
         found = tidy(coefficient)
         if self.plain and not found.is_number and (longer(found, LONGEST) or rounded_inside(found)):
-            return exact_number(self.numbers.value(found))
+            simple = recognised(found, self.system.scene.ledger, self.numbers.value)
+            return exact_number(self.numbers.value(found)) if simple is None else simple
         return found
 
     def shortened(self, expr: sp.Expr) -> sp.Expr:
