@@ -31,7 +31,7 @@ def test_numbers_as_they_were_written() -> None:
 
 
 def test_letters_of_a_problem_in_letters() -> None:
-    assert _notes("ex-4-04")["Given"].split()[1:3] == ["m,", "L;"]
+    assert _notes("ex-4-04")["Given"].split()[1:4] == ["m,", "L,", "g;"]
 
 
 @pytest.mark.parametrize(
@@ -43,6 +43,13 @@ def test_letters_of_a_problem_in_letters() -> None:
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
         ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
         ("leaking-bucket", ["m = M - q t, speed of what leaves, relative to the body = 0"]),
+        ("ex-1-08", ["r, g; ", "let_go: θ = 0, θ̇ = 0"]),
+        ("ex-1-11", ["parallel: v_Py = -3/4 v_Px", "B: y_P = -3/4 x_P"]),
+        ("ex-1-13", ["track: y = x²/(2 m)"]),
+        ("ex-1-14", ["OB at θ", "P at y = 500 mm on the line through O at θ", "θ = π/2 + π/6 sin(1.5 rad/s · t)"]),
+        ("ex-4-10", ["1: at rest", "2: y_A = 0"]),
+        ("ex-4-11", ["2: y_D smallest"]),
+        ("wind-felt-by-a-cyclist", ["fast: v_cyclist,x = 24 km/h, v_cyclist,y = 0"]),
         ("pipe-bend", ["v_A = 4 q/(ρ π d_A²) = 3.183 m/s"]),
     ],
 )
@@ -70,6 +77,12 @@ def test_what_no_equation_uses_is_not_given() -> None:
     """The mass of a pipe that stands still on level ground, and its mass centre."""
     assert "60 kg" not in _given("pipe-bend")
     assert "G(" not in _given("pipe-bend")
+
+
+def test_places_on_which_no_line_rests_are_not_given() -> None:
+    """The place of the air, and the length of an arm of which only the direction counts."""
+    assert "air(" not in _given("wind-felt-by-a-cyclist")
+    assert "650" not in _given("ex-1-14")
 
 
 def test_data_of_a_case_stand_at_its_head() -> None:

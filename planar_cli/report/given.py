@@ -5,46 +5,38 @@ Each datum is told in the words of the page, and only where something of the pag
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Side
+from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
 from planar_cli.problem.scene import (
-    At,
     Body,
     Circle,
     Composite,
-    Midpoint,
-    Particle,
+    Curve,
     Plate,
-    Point,
-    Polar,
     Problem,
     Rod,
     Round,
     Sector,
     Shape,
     Surface,
-    Towards,
 )
 from planar_cli.problem.scene import (
     Line as Straight,
 )
-from planar_cli.problem.scope import Member, members_of, names_in
-from planar_cli.problem.walk import walk
+from planar_cli.problem.scope import Member, members_of
 from planar_cli.records import record
 from planar_cli.report import blocks
-from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Text, Value, line
-from planar_cli.report.blocks import Relation as Related
-from planar_cli.report.sides import AS_WRITTEN, is_zero, number_of, said
-from planar_cli.units import pretty_unit
+from planar_cli.report.blocks import Line, line
+from planar_cli.report.given_points import points_given
+from planar_cli.report.given_states import laws_given, states_given
+from planar_cli.report.mentioned import Mentioned
+from planar_cli.report.sides import is_zero, number_of, said
 
 RIGHT_ANGLE = 90
-SHORT = 2
-"""Two names of so many letters side by side are the line between the points."""
 
 
 @record
@@ -56,84 +48,22 @@ class Datum:
     place: str = ""
 
 
-@record
-class Mentioned:
-    """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, or forces that
-    accelerate something? `counted`: the names for which it puts numbers into formulas. `letters`: names in formulas,
-    which units are not. `energies`: it tells energies.
-    """
-
-    words: frozenset[str]
-    kinetic: bool
-    counted: frozenset[str] = frozenset()
-    letters: frozenset[str] = frozenset()
-    energies: bool = False
-    numeric: bool = False
-    """Are numbers put into formulas?"""
-    summed: bool = False
-    """Does a sum of forces, moments or energies stand in numbers, among which its weights are?"""
-
-
-def mentioned(page: Iterable[Block]) -> Mentioned:
-    """All pieces of names and words on a page."""
-    found: set[str] = set()
-    letters: set[str] = set()
-    counted: set[str] = set()
-    kinetic = energies = summed = False
-    for block in page:
-        summed |= isinstance(block, Equation) and _is_of_forces(block.note)
-        kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
-        for piece in pieces_of(block):
-            match piece:
-                case Text(text):
-                    found |= set(re.findall(r"\w+", text))
-                case blocks.Name(name):
-                    letters |= {name, *name.split("_")}
-                    energies |= name.startswith("T_")
-                case Math(expr):
-                    letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
-                    counted |= {s.name for s in piece.values or ()}
-    words = frozenset(found | letters)
-    return Mentioned(
-        words, kinetic or energies, frozenset(counted), frozenset(letters), energies, bool(counted), summed
-    )
-
-
-def _is_of_forces(note: Line) -> bool:
-    """Is an equation in numbers one of forces, moments or energies?"""
-    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf", "in J"))
-
-
-def pieces_of(value: object) -> Iterator[Inline]:
-    """All pieces of the lines of a block."""
-    match value:
-        case Text() | blocks.Name() | Math() | Value():
-            yield value
-        case Related():
-            yield from (value.left, value.right)
-        case tuple():
-            for part in value:
-                yield from pieces_of(part)
-        case _:
-            for slot in getattr(value, "__slots__", ()):
-                yield from pieces_of(getattr(value, slot))
-
-
 def given_rows(problem: Problem, page: Mentioned, figures: int) -> tuple[tuple[Line, ...], ...]:
-    """The data in rows, which may be empty: of bodies, joints and loads; of points; of the first state."""
+    """The data in rows, which may be empty: of bodies, joints and loads; of points; what `motion` says; of
+    each state.
+    """
     numbers = [
         *(d for b in problem.bodies for d in _of_body(b, problem, page, figures)),
         *(d for s in problem.surfaces for d in _of_surface(s, figures)),
         *(d for m in members_of(problem) for d in _of_member(m, problem, figures)),
     ]
-    start = _at_first(problem, tuple(_start(problem, figures)))
-    driven = tuple(_driven(problem, page, figures))
-    return _listed(numbers), tuple(_points(problem, page, figures)), driven, start
-
-
-def _at_first(problem: Problem, row: tuple[Line, ...]) -> tuple[Line, ...]:
-    """The data of the first state behind its name."""
-    return (line(f"{problem.states[0].name}: ", row[0]), *row[1:]) if problem.states and row else row
+    states = (tuple(row) for row in states_given(problem, figures))
+    return (
+        _listed(numbers),
+        tuple(points_given(problem, page, figures)),
+        tuple(laws_given(problem, page, figures)),
+        *states,
+    )
 
 
 def _listed(found: Sequence[Datum]) -> tuple[Line, ...]:
@@ -227,6 +157,8 @@ def _of_surface(surface: Surface, figures: int) -> Iterator[Datum]:
         yield from _datum(f"direction of {surface.name}", shape.angle, figures)
     if isinstance(shape, Circle):
         yield from _datum(f"radius of {surface.name}", shape.radius, figures)
+    if isinstance(shape, Curve):
+        yield from _datum(line(f"{surface.name}: ", blocks.Name(shape.kind)), shape.formula, figures)
     yield from _datum(f"speed of {surface.name}", surface.speed, figures)
 
 
@@ -265,105 +197,3 @@ def _sides(value: object, spec: KeySpec, named: str) -> Iterator[tuple[Line | st
             else:
                 main = spec.name in ("magnitude", "moment")
                 yield named if main else f"{spec.name.replace('_', ' ')} of the {named}", value
-
-
-def _points(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
-    """Where the points are that the page, a body or what acts speaks of; an origin alone needs no telling."""
-    used = page.words | _referred(problem)
-    places = [p for p in problem.points if p.name in used]
-    drops = [
-        Point(b.name, b.shape.place, b.mark)
-        for b in problem.bodies
-        if isinstance(b.shape, Particle)
-        and isinstance(b.shape.place, At)
-        and not (is_zero(b.shape.place.x) and is_zero(b.shape.place.y))
-    ]
-    told = [(p, found) for p in (*places, *drops) if (found := _place(p, figures))]
-    if any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
-        yield from (found for _, found in told)
-
-
-def _referred(problem: Problem) -> set[str]:
-    """The points on which bodies, joints, loads and finds rest."""
-    found = {name for m in members_of(problem) for s in keys_of(type(m)) for name in names_in(getattr(m, s.name), s)}
-    for body in problem.bodies:
-        shapes = [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
-        slots = ("start", "end", "apex", "place")
-        found |= {n for s in shapes for slot in slots if isinstance(n := getattr(s, slot, None), str)}
-        if isinstance(body.shape, Composite):
-            found |= {p.shape.center for p in body.shape.pieces if isinstance(p.shape, Round | Plate)}
-    for find in problem.find:
-        what = find.found.what
-        found |= {t for n in walk(what) if isinstance(n, Quantity) for t in n.things}
-    return found
-
-
-def _place(point: Point, figures: int) -> Line:
-    """A(0.5, 0) m, or by what the file says of it; empty of a point that is told by more."""
-    match point.place:
-        case At(x, y):
-            return _pair(point.name, x, y, figures)
-        case Polar(origin, distance, angle):
-            one, other = said(distance, figures), said(angle, figures)
-            short = len(origin) <= SHORT and len(point.name) <= SHORT
-            head = f"{origin}{point.name} = " if short else f"{point.name} from {origin}: "
-            return line(head, one, " at ", other) if one and other else ()
-        case Towards(origin, towards, distance):
-            one = said(distance, figures)
-            return line(f"{point.name} on {origin}{towards} with {origin}{point.name} = ", one) if one else ()
-        case Midpoint(a, b):
-            return line(f"{point.name} midpoint of {a}{b}")
-    return ()
-
-
-def _pair(name: str, x: Side, y: Side, figures: int) -> Line:
-    """The coordinates of a point, the unit of both behind them."""
-    numbers = [number_of(x), number_of(y)]
-    units = {n[1] for n in numbers if n is not None and n[0]}
-    sides = [said(s, figures) for s in (x, y)]
-    if not all(sides):
-        return ()
-    if len(units) != 1 or None in numbers:
-        one, other = ("0" if is_zero(s) else shown or () for s, shown in zip((x, y), sides, strict=True))
-        return line(f"{name}(", one, ", ", other, ")")
-    first, second = (Value(n[0], "1", max(figures, AS_WRITTEN)) for n in numbers if n is not None)
-    return line(f"{name}(", first, ", ", second, f") {pretty_unit(next(iter(units)))}")
-
-
-def _start(problem: Problem, figures: int) -> Iterator[Line]:
-    """What the first state, or the only instant, gives: relations with numbers or letters on one side."""
-    relations = problem.states[0].relations if problem.states else problem.instant or ()
-    unknown = {s.name for s in problem.unknowns}
-    for relation in relations:
-        if isinstance(relation, AtRest):
-            yield line(f"{relation.body} at rest" if relation.body else "at rest")
-        elif isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
-            left, right = said(relation.left, figures), said(relation.right, figures)
-            if left and right:
-                yield line(left, " = ", right)
-
-
-def _driven(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
-    """The numbers with which something is driven, such as the speed of a crank; in letters what the page speaks of says
-    it.
-    """
-    unknown = {s.name for s in problem.unknowns}
-    for relation in (law.statement for law in problem.motion):
-        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
-            left, right = said(relation.left, figures), said(relation.right, figures)
-            names = {p.name for p in pieces_of(left) if isinstance(p, blocks.Name)}
-            number = number_of(relation.right) is not None and not is_zero(relation.right)
-            if left and right and number and (page.numeric or page.words.isdisjoint(names)):
-                yield line(left, " = ", right)
-
-
-def _gives(relation: Relation, unknown: set[str]) -> bool:
-    """Does it say what something is, without asking anything? That the clock begins at nought is no datum."""
-    if not isinstance(relation.left, Quantity | Name) or _begins_the_clock(relation):
-        return False
-    nodes = list(walk(relation.right))
-    return not any(isinstance(n, Quantity) or (isinstance(n, Name) and n.name in unknown) for n in nodes)
-
-
-def _begins_the_clock(relation: Relation) -> bool:
-    return isinstance(relation.left, Name) and relation.left.name == "t" and is_zero(relation.right)

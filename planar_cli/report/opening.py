@@ -11,7 +11,8 @@ from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Value, line
-from planar_cli.report.given import Mentioned, given_rows, idle_masses, mentioned
+from planar_cli.report.given import given_rows, idle_masses
+from planar_cli.report.mentioned import Mentioned, mentioned
 from planar_cli.report.principles import principles
 from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.uses import Uses
@@ -77,6 +78,8 @@ def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iter
     used = GRAVITY in seen.counted or (GRAVITY in seen.letters and seen.summed)
     if phrases is not None and own is not None and used and _has_number(own, phrases):
         yield line(Name(GRAVITY), " = ", phrases.shown(own))
+    elif GRAVITY in seen.letters and not seen.numeric:
+        yield line(Name(GRAVITY))
 
 
 def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:

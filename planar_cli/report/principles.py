@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
-from planar_cli.report.given import pieces_of
+from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 

@@ -29,6 +29,7 @@ SUM, FACTOR, POWER = 0, 1, 2
 """How closely a place binds: what stands there in a looser formula gets brackets."""
 AS_WRITTEN = 6
 """A number of the file with at most so many figures is not rounded."""
+RATES = ("dot", "ddot")
 CONSTANTS = {"pi": "π", "infinity": "∞"}
 
 
@@ -44,6 +45,8 @@ def _has_a_name(node: Tree) -> bool:
             known = RELATIVE if len(node.things) == 2 else LETTERS
             parts = ("x", "y", "mag", "angle", "along", "across") + (("t", "n") if len(node.things) == 1 else ())
             one = len(node.parts) == 0 or (len(node.parts) == 1 and node.parts[0].kind in parts)
+            if node.word in RATES and isinstance(node.argument, Name):
+                return node.at is None
             return node.at is None and node.argument is None and node.word in known and one
         case Name() | Function():
             return node.at is None
@@ -108,7 +111,7 @@ def _combined(side: Binary, figures: int, place: int) -> Line:
     left, right = _said(side.left, figures, FACTOR), _said(side.right, figures, FACTOR)
     if side.operator == "/":
         compound = isinstance(side.right, Binary) and side.right.operator in "*/"
-        found = line(left, "/", _bracketed(right) if compound else right)
+        found = line(left, "/", _bracketed(right) if compound or _has_unit(right[-1]) else right)
     else:
         opens = right[0]
         numeral = isinstance(opens, Value) or (isinstance(opens, Text) and opens.text[:1].isdigit())
@@ -126,6 +129,8 @@ def _bracketed(inside: Line) -> Line:
 
 def _quantity(asked: Quantity, figures: int) -> Line:
     """`v(crate).x` as v_crate,x; `v(P).along(30 deg)` as v_P along 30°."""
+    if asked.word in RATES and isinstance(asked.argument, Name):
+        return line(blocks.Name(f"{asked.argument.name}_{asked.word}"))
     part = asked.parts[0] if asked.parts else None
     thing, *relative = asked.things
     name = f"{LETTERS[asked.word]}_{thing}"

@@ -1,0 +1,138 @@
+"""Where the points of a file are, as it says it: those on which something of the page rests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from planar_cli.problem.expression import Name, Quantity, Side
+from planar_cli.problem.keys import keys_of
+from planar_cli.problem.scene import (
+    At,
+    Composite,
+    Midpoint,
+    Particle,
+    Plate,
+    Point,
+    Polar,
+    Problem,
+    Round,
+    Towards,
+    TwoFacts,
+)
+from planar_cli.problem.scope import members_of, names_in
+from planar_cli.problem.walk import walk
+from planar_cli.report.blocks import Line, Value, line
+from planar_cli.report.mentioned import Mentioned
+from planar_cli.report.sides import AS_WRITTEN, is_zero, number_of, said
+from planar_cli.units import pretty_unit
+
+SHORT = 2
+"""Two names of so many letters side by side are the line between the points."""
+RATES = ("v", "a")
+"""What is asked of a particle that does not rest on where it is."""
+
+
+def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
+    """Where the points are that the page, a body or what acts speaks of; an origin alone needs no telling."""
+    joined, drawn = _joined(problem), _drawn(problem)
+    used = page.words | joined | drawn
+    idle = set() if page.kinetic else drawn - joined - page.words
+    turning = {p.name: d for p in problem.points if p.name in idle and (d := _direction(p, problem, page, figures))}
+    places = [p for p in problem.points if p.name in used and p.name not in turning]
+    drops = [
+        Point(b.name, b.shape.place, b.mark)
+        for b in problem.bodies
+        if isinstance(b.shape, Particle)
+        and isinstance(b.shape.place, At)
+        and not (is_zero(b.shape.place.x) and is_zero(b.shape.place.y))
+        and (page.kinetic or b.name in joined or _is_placed(b.name, page))
+    ]
+    told = [(p, found) for p in (*places, *drops) if p.name not in page.built and (found := _place(p, figures))]
+    if any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
+        yield from (*turning.values(), *(found for _, found in told))
+
+
+def _direction(point: Point, problem: Problem, page: Mentioned, figures: int) -> Line:
+    """Of a point that nothing but its direction is used of, as θ is that of OB: that direction."""
+    if not isinstance(point.place, Polar):
+        return ()
+    turned, reach = (
+        {n.name for n in walk(s) if isinstance(n, Name)} for s in (point.place.angle, point.place.distance)
+    )
+    if not turned & {s.name for s in problem.coordinates} or reach & page.letters:
+        return ()
+    angle = said(point.place.angle, figures)
+    return line(f"{point.place.origin}{point.name} at ", angle) if angle else ()
+
+
+def _is_placed(name: str, page: Mentioned) -> bool:
+    """Does the page speak of where a particle is, not of its velocity alone?"""
+    return any(x.startswith((f"x_{name}", f"y_{name}", f"r_{name}")) for x in page.letters)
+
+
+def _joined(problem: Problem) -> set[str]:
+    """The points on which joints, loads and finds rest; of a particle whose velocity is asked, its place is none."""
+    found = {name for m in members_of(problem) for s in keys_of(type(m)) for name in names_in(getattr(m, s.name), s)}
+    for find in problem.find:
+        asked = (n for n in walk(find.found.what) if isinstance(n, Quantity)) if find.found.what is not None else ()
+        found |= {t for q in asked if q.word not in RATES or len(q.things) > 1 for t in q.things}
+    return found
+
+
+def _drawn(problem: Problem) -> set[str]:
+    """The points from which bodies are drawn."""
+    found: set[str] = set()
+    for body in problem.bodies:
+        shapes = [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
+        slots = ("start", "end", "apex", "place")
+        found |= {n for s in shapes for slot in slots if isinstance(n := getattr(s, slot, None), str)}
+        if isinstance(body.shape, Composite):
+            found |= {p.shape.center for p in body.shape.pieces if isinstance(p.shape, Round | Plate)}
+    return found
+
+
+def _place(point: Point, figures: int) -> Line:
+    """A(0.5, 0) m, or by what the file says of it; empty of a point that is told by more."""
+    match point.place:
+        case At(x, y):
+            return _pair(point.name, x, y, figures)
+        case Polar(origin, distance, angle):
+            one, other = said(distance, figures), said(angle, figures)
+            short = len(origin) <= SHORT and len(point.name) <= SHORT
+            head = f"{origin}{point.name} = " if short else f"{point.name} from {origin}: "
+            return line(head, one, " at ", other) if one and other else ()
+        case Towards(origin, towards, distance):
+            one = said(distance, figures)
+            return line(f"{point.name} on {origin}{towards} with {origin}{point.name} = ", one) if one else ()
+        case Midpoint(a, b):
+            return line(f"{point.name} midpoint of {a}{b}")
+        case TwoFacts():
+            return _by_two(point.name, point.place, figures)
+    return ()
+
+
+def _by_two(name: str, place: TwoFacts, figures: int) -> Line:
+    """P at y = 500 mm on the line through O at θ."""
+    facts: list[Line] = []
+    for axis, side in (("x", place.x), ("y", place.y)):
+        if side is not None:
+            facts.append(line(f"at {axis} = ", said(side, figures) or ()))
+    if place.line is not None:
+        facts.append(line(f"on the line through {place.line[0]} at ", said(place.line[1], figures) or ()))
+    facts += [line(said(d, figures) or (), f" from {origin}") for origin, d in place.distances]
+    joined = [p for i, fact in enumerate(facts) for p in (*([" and "] if i and place.distances else [" "]), *fact)]
+    return line(name, *joined)
+
+
+def _pair(name: str, x: Side, y: Side, figures: int) -> Line:
+    """The coordinates of a point, the unit of both behind them."""
+    numbers = [number_of(x), number_of(y)]
+    units = {n[1] for n in numbers if n is not None and n[0]}
+    sides = [said(s, figures) for s in (x, y)]
+    if not all(sides):
+        return ()
+    if len(units) != 1 or None in numbers:
+        one, other = ("0" if is_zero(s) else shown or () for s, shown in zip((x, y), sides, strict=True))
+        return line(f"{name}(", one, ", ", other, ")")
+    first, second = (Value(n[0], "1", max(figures, AS_WRITTEN)) for n in numbers if n is not None)
+    return line(f"{name}(", first, ", ", second, f") {pretty_unit(next(iter(units)))}")

@@ -1,0 +1,85 @@
+"""What `motion` and the states of a file give, or its only instant, in the notation of the page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from planar_cli.problem.expression import AtRest, Extreme, Name, Quantity, Relation, Side
+from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.walk import walk
+from planar_cli.report import blocks
+from planar_cli.report.blocks import Line, line
+from planar_cli.report.mentioned import Mentioned, pieces_of
+from planar_cli.report.sides import is_zero, number_of, said
+
+
+def states_given(problem: Problem, figures: int) -> Iterator[list[Line]]:
+    """A row for each state: relations with what is known on one side, rest, and what is largest or smallest."""
+    if not problem.states:
+        yield [d for r in problem.instant or () for d in _told(r, problem, figures, first=True)]
+    for i, state in enumerate(problem.states):
+        yield _of_state(state, problem, figures, first=not i)
+
+
+def _of_state(state: State, problem: Problem, figures: int, first: bool) -> list[Line]:
+    """The data of a state behind its name."""
+    row = [d for r in state.relations for d in _told(r, problem, figures, first)]
+    return [line(f"{state.name}: ", row[0]), *row[1:]] if row else []
+
+
+def _told(statement: object, problem: Problem, figures: int, first: bool) -> Iterator[Line]:
+    """One statement; of the first state only what asks nothing."""
+    unknown = {s.name for s in problem.unknowns}
+    match statement:
+        case AtRest():
+            yield line(f"{statement.body} at rest" if statement.body else "at rest")
+        case Extreme() if not first and (side := said(statement.side, figures)):
+            yield line(side, " largest" if statement.sense > 0 else " smallest")
+        case Relation(operator="=") if _gives(statement, unknown) or (not first and _says(statement, unknown)):
+            yield from _equation(statement, figures)
+
+
+def _equation(relation: Relation, figures: int) -> Iterator[Line]:
+    left, right = said(relation.left, figures), said(relation.right, figures)
+    number = number_of(relation.right)
+    right = line("0") if number is not None and not number[0] and number[1] != "deg" else right
+    if left and right:
+        yield line(left, " = ", right)
+
+
+def laws_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
+    """How something is driven: the number of its speed, or its law; letters stand on the page itself."""
+    unknown = {s.name for s in problem.unknowns}
+    for law in problem.motion:
+        relation = law.statement
+        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
+            left = said(relation.left, figures)
+            names = {p.name for p in pieces_of(left) if isinstance(p, blocks.Name)}
+            number = number_of(relation.right) is not None and not is_zero(relation.right)
+            varies = _varies(relation.right, problem) and law.during is None
+            if varies or (number and (page.numeric or page.words.isdisjoint(names))):
+                yield from _equation(relation, figures)
+
+
+def _varies(side: Side, problem: Problem) -> bool:
+    """Does time or a coordinate stand in it?"""
+    running = {"t", *(s.name for s in problem.coordinates)}
+    return any(isinstance(n, Name) and n.name in running for n in walk(side))
+
+
+def _says(relation: Relation, unknown: set[str]) -> bool:
+    """Does a state say where it is, in letters that are known?"""
+    names = {n.name for side in (relation.left, relation.right) for n in walk(side) if isinstance(n, Name)}
+    return not names & unknown and any(isinstance(n, Quantity) for n in walk(relation.left))
+
+
+def _gives(relation: Relation, unknown: set[str]) -> bool:
+    """Does it say what something is, without asking anything? That the clock begins at nought is no datum."""
+    if not isinstance(relation.left, Quantity | Name) or _begins_the_clock(relation):
+        return False
+    nodes = list(walk(relation.right))
+    return not any(isinstance(n, Quantity) or (isinstance(n, Name) and n.name in unknown) for n in nodes)
+
+
+def _begins_the_clock(relation: Relation) -> bool:
+    return isinstance(relation.left, Name) and relation.left.name == "t" and is_zero(relation.right)

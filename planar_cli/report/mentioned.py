@@ -1,0 +1,92 @@
+"""Of which names and words a page speaks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from planar_cli.records import record
+from planar_cli.report import blocks
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Text, Value
+from planar_cli.report.blocks import Relation as Related
+
+
+@record
+class Mentioned:
+    """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, or forces that
+    accelerate something? `counted`: the names for which it puts numbers into formulas. `letters`: names in formulas,
+    which units are not. `energies`: it tells energies.
+    """
+
+    words: frozenset[str]
+    kinetic: bool
+    counted: frozenset[str] = frozenset()
+    letters: frozenset[str] = frozenset()
+    energies: bool = False
+    numeric: bool = False
+    """Are numbers put into formulas?"""
+    built: frozenset[str] = frozenset()
+    """Points of which the page says how they are constructed."""
+    summed: bool = False
+    """Does a sum of forces, moments or energies stand in numbers, among which its weights are?"""
+
+
+def mentioned(page: Iterable[Block]) -> Mentioned:
+    """All pieces of names and words on a page."""
+    found: set[str] = set()
+    letters: set[str] = set()
+    built: set[str] = set()
+    counted: set[str] = set()
+    kinetic = energies = summed = False
+    for block in page:
+        built.add(_built(block))
+        summed |= isinstance(block, Equation) and _is_of_forces(block.note)
+        kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
+        for piece in pieces_of(block):
+            match piece:
+                case Text(text):
+                    found |= set(re.findall(r"\w+", text))
+                case blocks.Name(name):
+                    letters |= {name, *name.split("_")}
+                    energies |= name.startswith("T_")
+                case Math(expr):
+                    letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
+                    counted |= {s.name for s in piece.values or ()}
+    words = frozenset(found | letters)
+    return Mentioned(
+        words=words,
+        kinetic=kinetic or energies,
+        counted=frozenset(counted),
+        letters=frozenset(letters),
+        energies=energies,
+        numeric=bool(counted),
+        built=frozenset(built),
+        summed=summed,
+    )
+
+
+def _built(block: Block) -> str:
+    """The point of which an equation says where it lies: `C is 0.5 m from B and 0.4 m from D: C = …`."""
+    lead = block.lead[0] if isinstance(block, Equation) and block.lead else None
+    found = re.match(r"(\w+) is ", lead.text) if isinstance(lead, Text) else None
+    return found[1] if found else ""
+
+
+def _is_of_forces(note: Line) -> bool:
+    """Is an equation in numbers one of forces, moments or energies?"""
+    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf", "in J"))
+
+
+def pieces_of(value: object) -> Iterator[Inline]:
+    """All pieces of the lines of a block."""
+    match value:
+        case Text() | blocks.Name() | Math() | Value():
+            yield value
+        case Related():
+            yield from (value.left, value.right)
+        case tuple():
+            for part in value:
+                yield from pieces_of(part)
+        case _:
+            for slot in getattr(value, "__slots__", ()):
+                yield from pieces_of(getattr(value, slot))
