@@ -11,13 +11,14 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
-from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 
 SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
 """Roots that differ by less, in parts of themselves and at all, are the same."""
 MOST_ROOTS = 4
+FIRST = "the first such time after "
 SENSES = {
     "omega": ("it turns counterclockwise there", "it turns clockwise there"),
     "x": ("it moves to the right there", "it moves to the left there"),
@@ -38,8 +39,7 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     if len(others) == 1 and others[0] * r.value < 0 and kind in (Kind.TIME, Kind.SPEED):
         yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", *why))
     elif kind is Kind.TIME:
-        later = any(v > r.value for v in others)
-        yield Paragraph(why if later else line("the root for which ", *why))
+        yield Paragraph(why if why[0] == Text(FIRST) else line("the root for which ", *why))
     else:
         parts: list[Any] = ["not "]
         for i, root in enumerate(left[:MOST_ROOTS]):
@@ -73,9 +73,13 @@ def _later(
     after = (
         line(Math(r.unknown), " > ", Math(bound)) if bound == 0 or bound in told else _after(found, r.unknown, bound)
     )
+    since_start = [v for v in others if v > TINY]
+    if not since_start:
+        # Of many roots such as those of a sine one is the start itself; else the time of all others is negative.
+        return line(FIRST, "the start") if any(abs(v) <= TINY for v in others) else line(Math(r.unknown), " > 0")
     if all(v < r.value for v in others):
         return after
-    return line("the first such time after ", "the start" if bound == 0 else f"state {_state(found, bound)}")
+    return line(FIRST, "the start" if bound == 0 else f"state {_state(found, bound)}")
 
 
 def _after(found: MotionTrace, unknown: sp.Symbol, earlier: sp.Symbol) -> Line:
