@@ -87,3 +87,13 @@ def test_differences_are_positive_and_squares_are_squares(stem: str, line: str) 
 ])  # fmt: skip
 def test_what_is_known_is_put_in(stem: str, line: str) -> None:
     assert line in page(stem)
+
+
+def test_a_law_that_the_equations_gave_is_not_told_again() -> None:
+    assert "The law" not in page("ex-1-06")
+    assert "The law" not in page("ex-1-07")
+
+
+def test_the_root_of_a_time_by_the_start() -> None:
+    assert "the first such time after the start" in page("ex-1-07")
+    assert "the positive root, as t_half > 0" in page("ex-1-06")

@@ -73,18 +73,44 @@ class LawTelling:
 
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:
-    """What is told of a motion without the laws that stand word for word among the data. `before`: where these are."""
+    """What is told of a motion without the laws that stand word for word among the data, or as the solution of the
+    equations. `before`: where these are.
+    """
     data = (line("given:"), line("differentiated:"))
-    given = {_text(b) for b in before if isinstance(b, Equation) and b.lead in data} - {""}
+    told = [b for b in before if isinstance(b, Equation)]
+    given = {_text(b) for b in told if b.lead in data} - {""}
+    solved = [b for b in told if b.lead and b.number is None]
     found: list[Block] = []
     for block in moving:
         heading = found[-1] if found else None
         law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith("The law")
-        if law and isinstance(block, Equation) and block.number is None and _text(block) in given:
+        if not law or not isinstance(block, Equation) or block.number is not None:
+            found.append(block)
+        elif _text(block) in given or (not _changes(heading) and any(_same_rate(block, b) for b in solved)):
             found.pop()
         else:
             found.append(block)
     return found
+
+
+def _changes(heading: Any) -> bool:
+    """Does a law hold from one state on, and not before?"""
+    return str(getattr(heading.line[-1], "text", "")).endswith(" on:")
+
+
+def _same_rate(law: Equation, result: Equation) -> bool:
+    """Is a law ÿ = … what the equations gave as a_y = …, with as much of numbers?"""
+    own, other = law.sides[0], result.sides[0]
+    if not all(isinstance(s, Math) and s.expr.is_Symbol for s in (own, other)) or law.note:
+        return False
+    assert isinstance(own, Math)
+    assert isinstance(other, Math)
+    kind, *index = other.expr.name.split("_")
+    coordinate = own.expr.name.removesuffix("_ddot").split("_")
+    along = sorted(index) in (sorted(coordinate), sorted(coordinate[1:]))
+    same = {"a": along, "alpha": index == coordinate[1:]}.get(kind, False)
+    same = same or own.expr.name == other.expr.name
+    return same and [str(s) for s in law.sides[1:]] == [str(s) for s in result.sides[1:]]
 
 
 def _text(equation: Equation) -> str:

@@ -308,7 +308,12 @@ def _square_inside(total: sp.Expr) -> tuple[sp.Expr, list[sp.Expr]] | None:
 
 def _is_difference(total: sp.Expr) -> bool:
     """Is it one letter less another?"""
-    return total.is_Add and len(total.args) == 2 and all(t.is_Symbol or (-t).is_Symbol for t in total.args)
+    return (
+        total.is_Add
+        and len(total.args) == 2
+        and sorted(t.is_Symbol for t in total.args) == [False, True]
+        and (any((-t).is_Symbol for t in total.args))
+    )
 
 
 def _root_of(term: sp.Expr) -> sp.Expr | None:
