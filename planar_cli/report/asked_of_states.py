@@ -153,8 +153,8 @@ class AskedTelling:
         sources = (e.source for leg in self.found.route.steps for e in leg.relations)
         told = [b for b in sources if isinstance(b, BalanceTrace) and (b.since, b.stop) == q.at]
         for bring, words, work in ((b.law.bring, words, work) for b in told for words, work in b.brought):
-            same = words.split()[-1:] == list(q.things) and span.formula is not None and not value.is_zero(work)
-            if same and value.known(work) is not None and value.is_zero(work - span.formula):
+            same = words.split()[-1:] == list(q.things) and span.formula is not None
+            if same and value.known(work) and value.known(span.formula) and value.is_zero(work - span.formula):
                 return line(Name(bring), f" of the {words}, as above")
         return ()
 

@@ -20,7 +20,7 @@ def times_given(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     for state in found.problem.states[1:]:
         t = times.get(f"t__{state.name}")
         dated = any(_gives_time(r) for r in state.relations if isinstance(r, Relation))
-        if t is not None and t not in told and state.name in asked and dated:
+        if t is not None and t not in told and state.name in asked and dated and phrases.value.known(t) is not None:
             yield Equation((line(Math(t)), phrases.shown(t)), None, line(f"{state.name}: given:"))
 
 
