@@ -44,6 +44,7 @@ from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
+from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore
 from planar_cli.report.uses import uses_of
@@ -69,8 +70,6 @@ class Voice:
 
 
 STUDENT = Voice()
-SOLVING = "Solving the equations"
-"""The heading of the last step of an instant."""
 
 
 def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) -> Document:
@@ -100,7 +99,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
             blocks += with_lessons(own, uses_of([part]), lessons)
         else:
-            once = told_once(own, blocks)
+            once = told_once(list(without_ritual(own)), blocks)
             blocks += key_blocks(once) if voice.audience == "exam" else once
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening = (

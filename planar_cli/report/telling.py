@@ -22,6 +22,7 @@ from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
+from planar_cli.report.steps import SOLVING
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -105,7 +106,7 @@ class Telling:
             blocks += self._equations([w for w in written if w.law != "relation"], last)
             blocks += self._equations([w for w in written if w.source == "extreme"], last)
         if last is not None and self.solving.is_needed(last):
-            blocks.append(self._step("Solving the equations", self.solving.count(last)))
+            blocks.append(self._step(SOLVING, self.solving.count(last)))
             blocks += self.solving.blocks(last)
         return blocks
 

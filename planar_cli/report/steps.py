@@ -1,0 +1,32 @@
+"""The headings of the steps of a page: what is solved at sight needs none of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from planar_cli.report.blocks import Block, Heading, Text
+
+STEP, SOLVING, SINGLE = "STEP", "Solving the equations", "1 equation, 1 unknown"
+
+
+def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks of a part without the heading over the solution of a single equation, which stands just before; the
+    steps behind it count on.
+    """
+    left_out = 0
+    for block in blocks:
+        if not isinstance(block, Heading) or not block.label.startswith(STEP):
+            yield block
+            continue
+        number = int(block.label.removeprefix(STEP))
+        left_out = 0 if number == 1 else left_out
+        if number > 1 and block.text == SOLVING and _is_single(block):
+            left_out += 1
+        else:
+            yield replace(block, label=f"{STEP} {number - left_out}")
+
+
+def _is_single(heading: Heading) -> bool:
+    first = heading.aside[0] if isinstance(heading.aside, tuple) and heading.aside else None
+    return isinstance(first, Text) and first.text.startswith(SINGLE)
