@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from answered import solved
+from answered import first, solve, solved
+
+from planar_cli.errors import FileProblem
 
 SLOT = """\
 plane: horizontal
@@ -60,3 +62,40 @@ find: {v: v(ball/rod).along(rod) @ 3}
 def test_a_ball_strikes_the_stop_at_the_end_of_a_rod(tmp_path: Path) -> None:
     found = solved(tmp_path, ROD)
     assert float(found["v"].values[0]) == pytest.approx(-1.0)
+
+
+def test_a_particle_with_coordinates_strikes_from_the_side_from_which_it_comes() -> None:
+    """ω = (1 + e) m v L/(I_O + m L²), turned the way in which the ball moves."""
+    for way in (1, -1):
+        found = solve(STRUCK_ROD.format(angle=30 + 90 * way))
+        assert first(found["w"]) == pytest.approx(way * 1.5 * 4 / (1 + 1))
+
+
+STRUCK_ROD = """
+title: Rod on a pin struck by a ball
+plane: horizontal
+coordinates: {{theta: deg, x: m, y: m}}
+points: {{O: [0, 0], B: {{from: O, distance: 1 m, angle: theta}}, P: [x, y]}}
+bodies: {{rod: {{rod: [O, B], mass: 3 kg}}, ball: {{particle: P, mass: 1 kg}}}}
+joints:
+  - pin: {{at: O, between: [ground, rod]}}
+  - impact: {{between: [ball, rod], normal: theta + 90 deg, restitution: 0.5}}
+states:
+  1:
+    - theta = 30 deg
+    - x = cos(30 deg)*(1 m)
+    - y = sin(30 deg)*(1 m)
+    - omega(rod) = 0
+    - v(ball).mag = 4 m/s
+    - v(ball).angle = {angle} deg
+  2: [just after 1]
+find: {{w: omega(rod) @ 2}}
+"""
+
+
+def test_a_normal_that_turns_with_a_body_is_written_with_its_coordinate() -> None:
+    with pytest.raises(FileProblem) as wrong:
+        solve(STRUCK_ROD.format(angle=120).replace("theta + 90", "theta(rod) + 90"))
+    (told,) = wrong.value.diagnostics
+    assert told.code == "PL413"
+    assert "and here `phi + 90 deg`" in (told.hint or "")

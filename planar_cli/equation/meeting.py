@@ -215,21 +215,25 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec, named: 
     def sign(expr: sp.Expr) -> int:
         return scene.sign(scene.as_drawn(expr))
 
+    def is_told(expr: sp.Expr) -> bool:
+        """Does no coordinate of the file leave it open? With one either may come from either side."""
+        inside = sp.sympify(scene.as_drawn(expr)).free_symbols
+        return scene.displacement is None or not inside & {*scene.ledger.coordinates}
+
     if a.particle and b.particle:
         assert a.center is not None
         assert b.center is not None
-        reach = scene.as_drawn((b.center - a.center).dot(normal))
-        # With a coordinate of the file either may come from either side.
-        told = scene.displacement is None or not sp.sympify(reach).free_symbols & {*scene.ledger.coordinates}
-        return scene.sign(reach) if told else 0
+        reach = (b.center - a.center).dot(normal)
+        return sign(reach) if is_told(reach) else 0
     pairs = ((b, a, 1), (a, b, -1))
     for partner, other, sense in pairs:
         if not partner.particle or partner.center is None:
             continue
         if other.line is not None and scene.is_zero(scene.as_drawn(other.line[1].dot(normal))):
-            side = sign((partner.center - other.line[0]).dot(normal)) * sense
+            off = (partner.center - other.line[0]).dot(normal)
+            side = sign(off) * sense
             if side:
-                return side
+                return side if is_told(off) else 0
         if _is_struck_anywhere(scene, other, normal):
             # A stop, or a wall from inside: only where the particle is drawn tells from which side it comes.
             places = other.corners if named is None else (named,)

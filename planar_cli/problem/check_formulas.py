@@ -140,6 +140,9 @@ def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Di
         hint = "quantities may stand in `motion`, `instant`, `states`, `find`, magnitudes of loads and streams"
         if formula.places:
             hint = "a mass may use `t`, coordinates, and the places `x(P)`, `y(P)`, `theta(b)`"
+        elif formula.angle and quantity.word == "theta":
+            hint = "a direction that turns with a body is written with the coordinate by which the body is placed: "
+            hint += "`B: {from: A, distance: l, angle: phi}` with `coordinates: {phi: deg}`, and here `phi + 90 deg`"
         yield Diagnostic(quantity.mark, "PL413", f"{formula.what} cannot use {quantity.word}(…)", hint)
     for state in (quantity.at,) if isinstance(quantity.at, str) else quantity.at or ():
         yield from missing_state(state, scope, quantity.mark)
