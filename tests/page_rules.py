@@ -159,6 +159,14 @@ def symbols(text: str) -> list[str]:
     return [s for s in SYMBOL.findall(_bare(text)) if s not in FUNCTIONS]
 
 
+def cited_in(text: str) -> set[int]:
+    """The numbers of the equations that a line names: (1), (3), and all of (5) to (8)."""
+    found = {int(n) for n in re.findall(r"\((\d+)\)", text)}
+    for first, last in re.findall(r"\((\d+)\) to \((\d+)\)", text):
+        found |= set(range(int(first), int(last) + 1))
+    return found
+
+
 def _bare(text: str) -> str:
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", "", text)
     return re.sub(r"by (?:numerical integration|quadrature)|\[|\]|→", " ", text)
@@ -294,9 +302,9 @@ def _grade(r: Row, answer: Told) -> str:
 def unknowns_bare(page: Page) -> Iterator[str]:
     """Rule 2: an unknown solved by a number alone."""
     numeric = {(r.part, r.number) for r in page.of("equation") if r.numeric and r.number}
-    numeric |= {(r.part, int(n)) for r in page.of("equation") if r.numeric for n in re.findall(r"\((\d+)\)", r.lead)}
+    numeric |= {(r.part, n) for r in page.of("equation") if r.numeric for n in cited_in(r.lead)}
     for r in page.of("equation"):
-        cited = {(r.part, int(n)) for n in re.findall(r"\((\d+)\)", r.lead)}
+        cited = {(r.part, n) for n in cited_in(r.lead)}
         if cited and cited & numeric:
             continue
         solved = re.fullmatch(r"\(\d+\).*:|(?:\S+: )?by numerical integration:|.* of \S+:", r.lead)
@@ -453,9 +461,9 @@ def unused(page: Page) -> Iterator[str]:
             integrated.add(r.part)
         if r.kind == "text":
             if "together" in r.text:
-                numbers |= {(r.part, int(n)) for n in re.findall(r"\((\d+)\)", r.text)}
+                numbers |= {(r.part, n) for n in cited_in(r.text)}
             continue
-        cited = {(r.part, int(n)) for n in re.findall(r"\((\d+)\)", r.lead)}
+        cited = {(r.part, n) for n in cited_in(r.lead)}
         letters = set(symbols(r.left))
         single = len(r.left.split()) == 1
         value = [v for s in r.sides[1:] if (v := value_of(s))]

@@ -29,6 +29,7 @@ from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.origins import head, is_steady, letter_of, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
+from planar_cli.report.results import numbered
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
@@ -195,7 +196,7 @@ class MotionTelling:
             numbers.append(self.next - 1)
         named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
         yield from () if named else self._in_numbers(leg, numbers, route)
-        lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
+        lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
             plain = r.formula is not None and not longer(r.formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted

@@ -183,7 +183,7 @@ class Chain:
         self, rest: list[tuple[Equation, frozenset[sp.Symbol]]]
     ) -> Iterator[tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]]:
         """Larger blocks, where unknowns that enter linearly are expressed first."""
-        plain = sorted((e for e, _ in rest if not e.residual.has(sp.Integral)), key=lambda e: e.cost)
+        plain = [e for e, _ in rest if not e.residual.has(sp.Integral)]
         unknowns = frozenset().union(*(u for _, u in rest))
         return linked_blocks(plain, unknowns, tuple(self.times))
 

@@ -13,8 +13,10 @@ from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
+from planar_cli.solve.between.substitution import STATE
 from planar_cli.solve.regimes.equations import Equation
 
+SQUARES = ("energy", "v(q)")
 KERNEL = 2
 """So many equations in as many unknowns may be left when all else is expressed."""
 LONG, ENDLESS = 120, 480
@@ -35,7 +37,10 @@ class Reduced:
 def linked_blocks(
     equations: Sequence[Equation], unknowns: frozenset[sp.Symbol], times: Sequence[sp.Symbol]
 ) -> Iterator[Block]:
-    """Blocks that are left when unknowns are expressed by others, the smallest first."""
+    """Blocks that are left when unknowns are expressed by others, the smallest first. Equations in the squares of
+    speeds come last: with the laws in time the letters go one after the other.
+    """
+    equations = sorted(equations, key=lambda e: (e.kind in SQUARES, e.cost))
     pool = [Reduced(expanded(e.residual), frozenset([i])) for i, e in enumerate(equations)]
     left = set(unknowns)
     seen: set[tuple[int, ...]] = set()
@@ -45,7 +50,7 @@ def linked_blocks(
             if key not in seen:
                 seen.add(key)
                 yield block
-        found = _next(pool, left, times)
+        found = _next(pool, left, times) or _dated(pool, left, times)
         if found is None:
             return
         index, x, formula = found
@@ -71,7 +76,8 @@ def _next(
         inside = letters(p.residual) & left
         if longer(p.residual, LONG) or (best is not None and len(inside) >= best[0]):
             continue
-        for x in sorted(inside, key=lambda s: s.name):
+        # A constant that is sought is kept: all letters of the states rest on it.
+        for x in sorted(inside, key=lambda s: (STATE not in s.name, s.name)):
             if x in times:
                 continue
             try:
@@ -83,6 +89,35 @@ def _next(
                 best = (len(inside), i, x, tidy(-form.constant / factor))
                 break
     return None if best is None else best[1:]
+
+
+def _dated(
+    pool: Sequence[Reduced], left: set[sp.Symbol], times: Sequence[sp.Symbol]
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """A time that is another one, as of a blow, or that one speed alone tells: d = v cos α t. Nothing that multiplies
+    it can vanish, as the rest of the equation does not.
+    """
+    for i, p in enumerate(pool):
+        if longer(p.residual, LONG):
+            continue
+        for x in (t for t in times if t in left and t in p.residual.free_symbols):
+            try:
+                form = linear_form(p.residual, {x})
+            except Nonlinear:
+                continue
+            factor = form.terms.get(x, sp.S.Zero)
+            if factor != 0 and _is_no_zero(factor, form.constant, left, times):
+                return i, x, tidy(-form.constant / factor)
+    return None
+
+
+def _is_no_zero(factor: sp.Expr, constant: sp.Expr, left: set[sp.Symbol], times: Sequence[sp.Symbol]) -> bool:
+    """Is what multiplies a time known, or a product without which something would be left?"""
+    inside = letters(factor) & left
+    if not inside:
+        return letters(constant) & left <= set(times)
+    rests = [constant.xreplace({s: sp.S.Zero}) for s in inside]
+    return not factor.is_Add and all(r != 0 and not letters(r) & left for r in rests)
 
 
 def _kernels(

@@ -24,12 +24,14 @@ from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
-from planar_cli.solve.between.substitution import linear_step, square
+from planar_cli.solve.between.substitution import linear_step, same_as, square
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.equations import DATA, Equation
 
+MANY = 4
+"""Of so many unknowns together letters that are another's leave the equations."""
 LONG_POOL = 30
 """A longer remainder is not put in a plainer form where numbers stand behind it."""
 WHOLE = 8
@@ -63,6 +65,7 @@ class Router:
         equations = [without_factors(e, value) for e in equations]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
         self._zeros: dict[sp.Symbol, sp.Expr] = {}
+        self._same: dict[sp.Symbol, sp.Expr] = {}
         self._level: dict[sp.Symbol, sp.Expr] = {}
 
     def residual(self, equation: Equation) -> sp.Expr:
@@ -141,6 +144,7 @@ class Router:
             steps.append(step)
             told = [] if derivation.equations[0].kind == "followed" else step.results
             self._zeros |= {r.unknown: r.formula for r in told if r.formula == 0}
+            self._same |= same_as(told, formulas)
             self._level |= levels([*self._level.items(), *((r.unknown, r.formula) for r in told)])
             formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
         return Route(tuple(steps), formulas, self.plain)
@@ -294,7 +298,7 @@ class Router:
         if rows is None or not all(c.is_finite() for row in rows for c in row):
             return False
         scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
-        return abs(_determinant(scaled)) > Decimal("1e-18")
+        return abs(determinant(scaled)) > Decimal("1e-18")
 
     # --- work --------------------------------------------------------------------------------------------------------
 
@@ -328,7 +332,7 @@ class Router:
         """An equation without letters that were found to be zero, where it still tells its unknowns."""
         if residual.has(sp.Integral):
             return residual
-        found = residual.xreplace(self._zeros)
+        found = residual.xreplace(self._zeros if len(unknowns) < MANY else {**self._zeros, **self._same})
         lost = (residual.free_symbols - found.free_symbols) & set(unknowns)
         return residual if lost or found.has(sp.nan, sp.zoo) else found
 
@@ -377,13 +381,17 @@ def _is_high(derivation: Derivation) -> bool:
     return bool(residual.is_polynomial(x)) and sp.degree(residual, x) > 2
 
 
-def _determinant(rows: list[list[Decimal]]) -> Decimal:
-    if len(rows) == 1:
-        return rows[0][0]
-    total = Decimal(0)
-    for j, c in enumerate(rows[0]):
-        total += (-1) ** j * c * _determinant([row[:j] + row[j + 1 :] for row in rows[1:]])
-    return total
+def determinant(rows: list[list[Decimal]]) -> Decimal:
+    """Of a square matrix, by elimination: of many rows there are too many products to write them out."""
+    left, found = rows, Decimal(1)
+    while left:
+        pivot = max(left, key=lambda row: abs(row[0]))
+        if not pivot[0]:
+            return Decimal(0)
+        found *= pivot[0] * (-1) ** left.index(pivot)
+        others = [row for row in left if row is not pivot]
+        left = [[c - row[0] / pivot[0] * p for c, p in zip(row[1:], pivot[1:], strict=True)] for row in others]
+    return found
 
 
 def _outer(residual: sp.Expr) -> set[sp.Symbol]:

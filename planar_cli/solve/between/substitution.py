@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import derivative, letters, longer, simplified
+from planar_cli.solve.between.trace import Result
 
 
 def square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
@@ -15,6 +18,10 @@ def square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
         return None
     found = {m[0]: c for m, c in sp.Poly(residual, x).terms()}
     return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None
+
+
+STATE = "__"
+"""In the name of a letter of one state."""
 
 
 def linear_step(
@@ -34,5 +41,24 @@ def linear_step(
             found.append((int(sp.count_ops(formula)), index, x, formula))
     if not found:
         return None
-    _, index, x, formula = min(found, key=lambda f: (f[0], f[2].name))
+    # A constant that is sought is left for the last: the letters of all states rest on it.
+    _, index, x, formula = min(found, key=lambda f: (STATE not in f[2].name, f[0], f[2].name))
     return index, x, formula
+
+
+def same_as(told: Sequence[Result], before: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """Letters of states that are a constant of the file, or the same number as one of an earlier state: a ball that is
+    back at its height.
+    """
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for r in told:
+        formula, base = r.formula, r.unknown.name.partition(STATE)[0]
+        if formula is None or STATE not in r.unknown.name or formula == 0:
+            continue
+        if formula.is_Symbol and STATE not in formula.name:
+            found[r.unknown] = formula
+        elif formula.is_number:
+            earlier = [s for s, f in before.items() if f == formula and s.name.partition(STATE)[0] == base]
+            if earlier and earlier[0] != r.unknown:
+                found[r.unknown] = earlier[0]
+    return found
