@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
@@ -43,9 +45,14 @@ class SolvedMotion:
     """About equilibrium states that are asked about, once the places of these are known."""
 
 
+def ended(motion: SolvedMotion) -> float:
+    """When the last state of a motion is passed, as far as it was followed [s]; infinity: it was not followed."""
+    followed = motion.followed
+    return followed.segments[-1].t1 if followed is not None and followed.segments else math.inf
+
+
 def sooner(first: SolvedMotion, other: SolvedMotion) -> SolvedMotion:
     """Of two motions that begin at the same time the one that passes all states first; `first` where both take the same
     time.
     """
-    spent = [s.followed.segments[-1].t1 for s in (first, other) if s.followed is not None and s.followed.segments]
-    return other if len(spent) == 2 and spent[1] < spent[0] * (1 - ALIKE) else first
+    return other if ended(other) < ended(first) * (1 - ALIKE) < math.inf else first

@@ -38,13 +38,18 @@ from planar_cli.solve.regimes.timeline import Demand, Stop
 
 class Follower:
     """Reads one course. `value`: numbers of everything that does not vary. `until`: so many stretches; None: all.
-    `seen`: the motion, where it is known already.
+    `seen`: the motion, where it is known already. `by`: it is not followed beyond this time [s].
     """
 
     def __init__(
-        self, course: StatedMotion, value: Valuation, until: int | None = None, seen: Traced | None = None
+        self,
+        course: StatedMotion,
+        value: Valuation,
+        until: int | None = None,
+        seen: Traced | None = None,
+        by: float = math.inf,
     ) -> None:
-        self.course, self.value, self.until, self.seen = course, value, until, seen
+        self.course, self.value, self.until, self.seen, self.by = course, value, until, seen, by
         self.done = Followed()
         self.sizes = Sizes(course.scales, 0.0)
         self.units = course.ledger.units
@@ -55,7 +60,7 @@ class Follower:
     def run(self, start: Mapping[sp.Symbol, float]) -> Followed:
         """From the letters of the first state, by the letters of the general position."""
         course, done = self.course, self.done
-        found = self.seen or traced(course, self._problem(), self.value, start)
+        found = self.seen or traced(course, self._problem(), self.value, start, self.by)
         if isinstance(found, str):
             done.lost = found
             return done

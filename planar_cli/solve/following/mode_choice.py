@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import field, replace
 from decimal import Decimal
@@ -33,6 +34,8 @@ class ModeChoice:
     """The same of what strikes."""
     why: str = ""
     """What speaks against the first of them."""
+    by: float = math.inf
+    """A motion that passes its last state later than this is not looked for [s]."""
     lack: NoSolution | None = None
     """What is wrong with the first of them in which no motion passes through the states."""
 

@@ -26,7 +26,7 @@ from planar_cli.solve.between.methods import by_method
 from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
 from planar_cli.solve.between.needed_times import without_unneeded_times
 from planar_cli.solve.between.reached import asked_about
-from planar_cli.solve.between.solved_motion import SolvedMotion, sooner
+from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
@@ -128,9 +128,7 @@ class ModeSearch(ModeChoice):
         raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
-        """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
-        `reached(s)` is about the motion by itself, without any disturbance.
-        """
+        """The same, after a slight touch where a state is not reached from rest; `reached(s)` is about no touch."""
         try:
             return self._solve(course, finds)
         except NoSolution as error:
@@ -150,6 +148,7 @@ class ModeSearch(ModeChoice):
         """The same, or the departure to the other side where that passes all states sooner."""
         if self.sense < 1 or self.unstable is None:
             return found
+        self.by = ended(found)
         try:
             return sooner(found, self._searched(self._departed(self.unstable, -1)))
         except (NoSolution, Undecided):
@@ -210,7 +209,7 @@ class ModeSearch(ModeChoice):
     def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> ModeSequence | None:
         """Other modes, if following these as far as they go shows a wrong assumption."""
         try:
-            followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
+            followed = Follower(course, course.base(), by=self.by).run({s: float(v) for s, v in start.items()})
         except (NoValue, Unvalued):
             return None
         return self._changed(course, followed)
@@ -222,7 +221,7 @@ class ModeSearch(ModeChoice):
     ) -> SolvedMotion | ModeSequence:
         known = self._known(course)
         seen = self.seen if course.departure is None else None
-        followed = Follower(course, known, seen=seen).run({s: float(v) for s, v in start.items()})
+        followed = Follower(course, known, seen=seen, by=self.by).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
             return changed

@@ -152,9 +152,15 @@ def labels(modes: Sequence[Mode]) -> list[Label]:
     return found
 
 
-def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapping[sp.Symbol, float]) -> Traced | str:
+def traced(
+    course: StatedMotion,
+    problem: Problem,
+    value: Valuation,
+    start: Mapping[sp.Symbol, float],
+    by: float = math.inf,
+) -> Traced | str:
     """The motion of a problem from the letters of its first state, or why it can not be followed. `value`: numbers of
-    what does not vary.
+    what does not vary; `by`: it is not followed beyond this time [s].
     """
     opened = {n: s for blow in course.blows.values() for n, s in blow.scene.open_names.items()}
     told = {n: float(number) for n, s in opened.items() if (number := value.known(s)) is not None}
@@ -172,7 +178,7 @@ def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapp
     try:
         scene = _prepared(problem, values, speeds, {s.name: v for s, v in start.items()})
         scene = _departing(course, scene, value, start)
-        return _traced(scene, values, _end(problem, times), bool(problem.unknowns))
+        return _traced(scene, values, _end(problem, times, by), bool(problem.unknowns))
     except (FileProblem, NoSolution) as refused:
         return refused.diagnostics[0].message
     except Undecided as undecided:
@@ -191,11 +197,13 @@ def as_told(problem: Problem, values: Mapping[str, float]) -> Traced | None:
     return None if found.refused else found
 
 
-def _end(problem: Problem, times: Mapping[str, float]) -> float | None:
-    """A little beyond the last state, where it is known beforehand when that is [s]."""
+def _end(problem: Problem, times: Mapping[str, float], by: float) -> float | None:
+    """A little beyond the last state, where it is known beforehand when that is, or by when it has to be [s]."""
     known = [times[s.name] for s in problem.states if s.name in times]
     first, last = min(known, default=0.0), max(known, default=0.0)
-    return last + BEYOND * (last - first) if len(known) == len(problem.states) and last > first else None
+    if len(known) == len(problem.states) and last > first:
+        return last + BEYOND * (last - first)
+    return None if math.isinf(by) else by
 
 
 def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = None, sought: bool = False) -> Traced:
