@@ -93,7 +93,7 @@ FAULTS = {
     "hard/cradle-of-three-balls.yaml:10:18": ("B -> C", "PL528"),
     "oscillations/block-coming-to-rest-by-dry-friction.yaml:7:58": ("-0.4 m", "PL454"),
     "impact/three-carriages.yaml:9:68": ("-32.2", "PL454"),
-    "momentum/bicycle-driven-and-braked.yaml:32:11": ("-10", "PL621"),
+    "momentum/bicycle-driven-and-braked.yaml:32:11": ("-10", "PL704"),
     "systems/gas-force-on-piston.yaml:23:31": ("B -> O", "PL465"),
     "motion/car-on-a-circle.yaml:13:10": ("without", "PL451"),
     "motion/parachutist.yaml:7:22": ("-0.24", "PL454"),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from planar_cli import cli
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -82,3 +85,17 @@ def test_lines(text: str, lines: tuple[str, ...]) -> None:
     for one in lines:
         assert one in page
     assert "Hence" not in page
+
+
+@pytest.mark.parametrize(("command", "status"), [("solve", 3), ("simulate", 1)])
+def test_no_state_is_before_the_first(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str, status: int
+) -> None:
+    file = tmp_path / "slider.yaml"
+    file.write_text(
+        "plane: vertical\npoints: {A: [0, 0]}\nbodies: {b: {particle: A, mass: 2 kg}}\n"
+        "joints: [{guide: {point: A, along: 0 deg}}]\n"
+        "states: {1: [t = 0, r(A).x = 0, v(A).x = 1 m/s], 2: [t = -10 s]}\nfind: {x: r(A).x @ 2}\n"
+    )
+    assert cli.run([command, str(file)]) == status
+    assert "state 2 is at t = -10 s, before the motion begins at t = 0 s" in "".join(capsys.readouterr())

@@ -28,7 +28,8 @@ _ENGINE = {
     ),
     "PL704": (
         "A motion is followed from a state in which all places and velocities are known. Say in the first state "
-        "what is missing: `at rest`, or the velocities of the bodies that are free to move."
+        "what is missing: `at rest`, or the velocities of the bodies that are free to move. It is followed from there "
+        "on: no state may be at an earlier time."
     ),
     "PL705": (
         "A motion is followed in numbers, so that every letter needs one: move it from `symbols` or `unknowns` to "

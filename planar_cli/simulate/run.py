@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import field, replace
 from types import MappingProxyType
 
-from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.integrators.base import MOST_STEPS, Setting
 from planar_cli.motion.automaton import Start
 from planar_cli.motion.drive import AUTOMATIC, order_of
@@ -252,6 +252,15 @@ def _never_after_its_time(run: Run) -> Event | None:
     return None
 
 
+def _demand_later(problem: Problem, schedule: Schedule, t: float) -> None:
+    """NoSolution: a state is given at a time before the motion begins."""
+    for event in schedule.events:
+        if event.time is not None and event.time < t:
+            mark = next(s.mark for s in problem.states if s.name == event.name)
+            text = f"state {event.name} is at t = {event.time:g} s, before the motion begins at t = {t:g} s"
+            raise NoSolution([Diagnostic(mark, "PL704", text, "a motion is followed from its first state on")])
+
+
 def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) -> Run:
     """One run."""
     problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
@@ -260,6 +269,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     events = tuple(replace(e, back=known.back.get(e.name, 0)) for e in schedule.events if e.name not in known.without)
     schedule = replace(schedule, events=events)
     start = scene.begin(shift)
+    _demand_later(problem, schedule, start.t)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:
         text = f"the motion begins at t = {start.t:g} s, so it can not end at t = {until:g} s"
