@@ -40,6 +40,8 @@ PATIENT = 20_000
 """After so many steps it is asked whether the next tolerance needs a quarter of them at most: then rounding made them
 short.
 """
+AFTERWARDS = 2.0, 1000
+"""For so many characteristic times, in so many steps at most, a motion is followed after the only state of a file."""
 FEW = 30.0
 """So few characteristic times should not take all steps."""
 BEYOND = 0.01
@@ -216,8 +218,15 @@ def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = 
     tries = [(tolerance, most) for tolerance in (TOLERANCES[1:] if sought else TOLERANCES)]
     if most > PATIENT:
         tries[:0] = [(TOLERANCES[0], PATIENT), (TOLERANCES[1], PATIENT // 4)]
+    times = None
+    if not scene.problem.states[1:]:
+        # Of what follows the only state the beginning is enough.
+        times, most = AFTERWARDS
+        tries = [(TOLERANCES[0], most)]
     for tolerance, steps in tries:
-        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=steps, momenta=not sought)
+        settings = Settings(
+            until, tolerance, values=values, times=times, estimate=False, most_steps=steps, momenta=not sought
+        )
         one = Traced(followed(scene, settings))
         if one.run.trajectory.outcome.kind == "long" and steps < most:
             continue
