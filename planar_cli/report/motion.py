@@ -99,7 +99,7 @@ class MotionTelling:
         words = [WORK] * bool(works) + [MOMENTUM] * (blows or bool(laws - works))
         if not words and self.found.oscillations:
             return "Small oscillations"
-        return " and ".join(words).capitalize() if words else "Motion"
+        return ", ".join(words).capitalize() if words else "Motion"
 
     def _states(self) -> str:
         names = [name for name in self.found.states if name]

@@ -39,6 +39,7 @@ from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
 from planar_cli.report.laws import without_given
+from planar_cli.report.meanings import with_meanings
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
@@ -84,11 +85,14 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
     lessons: set[str] = set()
+    meanings: set[str] = set()
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue
         own = with_equals_together(with_tangents(part_blocks(part, voice, why, told)))
+        if part.motion is not None and why is None:
+            own = list(with_meanings(own, part.motion, meanings))
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
             case = next(c.problem for c in problem.cases if c.name == part.case)

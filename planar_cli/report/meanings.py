@@ -1,0 +1,69 @@
+"""What the coordinates are that the machine brings: one line where the first of their letters occurs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.scene import Rod
+from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.solve.between.trace import MotionTrace
+
+STEP, SHORT = "STEP", 2
+TURNS, WAY, CIRCLE = "angle of ", "way of ", " on its circle"
+
+
+def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -> Iterator[Block]:
+    """The blocks of a motion, with what its coordinates are behind the heading of the step that speaks of them first.
+    `told`: what stands on the page before.
+    """
+    meanings = _meanings(found)
+    for i, block in enumerate(blocks):
+        yield block
+        if isinstance(block, Heading) and block.label.startswith(STEP):
+            stop = next((j for j in range(i + 1, len(blocks)) if isinstance(blocks[j], Heading)), len(blocks))
+            seen = {found.general.get(s, s) for s in _letters(blocks[i + 1 : stop])}
+            new = {s: words for s, words in meanings.items() if s in seen and str(words) not in told}
+            told.update(map(str, new.values()))
+            if new:
+                yield Paragraph(line(*(p for k, words in enumerate(new.values()) for p in ("; " if k else "", *words))))
+
+
+def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
+    """The letters of formulas."""
+    return {s for b in blocks for p in pieces_of(b) if isinstance(p, Math) for s in p.expr.free_symbols}
+
+
+def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
+    """By its letter what each coordinate is that the file does not declare."""
+    own = {s.name for s in found.problem.coordinates}
+    meanings: dict[sp.Symbol, Line] = {}
+    for regime in found.regimes:
+        scene = regime.solution.instant.scene
+        for c in scene.displacement.coordinates if scene.displacement is not None else ():
+            words = "" if c.symbol.name in own else _meaning(c, scene)
+            if words:
+                meanings.setdefault(c.symbol, line(Math(c.symbol), f": {words}"))
+    return meanings
+
+
+def _meaning(c: Coordinate, scene: Scene) -> str:
+    """What one coordinate is; empty where its name says it, as x_P does, or nothing short does."""
+    if c.words.endswith(CIRCLE):
+        place = c.words.removeprefix(TURNS).removesuffix(CIRCLE)
+        if c.body not in (place, scene.owner(place)):
+            return ""
+        return f"the angle of the radius to {place} from the x axis, counterclockwise"
+    if c.words.startswith(WAY):
+        return f"the {c.words}, from where it is drawn"
+    if c.words != f"{TURNS}{c.body}":
+        return ""
+    shape = next((b.shape for b in scene.problem.bodies if b.name == c.body), None)
+    if isinstance(shape, Rod):
+        ends = f"{shape.start}{shape.end}" if len(shape.start) <= SHORT and len(shape.end or "") <= SHORT else ""
+        return f"the angle of {ends if shape.end and ends else c.body} from the x axis, counterclockwise"
+    return f"the angle by which {c.body} has turned, counterclockwise" if c.drawn == 0 else ""

@@ -1,0 +1,36 @@
+"""What the coordinates are that the machine brings stands where the first of their letters occurs, once."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def _page(stem: str) -> str:
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(FILES[stem])[0])))
+
+
+@pytest.mark.parametrize(
+    ("stem", "words"),
+    [
+        ("ex-4-10", "θ: the angle of AB from the x axis, counterclockwise"),
+        ("ex-4-08", "θ: the angle by which spool has turned, counterclockwise"),
+        ("car-on-a-circle", "φ_A: the angle of the radius to A from the x axis, counterclockwise"),
+        ("block-down-a-free-wedge", "s_P: the way of P along its path, from where it is drawn"),
+    ],
+)
+def test_a_coordinate_of_the_machine_is_defined_once(stem: str, words: str) -> None:
+    assert _page(stem).count(words) == 1
+
+
+@pytest.mark.parametrize("stem", ["ex-4-11", "ex-1-07", "block-down-a-rough-quarter-circle"])
+def test_coordinates_of_the_file_and_places_need_no_words(stem: str) -> None:
+    assert ": the angle" not in _page(stem)
