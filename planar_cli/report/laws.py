@@ -107,10 +107,11 @@ def _same_rate(law: Equation, result: Equation) -> bool:
     assert isinstance(other, Math)
     kind, *index = other.expr.name.split("_")
     coordinate = own.expr.name.removesuffix("_ddot").split("_")
-    along = sorted(index) in (sorted(coordinate), sorted(coordinate[1:]))
+    axis, *body = coordinate
+    along = sorted(index) in (sorted(coordinate), sorted(body)) or index == ["".join((*body, axis))]
     same = {"a": along, "alpha": index == coordinate[1:]}.get(kind, False)
     same = same or own.expr.name == other.expr.name
-    return same and [str(s) for s in law.sides[1:]] == [str(s) for s in result.sides[1:]]
+    return same and [str(s) for s in law.sides[1:]] == [str(s) for s in result.sides[1 : len(law.sides)]]
 
 
 def _text(equation: Equation) -> str:

@@ -26,7 +26,8 @@ from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
-from planar_cli.report.origins import head, is_steady, letter_of, sides_of, told_once, turning_blocks
+from planar_cli.report.one_in_another import one_in_another, told_inserted
+from planar_cli.report.origins import head, is_steady, letter_of, needed_steps, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.results import numbered
@@ -131,7 +132,7 @@ class MotionTelling:
     # --- the route ---------------------------------------------------------------------------------------------------
 
     def _route(self, route: RouteTrace) -> Iterator[Block]:
-        legs = self._needed(route)
+        legs = needed_steps(route, self.wanted)
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
         for leg in given:
@@ -153,17 +154,6 @@ class MotionTelling:
             yield from integration_blocks(self.found, self.numeric, [r for leg in legs for r in leg.results])
         for leg in legs:
             yield from self._datum(leg)
-
-    def _needed(self, route: RouteTrace) -> list[RouteStep]:
-        """The legs that the wanted letters rest on."""
-        if self.wanted is None:
-            return list(route.steps)
-        names, kept = set(self.wanted), []
-        for leg in reversed(route.steps):
-            if any(x.name in names for x in leg.unknowns):
-                kept.append(leg)
-                names |= {s.name for s in leg.needs}
-        return kept[::-1]
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
@@ -194,6 +184,10 @@ class MotionTelling:
                 return
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
+        inserted = one_in_another(leg, self.found, route.plain)
+        if inserted is not None:
+            yield from told_inserted(inserted, numbers, self.phrases, self._chain)
+            return
         named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
         yield from () if named else self._in_numbers(leg, numbers, route)
         lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))
@@ -392,5 +386,5 @@ class MotionTelling:
         """Roots that do not belong to this motion, each with the reason."""
         if r.unknown in self.general:
             phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
-            told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
+            told = {x for leg in needed_steps(self.found.route, self.wanted) for x in leg.unknowns}
             yield from rejected(self.found, r, phrases, told)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 import sympy as sp
 
@@ -163,3 +163,15 @@ def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
         own = [s for s in by_name(span.residual.free_symbols) if s in roles and roles[s].at == e.stop]
         return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
     return None
+
+
+def needed_steps(route: RouteTrace, wanted: Collection[str] | None) -> list[trace.RouteStep]:
+    """The steps on which wanted letters rest; None: all of them."""
+    if wanted is None:
+        return list(route.steps)
+    names, kept = set(wanted), []
+    for leg in reversed(route.steps):
+        if any(x.name in names for x in leg.unknowns):
+            kept.append(leg)
+            names |= {s.name for s in leg.needs}
+    return kept[::-1]

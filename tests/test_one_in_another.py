@@ -1,0 +1,32 @@
+"""Equations of a state that are put into one of them, so that the time follows, and all else from it."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-1-11", "(8), (9) in (7): 3/4 v_Px,launch t_B + v_Py,launch t_B = 1/2 g t_B² divided by t_B ≠ 0: t_B = "),
+    ("ex-1-11", "(8): x_P,B = v_Px,launch t_B = "),
+    ("thrown-and-dropped", "(4), (5) in (3): v0 t_meet = H t_meet = H/v0"),
+    ("bolt-that-drops-in-a-lift", "(4), (5) in (3): H = 1/2 g t_2² + 1/2 a t_2² t_2 = √(2 H / (g + a)) = "),
+])  # fmt: skip
+def test_the_time_comes_first(stem: str, lines: str) -> None:
+    assert lines in page(stem)
+
+
+def test_several_unknowns_that_are_left_follow_together() -> None:
+    """Of two angles and a time no one equation gives one."""
+    assert "together:" in page("two-angles-to-a-target")
