@@ -88,3 +88,26 @@ def test_a_spring_between_drawn_places_has_a_length() -> None:
     assert "length of the spring coil:   l_coil = √(0.8² + 0.6²) = 1 m" in page
     assert "F_dashpot = -12/13 c_d v_P = -12/13 · 30 · 1.5 = -41.54 N" in page
     assert "F_s = k_s (l_coil - l_0) = 200 (1 - 0.7) = 60 N" in page
+
+
+def test_what_the_velocities_tell_is_no_assumption() -> None:
+    page = _page("friction/plate-sliding-on-table")
+    assert "plate slides on ground, as the velocities tell" in page
+    assert "Fails" not in page
+    assert "the friction acts through its mass centre" in page
+
+
+def test_a_belt_is_drawn_by_what_it_turns() -> None:
+    page = _page("motion/hoist-driven-by-a-belt")
+    assert "T_motor,disk r_1 ↺ by the belt" in page
+    assert "at O1  " not in page.replace("O1_x → at O1", "").replace("O1_y ↑ at O1", "")
+
+
+def test_streams_have_their_sentence() -> None:
+    assert "Thrust: mass per second" in _page("momentum/rocket-up-and-along")
+    assert "no velocity relative to bucket: it does not push" in _page("momentum/leaking-bucket")
+    assert "The stream pushes plate" in _page("momentum/jet-against-a-hinged-plate")
+
+
+def test_a_time_without_a_value_is_not_told() -> None:
+    assert "Answer" in _page("momentum/sand-on-a-conveyor-belt")

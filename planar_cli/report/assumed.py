@@ -11,12 +11,18 @@ from planar_cli.solve.solution import InstantSolution
 
 
 def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
-    """What the first assumption was, why it fails, and what is assumed instead."""
+    """What the first assumption was, why it fails, and what is assumed instead. What the velocities tell is no
+    assumption.
+    """
     trial = instant.trial
     natural = next((t for t in instant.rejected if not any(t.choice)), None)
     words = list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
     if natural is not None and any(trial.choice):
         assumed = dict.fromkeys(m.words for m in natural.system.modes.values() if m.words)
+        if natural.objection == "velocities":
+            told, rest = [w for w in words if w not in assumed], [w for w in words if w in assumed]
+            notes = [Note("Motion", line(f"{'; '.join(told)}, as the velocities tell"))] if told else []
+            return [*notes, *([Note("Assume", line("; ".join(rest)))] if rest else [])]
         return [
             Note("Assume", line("; ".join(assumed))),
             Note("Fails", _objection(natural, phrases)),
@@ -26,10 +32,7 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
 
 
 def _objection(trial: Any, phrases: Phrases) -> Line:
-    reasons = {
-        "velocities": "the velocities do not allow it",
-        "contradiction": "the equations have no solution then",
-    }
+    reasons = {"contradiction": "the equations have no solution then"}
     if not trial.tests:
         return line(reasons.get(trial.objection, trial.objection))
     test, value = trial.tests[0]

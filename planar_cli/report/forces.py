@@ -154,7 +154,14 @@ def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
 
 
 def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str) -> list[Any]:
-    """One reaction on a body. `where`: " at P" where its point has a name."""
+    """One reaction on a body. `where`: " at P" where its point has a name. A belt is drawn by what it turns: its two
+    parts pull at the rim, and nobody asks how much they press the disks together.
+    """
+    if push.kind == "tension" and action.couple != 0:
+        turning = sp.sympify(expr * action.couple)
+        back = turning.could_extract_minus_sign()
+        size = _amount(-turning if back else turning, ENERGY, phrases)
+        return [size, Text(f" {'↻' if back else '↺'} by the belt")]
     if action.force is None:
         back = expr.could_extract_minus_sign()
         counterclockwise = (phrases.value(sp.sympify(action.couple)) > 0) != back

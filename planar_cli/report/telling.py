@@ -20,6 +20,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
 from planar_cli.report.steps import SOLVING
@@ -99,7 +100,8 @@ class Telling:
         blocks += kinematics
         if kinetic and last is not None:
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
-            blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
+            rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
+            blocks += [*rows, *sentences(self.system, [row.body for row in rows])]
             blocks += self._definitions("kg")
             written = [w for b in last.blocks for w in b.equations]
             blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)

@@ -1,0 +1,43 @@
+"""The half line of physics beside a free-body diagram: why friction acts where it does, how a stream pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from planar_cli.equation.system import System
+from planar_cli.loads.base import Load
+from planar_cli.problem.acting import acting_loads
+from planar_cli.report.blocks import Paragraph, line
+
+ALL_OF_IT = "the velocity is the same at all its points, so that the friction acts through its mass centre, against it"
+
+
+def sentences(system: System, bodies: Collection[str]) -> Iterator[Paragraph]:
+    """About the bodies of which diagrams are told."""
+    for body in bodies:
+        skids = any(w.kind == "skid" and w.body == body for w in system.wrenches)
+        still = system.motion is not None and system.motion.velocities[body].angular == 0
+        if skids and still and system.scene.rigid(body):
+            yield Paragraph(line(f"{body} does not turn now: {ALL_OF_IT}"))
+    pressing = {(w.kind, w.name) for w in system.wrenches}
+    for load in acting_loads(system.scene.problem):
+        if load.brings_mass and getattr(load, "body", "") in bodies:
+            told = _stream(load, (load.kind, load.name) in pressing)
+            yield Paragraph(line(told))
+
+
+def _stream(load: Load, presses: bool) -> str:
+    """What a stream does to its body."""
+    comes, goes = getattr(load, "enters", None), getattr(load, "leaves", None)
+    body = getattr(load, "body", "")
+    if not presses:
+        way = "enters" if comes is not None else "leaves"
+        return f"What {way} has no velocity relative to {body}: it does not push"
+    if comes is not None and goes is not None:
+        return (
+            f"The stream pushes {body} with its momentum per second: where it comes in its direction, where it leaves "
+            "against it"
+        )
+    if comes is not None:
+        return f"What enters pushes {body} with its momentum per second, seen from {body}"
+    return f"Thrust: mass per second times the velocity relative to {body}, against what leaves"
