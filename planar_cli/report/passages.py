@@ -28,7 +28,10 @@ def _row(row: Row, phrases: Phrases) -> Equation:
             if row.sizes and not sides_of(row)[-1].is_Symbol
             else None
         )
-        sides = sides[:1] if sides_of(row)[-1].is_number else [*sides, *([in_numbers] if in_numbers else [])]
+        last = sides_of(row)[-1]
+        # Between its formula and its value a number says something only where it is no plain one: 15 π/4.
+        bare = last.is_number and (len(sides) == 2 or last.is_Rational)
+        sides = sides[:-1] if bare else [*sides, *([in_numbers] if in_numbers else [])]
         sides.append(phrases.of_dimension(row.value, row.dimension, row.angle) if row.value else line("0"))
     return Equation(tuple(sides), None, lead)
 

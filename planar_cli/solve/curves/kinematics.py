@@ -201,6 +201,11 @@ class Story:
         }
         sizes = {s: number for s, number in known.items() if number is not None}
         dx, dy, ddx, ddy = (sp.Symbol(f"{axis}_{point}{d}", real=True) for d in DOTS[1:] for axis in "xy")
+        if not sizes:
+            kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in _kinds(u)}]
+            pairs = {n: ((dx, place.x.rate), (dy, place.y.rate)) for n in kinds if n == 1}
+            pairs |= {n: ((ddx, place.x.second), (ddy, place.y.second)) for n in kinds if n == 2}
+            yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])), ALONG)
         if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
             return
         v, a_t, a_n = (sp.Symbol(f"{name}", real=True) for name in (f"v_{point}", f"a_{point}_t", f"a_{point}_n"))
@@ -221,6 +226,15 @@ class Story:
             told.append(Row("", (symbol, formula), value, dimension, False, own))
             sizes[symbol] = value
         yield Passage("Along the path:" if wanted - {"v", "a"} else "Magnitudes:", tuple(told), ALONG)
+
+    def _lettered(self, n: int, point: str, parts: Iterable[tuple[sp.Symbol, sp.Expr | None]]) -> Iterator[Row]:
+        """The size of the velocity (1) or the acceleration (2) by both components, in letters or as a number."""
+        (x, one), (y, other) = parts
+        if one is None or other is None or 0 in (one, other):
+            return
+        whole = simplified(sp.sqrt(simplified(self.clean(one) ** 2 + self.clean(other) ** 2)))
+        sides = (sp.Symbol(f"{' va'[n]}_{point}", real=True), sp.sqrt(x**2 + y**2), whole)
+        yield Row("", sides, Valuation({}).known(whole), LENGTH / TIME**n)
 
     # --- polar coordinates -------------------------------------------------------------------------------------------
 
@@ -244,7 +258,11 @@ class Story:
         if level == 2:
             parts = (ddr - r * dtheta**2, r * ddtheta + 2 * dr * dtheta)
             told += self._components(2, point, parts, (size, angle))
+        parts_told = {row.line[0]: row.line[-1] for row in told if isinstance(row.line, tuple) and row.value is None}
         told += [row for n in sorted(whole) for row in self._magnitude(n, point, told)]
+        for n in sorted(whole) if parts_told else ():
+            pair = [sp.Symbol(f"{' va'[n]}_{point}_{name}", real=True) for name in POLAR]
+            told += self._lettered(n, point, [(s, parts_told.get(s)) for s in pair])
         yield Passage("Components along r and across it:", tuple(told), RADIAL)
 
     def _magnitude(self, n: int, point: str, told: list[Row]) -> Iterator[Row]:
