@@ -10,7 +10,8 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
 from planar_cli.report.names import plain_name
-from planar_cli.report.words import Phrases, answer_line, direction_words, told_unit
+from planar_cli.report.senses import direction_words
+from planar_cli.report.words import Phrases, answer_line, told_unit
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 

@@ -11,7 +11,8 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.words import Phrases, direction_words
+from planar_cli.report.senses import direction_words
+from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, RATE, VELOCITY

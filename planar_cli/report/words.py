@@ -16,20 +16,19 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.one_way import one_way, sized
 from planar_cli.equation.plain import PRINTABLE, longer
-from planar_cli.problem.expression import Part, Quantity, Side
+from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.enough_figures import enough_figures
 from planar_cli.report.neat import Neat
-from planar_cli.report.numbers import as_printed, quantity, rotation_words, significant, vector_words
+from planar_cli.report.numbers import as_printed, quantity, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
-from planar_cli.report.sides import number_of
+from planar_cli.report.senses import direction_words, sense_of_formula
 from planar_cli.solve.solution import Found
 from planar_cli.units import Dimension, Unit
 
 ANGLES = ("", "1", "deg", "rad", "rev")
-WAYS = ("to the right", "upward", "to the left", "downward")
 LONG = 7
 """A rational with more digits than this is shown rounded."""
 
@@ -256,7 +255,12 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         for i, expr in enumerate(found.expressions or ()):
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(phrases.neat(expr))]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
-        return (*_in_asked_unit(line, found, phrases), *_unit_of_formula(found, phrases))
+        sense = sense_of_formula(found)
+        return (
+            *_in_asked_unit(line, found, phrases),
+            *_unit_of_formula(found, phrases),
+            *((Text(sense),) if sense else ()),
+        )
     numbers = [display(v, found.unit, phrases.ledger.us) for v in found.values]
     unit = told_unit(found.unit, found.energy)
     if found.kind == "vector":
@@ -359,29 +363,6 @@ def answer_word(found: Found) -> str:
         "apart": "apart",
         "tip": "tip",
     }.get(found.word, found.word)
-
-
-def direction_words(found: Found, number: Decimal) -> str:
-    """Words such as "clockwise", "to the right", "upward": for rotations and for x and y parts."""
-    what = found.find.found.what if found.find is not None else None
-    if not isinstance(what, Quantity) or not number or found.values is None:
-        return ""
-    if what.word in ("omega", "alpha", "moment", "H") and not what.parts:
-        return rotation_words(1 if number > 0 else -1)
-    if what.word in ("v", "a", "friction", "reaction", "force", "coriolis", "momentum") and len(what.parts) == 1:
-        quarter = _quarter(what.parts[0])
-        return "" if quarter is None else WAYS[(quarter + (0 if number > 0 else 2)) % 4]
-    return ""
-
-
-def _quarter(part: Part) -> int | None:
-    """How many right angles a component along an axis, or along a direction in degrees, is turned from x."""
-    if part.kind in ("x", "y"):
-        return int(part.kind == "y")
-    number = number_of(part.direction) if part.kind == "along" and isinstance(part.direction, Side) else None
-    if number is None or number[1] != "deg" or number[0] % 90 != 0:
-        return None
-    return int(number[0] // 90) % 4
 
 
 def answer_text(found: Found, phrases: Phrases) -> str:

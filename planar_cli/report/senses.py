@@ -1,0 +1,51 @@
+"""The sense of an answer in words: counterclockwise, to the right, upward."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from planar_cli.problem.expression import Part, Quantity, Side
+from planar_cli.report.numbers import rotation_words
+from planar_cli.report.sides import number_of
+from planar_cli.solve.solution import Found
+
+WAYS = ("to the right", "upward", "to the left", "downward")
+TURNS = ("omega", "alpha", "moment", "H")
+MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
+
+
+def direction_words(found: Found, number: Decimal) -> str:
+    """Words for rotations and for x and y parts; empty of all else, and where there is no number."""
+    return "" if not number or found.values is None else _words(found, number > 0)
+
+
+def sense_of_formula(found: Found) -> str:
+    """The same behind a formula, where the signs of its letters tell its sign: " counterclockwise"."""
+    (formula, *others) = found.expressions or (None,)
+    if formula is None or others or formula.free_symbols == set():
+        return ""
+    positive, negative = formula.is_positive, formula.is_negative
+    words = _words(found, bool(positive)) if positive or negative else ""
+    return f"{', that is' if negative else ''} {words}" if words else ""
+
+
+def _words(found: Found, positive: bool) -> str:
+    what = found.find.found.what if found.find is not None else None
+    if not isinstance(what, Quantity):
+        return ""
+    if what.word in TURNS and not what.parts:
+        return rotation_words(1 if positive else -1)
+    if what.word in MOVES and len(what.parts) == 1:
+        quarter = _quarter(what.parts[0])
+        return "" if quarter is None else WAYS[(quarter + (0 if positive else 2)) % 4]
+    return ""
+
+
+def _quarter(part: Part) -> int | None:
+    """How many right angles a component along an axis, or along a direction in degrees, is turned from x."""
+    if part.kind in ("x", "y"):
+        return int(part.kind == "y")
+    number = number_of(part.direction) if part.kind == "along" and isinstance(part.direction, Side) else None
+    if number is None or number[1] != "deg" or number[0] % 90 != 0:
+        return None
+    return int(number[0] // 90) % 4

@@ -1,0 +1,27 @@
+"""Answers in letters tell their sense where the signs of the letters do."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+@pytest.mark.parametrize(
+    ("stem", "answer"),
+    [
+        ("ex-4-04", "α = 12 g/(11 L) counterclockwise"),
+        ("ex-4-06", "F_pivot = A_y = 4/7 m g upward"),
+        ("ex-1-07", "v_at_0 = ẋ_middle = -l √(k/m), that is to the left"),
+        ("ex-1-07", "eom = -k x/m\n"),
+        ("ex-1-07", "x_stop = -l\n"),
+    ],
+)
+def test_the_sense_of_an_answer_in_letters(stem: str, answer: str) -> None:
+    page = Terminal(200).render(narrate(worked(FILES[stem])[0]))
+    assert answer in page.partition("Answer")[2]
