@@ -65,7 +65,7 @@ class AskedTelling:
                 yield from told
             elif isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
-            elif isinstance(what, Quantity) and (radius := list(self.paths.asked_radius(answer, what))):
+            elif isinstance(what, Quantity) and (radius := self.paths.asked_radius(answer, what)) is not None:
                 yield from radius
             else:
                 yield from self._formula(answer)

@@ -8,17 +8,20 @@ Of a rigid body only the point that is joined to the curve moves so; its others 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
+from planar_cli.equation.curves import curve_formula
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Block, Equation, Line, Name, line
+from planar_cli.problem.scene import Curve
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.vectors import VectorTelling, index_of
@@ -28,6 +31,7 @@ from planar_cli.units import LENGTH, PURE, Dimension
 
 LONGEST = 40
 """A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
+SLOPE, BEND = sp.symbols("y′ y″", real=True)
 Once = Callable[[str, tuple[Line, ...], Vec, str, Line], Iterator[Block]]
 """Tells the sides of a vector with its components, where its key was not told before."""
 
@@ -54,7 +58,7 @@ class PathTelling:
             normal = bends if self.phrases.value(path.curvature) > 0 else -bends
             note = line(*tangent, ", ", Name("e_n"), " = ", *vector_of(normal, PURE, self.phrases))
             parts = line(*parts, " + ", self.phrases.math(edge.slide**2), "/ρ ", Name("e_n"))
-            radius = list(self._radius(path, place, note))
+            radius = list(self._radius(path, place, body, note))
         yield from radius
         vector = self.vectors.motion.acceleration(at, body)
         sides = (line(Name(f"a_{index_of(place)}")), parts)
@@ -79,7 +83,46 @@ class PathTelling:
             return None
         return None if self.phrases.value.known(path.curvature) is None else path
 
-    def _radius(self, path: Path, place: str, note: Line = ()) -> Iterator[Block]:
+    def _bends(self, body: str) -> tuple[sp.Expr, sp.Expr] | None:
+        """y′ and y″ of a fixed curve y = f(x) where a body is on it; None: it moves along no such curve."""
+        joining = self.vectors.edges[body].joining
+        joint = next((j for j in self.scene.problem.joints if joining is not None and j.name == joining.joint), None)
+        named = (getattr(joint, "along", ""), *getattr(joint, "between", ()))
+        surface = next((s for n in named if isinstance(n, str) and (s := self.scene.surfaces.get(n))), None)
+        if joining is None or surface is None or surface.body is not None or not isinstance(surface.shape, Curve):
+            return None
+        if surface.shape.kind != "y":
+            return None
+        x, formula = curve_formula(self.scene, surface.shape)
+        slope, bend = (simplified(sp.diff(formula, x, n).xreplace({x: joining.point.x})) for n in (1, 2))
+        plain = not slope.has(sp.Piecewise) and not longer(slope, LONGEST) and not longer(bend, LONGEST)
+        return (slope, bend) if plain and bend != 0 else None
+
+    def _of_curve(self, slope: sp.Expr, bend: sp.Expr, note: Line) -> Iterator[Block]:
+        """y′, y″, and ρ = (1 + y′²)^(3/2)/|y″|."""
+        phrases = self.phrases
+        sizes: dict[sp.Symbol, Decimal] = {}
+        for symbol, expr, dimension in ((SLOPE, slope, PURE), (BEND, bend, PURE / LENGTH)):
+            sides: list[Any] = [Math(symbol)]
+            clean = bool(expr.free_symbols) and (
+                phrases.symbolic or is_clean(phrases.ledger, expr, dimension=dimension)
+            )
+            sides += [phrases.math(expr)] if clean else []
+            if not (phrases.symbolic and expr.free_symbols):
+                value = phrases.of_dimension(phrases.certain(expr), dimension)
+                sizes[symbol] = value.number
+                sides += [*(phrases.substituted(expr, value) if clean else ()), value]
+            yield Equation(tuple(sides))
+        size = -BEND if phrases.value(bend) < 0 else BEND
+        formula, radius = (1 + SLOPE**2) ** sp.Rational(3, 2) / size, (1 + slope**2) ** sp.Rational(3, 2) / abs(bend)
+        if len(sizes) < 2:
+            yield Equation((line("ρ"), Math(formula), phrases.math(simplified(radius))), None, note=note)
+            return
+        put = Phrases(phrases.ledger, phrases.value, phrases.figures, False).numbers(formula, sizes, turns=False)
+        value = phrases.of_dimension(phrases.value(radius), LENGTH)
+        yield Equation((line("ρ"), Math(formula), *([] if put is None else [put]), value), None, note=note)
+
+    def _radius(self, path: Path, place: str, body: str, note: Line = ()) -> Iterator[Block]:
         """ρ of the path of a point, once; nothing where the file gives it by that letter."""
         if place in self._told:
             return
@@ -91,6 +134,9 @@ class PathTelling:
         radius = whole if whole.is_Symbol else radius
         if radius.is_Symbol and plain_name(radius.name) == "ρ":
             return
+        if bends := self._bends(body):
+            yield from self._of_curve(*bends, note)
+            return
         clean = self.phrases.symbolic or (bool(radius.free_symbols) and is_clean(self.phrases.ledger, radius))
         shown = (self.phrases.math(radius),) if clean and not longer(radius, LONGEST) else ()
         yield Equation((line("ρ"), *shown, *value), None, note=note)
@@ -100,14 +146,16 @@ class PathTelling:
         named = self.phrases.ledger.definitions
         return expr.xreplace({s: named[s] for s in expr.free_symbols if s in named})
 
-    def asked_radius(self, answer: Found, q: Quantity) -> Iterator[Block]:
-        """The same where it is asked for by that letter."""
+    def asked_radius(self, answer: Found, q: Quantity) -> list[Block] | None:
+        """The same where it is asked for by that letter; None: it is asked otherwise."""
         if q.word != "rho" or plain_name(answer.name) != "ρ" or answer.unit.text not in ("m", "ft"):
-            return
+            return None
         body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
-        path = self.curved(body)
-        if path is not None:
-            yield from self._radius(path, centre_of(self.scene, body))
+        path, place = self.curved(body), centre_of(self.scene, body)
+        if path is None:
+            return None
+        told = list(self._radius(path, place, body))
+        return told if told or place in self._told else None
 
 
 def vector_of(vector: Vec, dimension: Dimension, phrases: Phrases) -> Line:
