@@ -30,3 +30,12 @@ def test_the_time_comes_first(stem: str, lines: str) -> None:
 def test_several_unknowns_that_are_left_follow_together() -> None:
     """Of two angles and a time no one equation gives one."""
     assert "together:" in page("two-angles-to-a-target")
+
+
+def test_what_nobody_asks_for_has_no_line() -> None:
+    """The impulses at the axles of the bicycle follow from the equations, and nothing rests on them."""
+    assert "J_O,Bx,2 =" not in page("ex-4-18")
+
+
+def test_a_square_with_a_factor() -> None:
+    assert "loss = (1 - e²) m_1 m_2 (v_1 - v_2)² / (2 (m_1 + m_2))" in page("central-impact-in-letters")

@@ -27,7 +27,16 @@ from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.one_in_another import one_in_another, told_inserted
-from planar_cli.report.origins import head, is_steady, letter_of, needed_steps, sides_of, told_once, turning_blocks
+from planar_cli.report.origins import (
+    head,
+    is_steady,
+    letter_of,
+    needed_results,
+    needed_steps,
+    sides_of,
+    told_once,
+    turning_blocks,
+)
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.results import numbered
@@ -191,7 +200,7 @@ class MotionTelling:
         named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
         yield from () if named else self._in_numbers(leg, numbers, route)
         lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))
-        for i, r in enumerate(leg.results):
+        for i, r in enumerate(needed_results(leg, self.found)):
             plain = r.formula is not None and not longer(r.formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)

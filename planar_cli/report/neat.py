@@ -151,8 +151,9 @@ class Neat:
         found = _square_inside(total)
         if found is None:
             return total
-        root, rest = found
-        return sp.Add((-root if self.sign(root) < 0 else root) ** 2, *rest)
+        factor, root, rest = found
+        square = factor * (-root if self.sign(root) < 0 else root) ** 2
+        return square if rest == 0 else square + rest
 
 
 class _Letters:
@@ -291,19 +292,26 @@ def _square_root(total: sp.Expr) -> sp.Expr | None:
     return None
 
 
-def _square_inside(total: sp.Expr) -> tuple[sp.Expr, list[sp.Expr]] | None:
-    """The root of a square of letters among the terms of a longer sum, and what is left of these."""
+def _square_inside(total: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
+    """c, a - b and r of c (a - b)² + r among the terms of a longer sum in letters; None: there is no such square."""
     if not total.is_Add or not FEW_TERMS[0] <= len(total.args) <= FEW_TERMS[1]:
         return None
-    for mixed in total.args:
-        factors = [f for f in sp.Mul.make_args(mixed) if f.is_Symbol]
-        if len(factors) != 2 or abs(mixed.as_coeff_Mul()[0]) != 2 or len(sp.Mul.make_args(mixed)) != 3:
+    squared = [x for x in total.free_symbols if any(_has_power(t, x, 2) for t in total.args)]
+    for a, b in combinations(sorted(squared, key=lambda s: s.name), 2):
+        if not any(_has_power(t, a, 1) and _has_power(t, b, 1) for t in total.args) or not total.is_polynomial(a, b):
             continue
-        a, b = factors
-        if {a**2, b**2} <= set(total.args):
-            root = a + b if mixed == 2 * a * b else a - b
-            return root, [t for t in total.args if t not in (a**2, b**2, mixed)]
+        own = sp.Poly(total, a, b)
+        one, other, mixed = (own.coeff_monomial(m) for m in (a**2, b**2, a * b))
+        if one != 0 and sp.expand(one - other) == 0 and sp.expand(mixed**2 - 4 * one**2) == 0:
+            root = a - b if sp.expand(mixed + 2 * one) == 0 else a + b
+            rest = (own - sp.Poly(one * root**2, a, b)).as_expr()
+            return factor_terms(one), root, rest
     return None
+
+
+def _has_power(term: sp.Expr, letter: sp.Symbol, power: int) -> bool:
+    """Is a power of a letter a factor of a term?"""
+    return letter**power in sp.Mul.make_args(term)
 
 
 def _is_difference(total: sp.Expr) -> bool:

@@ -15,6 +15,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
+from planar_cli.report.origins import needed_results
 from planar_cli.report.results import numbered
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
@@ -60,7 +61,8 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
     if solved is None:
         return None
     values = {r.unknown: r.value for r in leg.results}
-    rest = tuple((i, Result(x, f, values[x])) for x, (i, f) in _ordered(formulas))
+    asked = {r.unknown for r in needed_results(leg, found)}
+    rest = tuple((i, Result(x, f, values[x])) for x, (i, f) in _ordered(formulas) if x in asked)
     put = tuple(sorted(i for _, (i, _) in formulas.items()))
     return Inserted(put, into, whole, solved[1], Result(time, solved[0], values[time]), rest)
 

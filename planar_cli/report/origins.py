@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any
 
 import sympy as sp
 
@@ -175,3 +176,26 @@ def needed_steps(route: RouteTrace, wanted: Collection[str] | None) -> list[trac
             kept.append(leg)
             names |= {s.name for s in leg.needs}
     return kept[::-1]
+
+
+def needed_results(leg: trace.RouteStep, found: MotionTrace) -> list[trace.Result]:
+    """What a step gives that is asked, or that a later line rests on; its first result always."""
+    if len(leg.results) < 2:
+        return list(leg.results)
+    routes = [found.route, *found.passing.values()]
+    used = {s for route in routes for step in route.steps if step is not leg for s in _letters_of(step)}
+    used |= {s for r in found.requests for e in (*r.parts, *(f for _, f in r.beside)) for s in e.free_symbols}
+    used |= {s for span in found.spans if span.formula is not None for s in span.formula.free_symbols}
+    used |= {s for span in found.spans for piece in span.pieces for s in piece.limits}
+    told = {state for regime in found.regimes for state in regime.asked}
+    kept: list[trace.Result] = []
+    for r in reversed(leg.results):
+        role = found.ledger.roles.get(r.unknown)
+        if r is leg.results[0] or r.unknown in used or role is None or role.at in told:
+            kept.insert(0, r)
+            used |= r.formula.free_symbols if r.formula is not None else set()
+    return kept
+
+
+def _letters_of(step: trace.RouteStep) -> set[Any]:
+    return {*step.needs, *(s for e in step.relations for s in e.residual.free_symbols)}
