@@ -88,7 +88,7 @@ SAID = [
     ("4-13", "momentum before + impulses = momentum after"),
     ("4-13", "↺ H_A: J AS = I_A ω_2"),
     ("4-13", "T_2 + U = T_3: -54.44 - 117.7 sin θ_3 = 0"),
-    ("4-17", "no motion leads to state 2 by itself: the balance of energy alone relates the states"),
+    ("4-17", "left to itself it does not come to state 2; the answer is what the balance of energy requires"),
     ("4-18", "From 1 to 2, rear: angular impulse and momentum about A"),
     ("4-18", "From 1 to 2, frame: impulse and momentum"),
 ]
@@ -319,7 +319,7 @@ def test_energy_alone_relates_states() -> None:
     assert "released at rest in an unstable equilibrium: the limit of a slight touch" in touched.motion.checks
     part = part_of(UPRIGHT, "energy")
     assert abs(first(part.found[0])) == pytest.approx(sqrt(6 * G / 0.5))
-    words = "no motion leads to state 2 by itself: the balance of energy alone relates the states"
+    words = "left to itself it does not come to state 2; the answer is what the balance of energy requires"
     assert words in part.motion.checks
     assert not any("no motion leads" in c for c in part_of(PUSHED).motion.checks)
 

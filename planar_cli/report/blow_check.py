@@ -28,6 +28,10 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Impact, ImpactEquation, MotionTrace
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, RATE, VELOCITY
 
+DEFINED = "; u, u′: velocities along each J, before and after"
+STRUCK = "; u, u′: velocity of the point struck along J, before and after"
+PARTING = "; u, u′: velocity at which the two points part, before and after"
+TURNING = "; ω, ω′: before and after"
 MOST = 5
 """Works of impulses that fit a line."""
 STILL = Vec(Decimal(0), Decimal(0))
@@ -59,6 +63,13 @@ class _Work:
     after: Decimal
     turns: bool
     """Is it a couple?"""
+    pair: bool
+    """Does it act between two bodies that move?"""
+
+    @property
+    def defined(self) -> str:
+        """What the velocities are."""
+        return TURNING if self.turns else PARTING if self.pair else STRUCK
 
     @property
     def done(self) -> Decimal:
@@ -100,8 +111,9 @@ def _told(impact: Impact, phrases: Phrases, several: bool) -> Line:
     if not done:
         return line(head, "no impulse does work; ", *energies)
     if len(works) > 1:
-        return line(head, "Σ J (u + u′)/2 = ", *chain(done, unit, phrases, "J"), "; ", *energies)
-    return line(head, *numbers.one(works[0]), " = ", *chain(done, unit, phrases, "J"), "; ", *energies)
+        return line(head, "Σ J (u + u′)/2 = ", *chain(done, unit, phrases, "J"), "; ", *energies, DEFINED)
+    told = line(*numbers.one(works[0]), " = ", *chain(done, unit, phrases, "J"))
+    return line(head, *told, "; ", *energies, works[0].defined)
 
 
 class _Blow:
@@ -142,7 +154,9 @@ class _Blow:
         """Of all impulses, those of the file first."""
         for w in self.system.wrenches:
             if w.kind != "momentum":
-                yield self._work(None, Decimal(1), [(w.body, w.point, w.force, w.couple)])
+                size = Decimal(1) if w.force is None else self._vector(w.force).dot(self._vector(w.force)).sqrt()
+                unit = w.force if w.force is None or not size else w.force / sp.Rational(str(size))
+                yield self._work(None, size, [(w.body, w.point, unit, w.couple)])
         assert self.system.reactions is not None
         for push, size in self.system.reactions.pushes:
             acting = [(a.body, a.point, a.force, a.couple) for a in push.actions]
@@ -180,7 +194,9 @@ class _Blow:
                 for body, point, force, couple in acting
             ]
             speeds.append(Decimal(0) if agree(parts, []) else sum(parts, Decimal(0)))
-        return _Work(letter, size, speeds[0], speeds[1], all(force is None for _, _, force, _ in acting))
+        turns = all(force is None for _, _, force, _ in acting)
+        pair = len({body for body, *_ in acting if body in self.bodies}) > 1
+        return _Work(letter, size, speeds[0], speeds[1], turns, pair)
 
     def energies(self) -> tuple[Decimal, Decimal]:
         """Kinetic energy just before and just after, J."""
@@ -199,11 +215,12 @@ class _Blow:
         kinds = (ANGULAR_MOMENTUM, RATE) if work.turns else (IMPULSE, VELOCITY)
         size, speed = (coherent_unit(kind, False, self.phrases.ledger.us) for kind in kinds)
         words = " (ω + ω′)/2" if work.turns else " (u + u′)/2"
-        if work.letter is None:
+        if work.letter is None and work.turns:
             return line("J", words)
         us, figures = self.phrases.ledger.us, self.phrases.figures
         shown = [display(work.size, size, us), *(display(v, speed, us) for v in (work.before, work.after))]
         figures = figures_of(shown, lambda x: x[0] * (x[1] + x[2]) / 2, figures)
         numbers = line(*added([work.size], size, self.phrases, figures), " (")
         speeds = added([work.before, work.after], speed, self.phrases, figures)
-        return line(Math(work.letter), words, " = ", *numbers, *speeds, ")/2")
+        letter = Math(work.letter) if work.letter is not None else "J"
+        return line(letter, words, " = ", *numbers, *speeds, ")/2")

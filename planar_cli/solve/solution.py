@@ -45,7 +45,7 @@ CAVEATS = (
     "released at rest in an unstable equilibrium",
     "it begins at rest in equilibrium",
     "the last state is one of equilibrium",
-    "no motion leads to state",
+    "left to itself it does not come to state",
 )
 """How the checks of a motion begin that say on what its answers rest."""
 

@@ -260,7 +260,7 @@ class ModeSearch(ModeChoice):
         branch = max(branches, key=lambda b: onward(course, b))
         if not assumed(course, course.base().extended(branch.values)):
             return None
-        told = f"no motion leads to state {missed} by itself: {self._alone} alone relates the states"
+        told = f"left to itself it does not come to state {missed}; the answer is what {self._alone} requires"
         return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
     def _changed(self, course: StatedMotion, followed: Followed) -> ModeSequence | None:
