@@ -111,3 +111,9 @@ def test_streams_have_their_sentence() -> None:
 
 def test_a_time_without_a_value_is_not_told() -> None:
     assert "Answer" in _page("momentum/sand-on-a-conveyor-belt")
+
+
+def test_numbers_of_places_keep_their_unit() -> None:
+    page = _page("textbook/ex-1-14")
+    assert "x_P = 0.5 m/tan θ" in page
+    assert "= -(0.5 m) " in page

@@ -7,8 +7,10 @@ from collections.abc import Iterator
 from typing import Any
 
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.swallowed import with_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.passages import Row, Tale, sides_of
+from planar_cli.units import PURE
 
 
 def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
@@ -22,6 +24,13 @@ def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
 def _row(row: Row, phrases: Phrases) -> Equation:
     lead = line(*_named(row.words), ":") if row.words else ()
     sides: list[Any] = [phrases.math(side) for side in sides_of(row)]
+    formula = sides_of(row)[-1]
+    whole = (
+        None
+        if row.angle or row.dimension == PURE
+        else with_unit(formula, row.dimension, phrases.ledger, phrases.figures)
+    )
+    sides = sides if whole is None else [*sides[:-1], whole]
     if row.value is not None:
         in_numbers = (
             phrases.numbers(sides_of(row)[-1], row.sizes, turns=False)
