@@ -25,3 +25,11 @@ FILES = {p.stem: p for p in PROBLEMS}
 def test_the_sense_of_an_answer_in_letters(stem: str, answer: str) -> None:
     page = Terminal(200).render(narrate(worked(FILES[stem])[0]))
     assert answer in page.partition("Answer")[2]
+
+
+@pytest.mark.parametrize("stem", ["drum-stopped-by-a-lever-brake", "weight-lifted-by-a-jerk"])
+def test_the_kinetic_energy_leaves_the_letter_of_what_is_asked(stem: str) -> None:
+    """T is a tension there."""
+    page = Terminal(200).render(narrate(worked(FILES[stem])[0]))
+    assert "E_k1 = " in page or "E_k2 = " in page
+    assert "+ U = T_" not in page

@@ -17,6 +17,7 @@ from planar_cli.principles.base import Balance, Position, Principle, Source, Sto
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Problem
 
 FRICTION = "friction at {}"
 """What does work where no load does: what slips."""
@@ -86,7 +87,7 @@ class WorkEnergy(Principle):
             amounts=tuple((name, energy) for name, energy in kinetic if energy != 0),
             sources=tuple(_sources(position)),
             cost=0.9,
-            letter="T",
+            letter=_letter_in(scene.problem),
             bring="U",
             idle=_idle(position),
             adds=True,
@@ -94,6 +95,13 @@ class WorkEnergy(Principle):
             moving=tuple(moving_of(position, scene.bodies)),
             longest=500,
         )
+
+
+def _letter_in(problem: Problem) -> str:
+    """The letter of the kinetic energy: T, where the file calls nothing else so."""
+    letters = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
+    named = {s.name for s in letters} | {f.name for f in problem.find}
+    return "E_k" if any(n == "T" or n.startswith("T_") for n in named) else "T"
 
 
 def _seen_from(position: Position, frame: Frame) -> Iterator[Balance]:

@@ -48,7 +48,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                     found |= set(re.findall(r"\w+", text))
                 case blocks.Name(name):
                     letters |= {name, *name.split("_")}
-                    energies |= name.startswith("T_")
+                    energies |= name.startswith(("T_", "E_k_"))
                 case Math(expr):
                     letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
                     counted |= {s.name for s in piece.values or ()}

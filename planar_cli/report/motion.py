@@ -105,7 +105,7 @@ class MotionTelling:
         sources = [e.source for leg in self.found.route.steps for e in leg.relations]
         laws = {b.law.letter for b in sources if isinstance(b, BalanceTrace)}
         blows = any(isinstance(b, ImpactEquation) for b in sources)
-        works = {law for law in laws if law.startswith("T")}
+        works = laws - {""}
         words = [WORK] * bool(works) + [MOMENTUM] * (blows or bool(laws - works))
         if not words and self.found.oscillations:
             return "Small oscillations"

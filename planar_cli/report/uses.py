@@ -218,7 +218,7 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
     routes = [motion.route, *motion.passing.values()]
     for e in _relations(routes):
         if isinstance(e.source, BalanceTrace):
-            (found.energies if e.source.law.letter == "T" else found.momenta).append(e.source)
+            (found.energies if e.source.law.letter else found.momenta).append(e.source)
         elif isinstance(e.source, ImpactEquation):
             found.blows = True
         found.restitution |= e.kind == "blow" and e.words.startswith("Restitution")
