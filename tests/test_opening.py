@@ -43,6 +43,7 @@ def test_letters_of_a_problem_in_letters() -> None:
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
         ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
         ("leaking-bucket", ["m = M - q t, speed of what leaves, relative to the body = 0"]),
+        ("jet-against-a-hinged-plate", ["= 5.400 kg/s"]),
         ("ex-1-08", ["r, g; ", "let_go: θ = 0, θ̇ = 0"]),
         ("ex-1-11", ["parallel: v_Py = -3/4 v_Px", "B: y_P = -3/4 x_P"]),
         ("ex-1-13", ["track: y = x²/(2 m)"]),

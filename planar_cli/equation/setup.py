@@ -24,7 +24,9 @@ from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
-from planar_cli.units import PURE, Unit, default_unit, parse_unit
+from planar_cli.units import DAMPING, PURE, Unit, default_unit, parse_unit
+
+STREAM, FLOW = "stream", "kg/s"
 
 
 @record
@@ -162,7 +164,10 @@ class Setup:
         written = first_unit(side)
         if written is not None and isinstance(side, Number | Negate | Scaled):
             return written
-        return self.unit_for(dimension_of(side, self.lookup)).text
+        unit = self.unit_for(dimension_of(side, self.lookup))
+        streams = any(type(load).kind == STREAM for load in self.problem.loads)
+        # A mass that flows is no damping, which has its dimension.
+        return FLOW if unit.dimension == DAMPING and streams and not self.ledger.us else unit.text
 
     def unit_asked(self, what: Side, kind: Kind) -> Unit:
         """The unit in which something asked is shown: of a coordinate or unknown that with which it is declared."""
