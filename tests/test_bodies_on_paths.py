@@ -117,3 +117,15 @@ def test_numbers_of_places_keep_their_unit() -> None:
     page = _page("textbook/ex-1-14")
     assert "x_P = 0.5 m/tan θ" in page
     assert "= -(0.5 m) " in page
+
+
+def test_a_rope_tells_the_length_that_it_keeps() -> None:
+    page = _page("particles/moving-pulley")
+    assert "y_A + 2 y_B = const., differentiated twice:" in page
+    assert "a_Ay = -2 a_By" in page
+
+
+def test_a_ball_on_a_string_is_summed_across_it() -> None:
+    page = _page("momentum/pendulum-on-a-wagon")
+    assert "ball, perpendicular to the string:" in page
+    assert "m g cos φ_wagon = m a_O sin φ_wagon + m a_wagon,ball,t" in page, "in the sense of its terms"

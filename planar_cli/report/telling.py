@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import sympy as sp
 
@@ -20,6 +21,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.rope_lengths import length_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
@@ -241,6 +243,7 @@ class Telling:
         sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
+        w = onward(w)
         sides, note = self.numeric.sides(w, stage, self.principle.sides(w.left, w.right))
         group = ", ".join(w.bodies)
         if w.law == "moment":
@@ -261,7 +264,8 @@ class Telling:
 
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
         """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
-        words = self.vectors.before(w, stage.level) or [Paragraph(self._named(self._relation_words(w)))]
+        length = length_told(w, self.system, self.phrases, stage.level != "velocity")
+        words = self.vectors.before(w, stage.level) or [Paragraph(length or self._named(self._relation_words(w)))]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
@@ -273,7 +277,7 @@ class Telling:
                 line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
             )
             return [*words, Equation(chain, number)]
-        turned = all(e.could_extract_minus_sign() for e in (w.left, w.right))
+        turned = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
         return [*words, Equation(sides, number, (), note)]
 
@@ -343,6 +347,19 @@ class Telling:
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
+
+
+def onward(w: Written) -> Written:
+    """A sum of forces along a slanting line in the sense in which its terms are positive, where all have the other."""
+    terms = [t for side in (w.left, w.right) for t in sp.Add.make_args(side) if t != 0]
+    if w.law != "force" or w.lead or w.along is None or not all(t.could_extract_minus_sign() for t in terms):
+        return w
+    return replace(
+        w,
+        left=sp.Add(*(-t for t in sp.Add.make_args(w.left))),
+        right=sp.Add(*(-t for t in sp.Add.make_args(w.right))),
+        along=(-w.along[0], -w.along[1]),
+    )
 
 
 def _begun(words: str) -> str:

@@ -249,9 +249,7 @@ class Offers:
             self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
         ]
         for direction, words in named_ways(self.system, self.numbers, group.bodies):
-            found.append(
-                self._force(group, direction, words, c.ALONG_CONTACT if words.startswith("along") else c.NAMED_SLANT)
-            )
+            found.append(self._force(group, direction, words, self._form_along(words, group)))
         if not group.turning:
             return c.cheapest(found, self.most)
         named = self._named_points(group)
@@ -266,6 +264,11 @@ class Offers:
             for k, b in lines[i + 1 :]:
                 found.append(self._crossing(group, (j, a), (k, b), points))
         return c.cheapest(found, self.most)
+
+    def _form_along(self, words: str, group: Group) -> float:
+        """How it is drawn: along a contact or tie; also across a tie, along the arc on which it leads a particle."""
+        led = len(group.bodies) == 1 and not self.scene.rigid(group.bodies[0])
+        return c.ALONG_CONTACT if led or words.startswith("along") else c.NAMED_SLANT
 
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         value = self.numbers.value
