@@ -49,3 +49,7 @@ def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
 )
 def test_what_is_differentiated_is_not_given(stem: str, line: str) -> None:
     assert line in _page(stem)
+
+
+def test_what_drives_acts_at_no_formula() -> None:
+    assert "drive_1 ← = M a_Q" in _page("man-walking-on-a-boat")

@@ -69,6 +69,10 @@ def test_gravity_where_its_number_is_used(stem: str, times: int) -> None:
     assert len(re.findall(r"\bg = ", _given(stem))) == times
 
 
+def test_gravity_in_letters_is_given_once() -> None:
+    assert _given("bar-hanging-from-a-pushed-collar").startswith("M, m, l, F, g;")
+
+
 def test_a_drive_on_which_no_answer_rests_is_given() -> None:
     path = ROOT / "problems" / "hard" / "slider-crank-of-equal-links.yaml"
     assert "; ω_OA = 1 rad/s" in Terminal(200).render(narrate(worked(path)[0]))

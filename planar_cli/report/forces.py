@@ -107,7 +107,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
         idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
-            parts.append(_push(push, expr, a, phrases, named if rigid else ""))
+            # What drives has the statement of the file for its place.
+            parts.append(_push(push, expr, a, phrases, named if rigid and push.kind != "drive" else ""))
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part

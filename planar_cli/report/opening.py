@@ -72,7 +72,7 @@ def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: i
 
 def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iterator[Line]:
     """g, where the file does not give it and its number is put into a formula."""
-    if any(s.name == GRAVITY for s in problem.given):
+    if any(s.name == GRAVITY for s in (*problem.given, *problem.symbols)):
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
     used = GRAVITY in seen.counted or (GRAVITY in seen.letters and seen.summed)
