@@ -39,3 +39,11 @@ def test_what_nobody_asks_for_has_no_line() -> None:
 
 def test_a_square_with_a_factor() -> None:
     assert "loss = (1 - e²) m_1 m_2 (v_1 - v_2)² / (2 (m_1 + m_2))" in page("central-impact-in-letters")
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ball-in-a-rotating-tube-in-letters", "v_r = v_P,tube,exit = w √(l² - r_0²)"),
+    ("toppling-pole-that-stops-pressing", "Q = 1/4 m g cos θ_2 = 1/5 m g"),
+])  # fmt: skip
+def test_a_size_whose_sign_is_known(stem: str, line: str) -> None:
+    assert line in page(stem)

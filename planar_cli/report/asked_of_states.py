@@ -24,6 +24,7 @@ from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, S
 from planar_cli.units import Unit
 
 HENCE = Paragraph(line("Hence:"))
+HALF = sp.Rational(1, 2)
 LONGEST, SHORT, FEW = 90, 45, 24
 """A longer formula is not told: of letters, and of what has numbers; and one whose numbers are put in, if few letters
 are left then.
@@ -111,7 +112,12 @@ class AskedTelling:
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
             parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
-            formulas = any(map(self._is_formula, parts)) and all(p.is_Symbol or self._is_formula(p) for p in parts)
+            became = any(
+                p.is_Symbol and not (raw.is_Symbol or raw.is_number) for p, raw in zip(parts, asked.parts, strict=True)
+            )
+            formulas = (became or any(map(self._is_formula, parts))) and all(
+                p.is_Symbol or self._is_formula(p) for p in parts
+            )
             if all(s is not None for s in spans) or formulas:
                 for axis, part, span in zip(axes, parts, spans, strict=True):
                     yield asked, Part(axis, part), span
@@ -191,12 +197,23 @@ class AskedTelling:
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
         """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""
-        if self.phrases.symbolic or not expr.has(sp.Abs, sp.sign, sp.atan2):
+        route = self.found.route
+        if self.phrases.symbolic and not longer(expr, SHORT):
+            expr = expr.replace(lambda x: x.is_Pow and x.exp in (HALF, -HALF), lambda x: sp.factor(x.base) ** x.exp)
+        if not expr.has(sp.Abs, sp.sign, sp.atan2):
             return expr
-        expr = expr.replace(lambda x: isinstance(x, sp.atan2), self._direction)
+        if not self.phrases.symbolic:
+            expr = expr.replace(lambda x: isinstance(x, sp.atan2), self._direction)
 
         def sense(a: sp.Expr) -> int:
-            return int(self.found.value.known(sp.sign(a)) or 0)
+            if not self.phrases.symbolic or a.free_symbols <= route.settled:
+                return int(self.found.value.known(sp.sign(a)) or 0)
+            # Of letters without numbers only what they are made of tells a sign.
+            made = a
+            for _ in route.steps:
+                made = made.xreplace(dict(route.formulas))
+            made = simplified(made)
+            return 1 if made.is_positive else -1 if made.is_negative else 0
 
         def put(x: Any) -> Any:
             s = sense(x.args[0])
