@@ -27,9 +27,15 @@ def test_the_time_comes_first(stem: str, lines: str) -> None:
     assert lines in page(stem)
 
 
-def test_several_unknowns_that_are_left_follow_together() -> None:
-    """Of two angles and a time no one equation gives one."""
-    assert "together:" in page("two-angles-to-a-target")
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-1-15", "in (5), (6): x_A,start + v_Ax,start t_meet = 50 t_meet cos β"),
+    ("ex-1-15", "together: β = 90° t_meet = 0.02 D"),
+    ("two-angles-to-a-target", "(2), (3) in (4), (5): x_ball,hit = v_0 t_hit cos β"),
+    ("ship-interception", "together: β = 73.43° t_meet = 3281 s"),
+])  # fmt: skip
+def test_two_equations_that_are_left(stem: str, lines: str) -> None:
+    """An angle and a time follow from two equations, with all else put into them."""
+    assert lines in page(stem)
 
 
 def test_what_nobody_asks_for_has_no_line() -> None:

@@ -15,7 +15,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
-from planar_cli.report.origins import needed_results
+from planar_cli.report.origins import used_elsewhere
 from planar_cli.report.results import numbered
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
@@ -23,6 +23,7 @@ from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 LONGEST = 40
 """Longer equations are not put into each other."""
 SAME = Decimal("1e-20")
+Formulas = dict[sp.Symbol, tuple[int, sp.Expr]]
 
 
 @record
@@ -40,7 +41,7 @@ class Inserted:
     """With the equation that gives each."""
 
 
-def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol, sp.Expr]) -> Inserted | None:
+def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol, sp.Expr]) -> Inserted | Reduced | None:
     """The time at which several equations hold, from the one into which all others are put; None: they are others."""
     roles = found.ledger.roles
     times = [x for x in leg.unknowns if x in found.general and roles[found.general[x]].kind is Kind.TIME]
@@ -50,7 +51,9 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
     residuals = [e.residual.xreplace(dict(plain)) for e in leg.relations]
     if any(longer(e, LONGEST) or e.has(sp.Integral) for e in residuals):
         return None
-    formulas, left = _explicit(residuals, set(leg.unknowns) - {time}, time)
+    formulas, left = _explicit(residuals, set(leg.unknowns) & set(found.general) - {time}, time)
+    if len(left) == 2 and formulas:
+        return _of_two(leg, found, (residuals, formulas, left))
     if len(left) != 1:
         return None
     (into,) = left
@@ -61,28 +64,100 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
     if solved is None:
         return None
     values = {r.unknown: r.value for r in leg.results}
-    asked = {r.unknown for r in needed_results(leg, found)}
-    rest = tuple((i, Result(x, f, values[x])) for x, (i, f) in _ordered(formulas) if x in asked)
+    asked = used_elsewhere(leg, found)
+    rest = _told(formulas, asked, leg)
     put = tuple(sorted(i for _, (i, _) in formulas.items()))
     return Inserted(put, into, whole, solved[1], Result(time, solved[0], values[time]), rest)
 
 
 def told_inserted(
-    found: Inserted, numbers: Sequence[int], phrases: Phrases, chain: Callable[[Result], tuple[Any, ...]]
+    found: Inserted | Reduced, numbers: Sequence[int], phrases: Phrases, chain: Callable[[Result], tuple[Any, ...]]
 ) -> Iterator[Block]:
     """(8), (9) in (7): the equation in the time; the time; and all else by it. `numbers`: of the equations."""
+    if isinstance(found, Reduced):
+        yield from _told_reduced(found, numbers, phrases, chain)
+        return
     put = numbered([numbers[i] for i in found.put])
-    terms = sp.Add.make_args(expanded(found.residual))
-    left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
-    sides = (phrases.math(left), phrases.math(left - sp.Add(*terms)))
-    yield Equation(sides, None, line(f"{put} in ({numbers[found.into]}):"))
+    yield Equation(_sides(found.residual, phrases), None, line(f"{put} in ({numbers[found.into]}):"))
     lead = line("divided by ", Math(found.time.unknown), " ≠ 0:") if found.divided else ()
     yield Equation(chain(found.time), None, lead)
     for i, result in found.others:
         yield Equation(chain(result), None, line(f"({numbers[i]}):"))
 
 
-Formulas = dict[sp.Symbol, tuple[int, sp.Expr]]
+@record
+class Reduced:
+    """Two equations that are left of more, in two unknowns."""
+
+    put: tuple[int, ...]
+    into: tuple[int, ...]
+    residuals: tuple[sp.Expr, ...]
+    results: tuple[Result, ...]
+    """The unknowns that are left."""
+    others: tuple[tuple[int, Result], ...]
+    """What is used besides, with the equation that gives each."""
+    settled: frozenset[sp.Symbol]
+    """Unknowns that rest on no letter without a number."""
+
+
+def _of_two(leg: RouteStep, found: MotionTrace, made: tuple[list[sp.Expr], Formulas, list[int]]) -> Reduced | None:
+    """Two equations in two unknowns, with everything else put into them."""
+    residuals, formulas, left = made
+    whole = [residuals[i] for i in left]
+    for _ in formulas:
+        whole = [e.xreplace({x: f for x, (_, f) in formulas.items()}) for e in whole]
+    whole = [expanded(e) for e in whole]
+    unknowns = set(leg.unknowns) - formulas.keys()
+    if any(longer(e, LONGEST) or not e.free_symbols & unknowns for e in whole):
+        return None
+    elsewhere = used_elsewhere(leg, found)
+    settled = found.route.settled | {r.unknown for r in leg.results if _is_fixed(r, found)}
+    asked = {e for r in found.requests for e in r.parts if e.is_Symbol}
+    if found.symbolic and (unknowns - settled - asked or elsewhere - unknowns):
+        return None
+    results = [r for r in leg.results if r.unknown in unknowns]
+    rest = _told(formulas, elsewhere, leg)
+    put = tuple(sorted(i for i, _ in formulas.values()))
+    order = sorted(range(2), key=lambda k: left[k])
+    return Reduced(put, tuple(sorted(left)), tuple(whole[k] for k in order), tuple(results), rest, settled)
+
+
+def _is_fixed(r: Result, found: MotionTrace) -> bool:
+    """Has it the same number whatever the letters of its formula are?"""
+    formula = r.formula
+    if formula is None or longer(formula, 2 * LONGEST):
+        return False
+    for _ in found.route.steps:
+        formula = formula.xreplace(dict(found.route.formulas))
+    own = by_name(formula.free_symbols)
+    if any(x in found.general for x in own):
+        return False
+    tried = [sp.N(formula.xreplace({x: sp.Rational(k + 3 * n, k) for n, x in enumerate(own, 1)})) for k in (7, 5)]
+    return all(e.is_real for e in tried) and bool(abs(tried[0] - tried[1]) < 1e-12)
+
+
+def _told_reduced(
+    found: Reduced, numbers: Sequence[int], phrases: Phrases, chain: Callable[[Result], tuple[Any, ...]]
+) -> Iterator[Block]:
+    """(3) to (8) in (9), (10): two equations, and what they give together."""
+    put, into = (numbered([numbers[i] for i in group]) for group in (found.put, found.into))
+    for k, residual in enumerate(found.residuals):
+        yield Equation(_sides(residual, phrases), None, line(f"{put} in {into}:") if k == 0 else ())
+    for k, result in enumerate(found.results):
+        # What has letters gets its closed formula with the answers.
+        open_yet = phrases.symbolic and result.unknown not in found.settled
+        shown = () if open_yet else (phrases.shown(result.unknown, result.value),)
+        sides = (phrases.math(result.unknown), *shown)
+        yield Equation(sides, None, line("together:") if k == 0 else ())
+    for i, result in found.others:
+        yield Equation(chain(result), None, line(f"({numbers[i]}):"))
+
+
+def _sides(residual: sp.Expr, phrases: Phrases) -> tuple[Math, Math]:
+    """An equation without minus signs."""
+    terms = sp.Add.make_args(expanded(residual))
+    left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
+    return phrases.math(left), phrases.math(left - sp.Add(*terms))
 
 
 def _explicit(residuals: list[sp.Expr], letters: set[sp.Symbol], time: sp.Symbol) -> tuple[Formulas, list[int]]:
@@ -91,20 +166,39 @@ def _explicit(residuals: list[sp.Expr], letters: set[sp.Symbol], time: sp.Symbol
     """
     found: Formulas = {}
     left = sorted(range(len(residuals)), key=lambda i: (time not in residuals[i].free_symbols, i))
-    for i in tuple(left):
-        for x in by_name(residuals[i].free_symbols & (letters - found.keys())):
-            slope = sp.diff(residuals[i], x)
-            if slope in (1, -1):
-                formula = expanded(x - residuals[i] / slope)
-                if not formula.free_symbols & letters - found.keys():
-                    found[x] = (i, formula)
-                    left.remove(i)
-                    break
-    return found, left
+    while True:
+        fresh = next((new for i in left if (new := _one_letter(i, residuals[i], letters, found))), None)
+        if fresh is None:
+            return found, left
+        letter, given = fresh
+        found[letter] = given
+        left.remove(given[0])
 
 
-def _ordered(formulas: Formulas) -> list[tuple[sp.Symbol, tuple[int, sp.Expr]]]:
-    return sorted(formulas.items(), key=lambda item: item[1][0])
+def _one_letter(
+    i: int, residual: sp.Expr, letters: set[sp.Symbol], found: Formulas
+) -> tuple[sp.Symbol, tuple[int, sp.Expr]] | None:
+    """A letter that an equation gives by what is known and by those that were `found`."""
+    for x in by_name(residual.free_symbols & (letters - found.keys())):
+        slope = sp.diff(residual, x)
+        formula = expanded(x - residual / slope) if slope in (1, -1) else x
+        if not formula.free_symbols & letters - found.keys():
+            return x, (i, formula)
+    return None
+
+
+def _told(formulas: Formulas, asked: set[sp.Symbol], leg: RouteStep) -> tuple[tuple[int, Result], ...]:
+    """The letters that are asked, by letters that have lines."""
+    values = {r.unknown: r.value for r in leg.results}
+    silent = {x: f for x, (_, f) in formulas.items() if x not in asked}
+    found = []
+    for x, (i, formula) in sorted(formulas.items(), key=lambda item: item[1][0]):
+        put = formula
+        for _ in silent:
+            put = put.xreplace(silent)
+        if x in asked:
+            found.append((i, Result(x, put, values[x])))
+    return tuple(found)
 
 
 def _solved(whole: sp.Expr, time: sp.Symbol, found: MotionTrace) -> tuple[sp.Expr, bool] | None:

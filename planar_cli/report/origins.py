@@ -182,19 +182,25 @@ def needed_results(leg: trace.RouteStep, found: MotionTrace) -> list[trace.Resul
     """What a step gives that is asked, or that a later line rests on; its first result always."""
     if len(leg.results) < 2:
         return list(leg.results)
+    used = set(used_elsewhere(leg, found))
+    kept: list[trace.Result] = []
+    for r in reversed(leg.results):
+        if r is leg.results[0] or r.unknown in used:
+            kept.insert(0, r)
+            used |= r.formula.free_symbols if r.formula is not None else set()
+    return kept
+
+
+def used_elsewhere(leg: trace.RouteStep, found: MotionTrace) -> set[sp.Symbol]:
+    """The unknowns of a step that are asked, or on which other lines rest."""
     routes = [found.route, *found.passing.values()]
     used = {s for route in routes for step in route.steps if step is not leg for s in _letters_of(step)}
     used |= {s for r in found.requests for e in (*r.parts, *(f for _, f in r.beside)) for s in e.free_symbols}
     used |= {s for span in found.spans if span.formula is not None for s in span.formula.free_symbols}
     used |= {s for span in found.spans for piece in span.pieces for s in piece.limits}
     told = {state for regime in found.regimes for state in regime.asked}
-    kept: list[trace.Result] = []
-    for r in reversed(leg.results):
-        role = found.ledger.roles.get(r.unknown)
-        if r is leg.results[0] or r.unknown in used or role is None or role.at in told:
-            kept.insert(0, r)
-            used |= r.formula.free_symbols if r.formula is not None else set()
-    return kept
+    roles = found.ledger.roles
+    return {x for x in leg.unknowns if x in used or x not in roles or roles[x].at in told}
 
 
 def _letters_of(step: trace.RouteStep) -> set[Any]:
