@@ -68,7 +68,8 @@ _EQUILIBRIA = {
     "PL635": (
         "Something is to be largest (or smallest) over a constant that is sought, and it is so in several ways, each "
         "of them largest among those near it: a throw up a slope, and one down its other side. Give the side "
-        "in the state, such as `x(P) > 0`."
+        "in the state, such as `x(P) > 0`. Or the motion passes all states with several values of what is sought, as "
+        "two angles of a throw that lead to one place: `assume: [beta < 45 deg]` chooses."
     ),
     "PL636": (
         "The file gives the static coefficient of friction alone. Whether something slides, and what holds as long as "

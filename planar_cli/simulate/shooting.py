@@ -37,8 +37,8 @@ TIMES, STEPS = 500.0, 1500
 """A state is looked for over so many characteristic times, and so many steps, at most."""
 PROBED = 2.0
 """Over so many characteristic times it is looked whether a constant changes anything."""
-PROBES = 5
-"""For so many values of it."""
+PROBES, GOLDEN = 5, 0.6180339887498949
+"""For so many values of it, which multiples of the golden ratio scatter."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
 SHORT = 1e-3
@@ -94,7 +94,8 @@ def has_no_effect(problem: Problem, known: Mapping[str, float]) -> bool:
     if not shots:
         return False
     values = next(values_tried(problem, problem.unknowns[0], known))
-    tried = [values[k * (len(values) - 1) // (PROBES + 1)] for k in range(1, PROBES + 1)]
+    # Not evenly: two angles with one cosine would tell nothing.
+    tried = [values[round(k * GOLDEN % 1.0 * (len(values) - 1))] for k in range(1, PROBES + 1)]
     # Of a spring, say, that pushes only while it is compressed two of them might leave everything at rest.
     probes = [p for v in tried if (p := _sides(shots[0].problem, {**known, problem.unknowns[0].name: v}))]
     return len(probes) > 1 and all(_alike(one, other) for one, other in pairwise(probes))

@@ -32,11 +32,13 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
 
     Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
     """
+    if _says(error, SEVERAL):
+        raise error
     if len(problem.unknowns) > 1:
         return _roots_of_several(problem, earlier, error)
     try:
         idle = has_no_effect(problem, numbers_of(earlier))
-        best = None if idle or _says(error, SEVERAL) else best_value(problem, numbers_of(earlier))
+        best = None if idle else best_value(problem, numbers_of(earlier))
         roots = None if idle or best is not None else shooting(problem, numbers_of(earlier))
     except PlanarError:
         # What keeps the motion from being followed is not what is wrong with the file.

@@ -38,10 +38,15 @@ def chosen_extreme(course: MotionEquations) -> tuple[State, Demand] | None:
 
 
 def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[SolvedMotion]) -> SolvedMotion:
-    """The motion that is meant. `again`: those that pass such a state before. NoSolution: the file must choose."""
+    """The motion that is meant; one with negative constants only where there are no others. `again`: those that pass
+    such a state before. NoSolution: the file must choose.
+    """
     if not fits:
         return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
     _demand_choice(course, [f.branch for f in fits])
+    usual = [f for f in fits if all(f.branch.values.get(s, 0) >= 0 for s in course.sought())]
+    fits = usual or fits
+    _demand_one(course, [f.branch for f in fits])
     return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
 
 
@@ -60,6 +65,22 @@ def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
     listed = "; ".join(_words(course, b) for b in fitting)
     text = f"state {state.name}: `{demand.text}` in several ways: {listed}"
     raise NoSolution([Diagnostic(demand.mark, "PL635", text, _hint(course, fitting, state))])
+
+
+def _demand_one(course: MotionEquations, branches: Sequence[Branch]) -> None:
+    """NoSolution: the motion passes all states with several numbers of the constants that are sought."""
+    if not course.sought() or chosen_extreme(course) is not None:
+        return
+    distinct: list[Branch] = []
+    for branch in branches:
+        own = replace(branch, values={s: branch.values[s] for s in course.sought() if s in branch.values})
+        if own.values and not any(_same(course, own, b) for b in distinct):
+            distinct.append(own)
+    if len(distinct) > 1:
+        told = "; or ".join(_words(course, b) for b in distinct)
+        text = f"{told}: with each of them the motion passes all states"
+        hint = "write an inequality that tells which is meant"
+        raise NoSolution([Diagnostic(course.problem.unknowns[0].mark, "PL635", text, hint)])
 
 
 def _height(course: MotionEquations, branch: Branch, state: State, demand: Demand) -> Decimal:

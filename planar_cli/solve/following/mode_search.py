@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.records import changing
-from planar_cli.solve.between.alternatives import chosen_extreme, one_of
+from planar_cli.solve.between.alternatives import one_of
 from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.between.branch_order import candidates
 from planar_cli.solve.between.chain import Branch
@@ -313,7 +313,7 @@ class ModeSearch(ModeChoice):
             top = self._look(course, SolvedMotion(course, finds, branch, None, course.base(), guessed), seen)
             if top is not None:
                 return top
-            if seen.fits and chosen_extreme(course) is None:
+            if seen.fits and not course.sought():
                 break
         if seen.fits or seen.again:
             return one_of(course, seen.fits, seen.again)

@@ -1,0 +1,60 @@
+"""Several values of a sought constant with which a motion passes all states: the file must choose; none is left out
+in silence.
+"""
+
+from __future__ import annotations
+
+from math import asin, cos, degrees, radians
+
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.errors import NoSolution
+
+THROW = """
+title: Throw at a target on the level
+plane: vertical
+given: {{v_0: 15 m/s}}
+unknowns: {{beta: deg}}
+{more}
+points: {{P: [0, 0]}}
+bodies: {{ball: {{particle: P, mass: 1 kg}}}}
+states:
+  1: [t = 0, r(P).x = 0, r(P).y = 0, v(P).mag = v_0, v(P).angle = beta]
+  2: [r(P).y = 0, r(P).x = 20 m]
+find: {{beta: beta in deg, T: t @ 2}}
+"""
+STEEP = 90 - degrees(asin(9.81 * 20 / 15**2)) / 2
+"""Of sin 2β = g d/v_0²."""
+
+
+def test_both_angles_of_a_throw_are_told() -> None:
+    with pytest.raises(NoSolution, match=r"beta = 30\.35 deg; or beta = 59\.65 deg: with each of them") as refused:
+        solve(THROW.format(more=""))
+    assert [d.code for d in refused.value.diagnostics] == ["PL635"]
+
+
+@pytest.mark.parametrize(
+    ("assumed", "angle"), [("beta > 45 deg", STEEP), ("beta < 45 deg", 90 - STEEP), ("beta > 31 deg", STEEP)]
+)
+def test_an_inequality_chooses(assumed: str, angle: float) -> None:
+    found = solve(THROW.format(more=f"assume: [{assumed}]"))
+    assert_close(found["beta"], radians(angle), 6)
+    assert_close(found["T"], 20 / (15 * cos(radians(angle))), 6)
+
+
+def test_a_speed_is_not_negative_where_another_value_fits() -> None:
+    """Either way round the speed at the foot of a hill is the same."""
+    found = solve("""
+title: Car that just comes over a hill
+plane: vertical
+unknowns: {v_0: m/s}
+points: {A: [0, 0]}
+bodies: {car: {particle: A, mass: 900 kg}}
+joints: [{guide: {point: A, along: 30 deg}}]
+states:
+  1: [t = 0, v(A).x = v_0*cos(30 deg)]
+  2: [y(A) = 5 m, v(A).x = 0]
+find: {v_0: v_0}
+""")
+    assert_close(found["v_0"], (2 * 9.81 * 5) ** 0.5)
