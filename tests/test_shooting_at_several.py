@@ -46,6 +46,7 @@ def test_both_components_of_a_start_velocity() -> None:
     assert first(found["w"]) == pytest.approx(28.42447064, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_two_orbits_go_there() -> None:
     """One with the other way round; an inequality tells which is meant (by Kepler's equation, the first)."""
     with pytest.raises(NoSolution) as caught:
