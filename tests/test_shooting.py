@@ -241,7 +241,9 @@ def test_what_is_largest_over_a_constant() -> None:
 
 def test_what_is_smallest_at_the_edge_of_reach_is_told() -> None:
     text = LOOP.replace("N(P) = 0", "u is smallest")
-    with pytest.raises(NoSolution, match=r"beyond about u = 5.09 m/s the state 2 is not reached"):
+    with pytest.raises(
+        NoSolution, match=r"`u is smallest` at about u = 5.09 m/s, the last value with which state 2 is reached"
+    ):
         _part(text)
 
 
