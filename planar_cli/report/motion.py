@@ -206,11 +206,12 @@ class MotionTelling:
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
             if first := self._by_function(leg, r, numbers, route):
                 yield Equation(first, None, lead if i == 0 else ())
-                yield Equation((sides[0], sides[-1]))
+                yield Equation((sides[0], sides[-1], *self.phrases.converted(r.unknown, r.value)))
             else:
                 if len(sides) == 2:
                     sides = (sides[0], *self._solved(leg, r, route), sides[1])
-                yield Equation(named or sides, None, lead if i == 0 else ())
+                sides = (*(named or sides), *self.phrases.converted(r.unknown, r.value))
+                yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
 
@@ -341,24 +342,20 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        formula = self._formula(r)
+        formula, radians = self._formula(r), self.phrases.in_radians(r.unknown, r.formula, r.value)
         if formula is None and (known := self._in_known(r, LONGEST if explicit else 2 * PLAIN, explicit)):
-            return self.phrases.math(r.unknown), *known, *self._radians(r), self._shown(r)
+            return self.phrases.math(r.unknown), *known, *radians, self._shown(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if formula is not None and (not formula.is_number or phrases.symbolic):
             sides.append(self.phrases.math(formula))
             if not formula.is_Symbol:
                 sides += phrases.substituted(formula, self._shown(r))
         if not phrases.symbolic:
-            sides += [*(self._radians(r) if len(sides) > 1 else ()), self._shown(r)]
+            own = self.phrases.converted(r.unknown, r.value) if explicit else []
+            sides += [*(radians if len(sides) > 1 else ()), self._shown(r), *own]
         elif formula is None:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
-
-    def _radians(self, r: Result) -> list[Value]:
-        """An angle that is told in degrees, as it is worked out."""
-        told = self.phrases.by_radians(r.unknown, r.formula) and r.value.is_finite()
-        return [Value(r.value, "rad", self.phrases.figures)] if told else []
 
     def _formula(self, r: Result) -> sp.Expr | None:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""

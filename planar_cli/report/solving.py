@@ -60,7 +60,8 @@ class SolvingTelling:
             if not expr.is_Symbol:
                 sides += self.phrases.substituted(expr, value)
         if not self.phrases.symbolic:
-            sides.append(value)
+            number = self.phrases.value.known(symbol)
+            sides += [value, *(self.phrases.converted(symbol, number) if number is not None else ())]
         elif expr.is_number:
             sides.append(self.phrases.math(expr))
         return tuple(sides)

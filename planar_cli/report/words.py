@@ -13,7 +13,7 @@ from sympy.functions.elementary.trigonometric import InverseTrigonometricFunctio
 from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger, display
+from planar_cli.equation.ledger import Kind, Ledger, display
 from planar_cli.equation.one_way import one_way, sized
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
@@ -148,11 +148,12 @@ class Phrases:
         unit = self.ledger.units.get(symbol)
         return unit is not None and unit.angle and bool(unit.pi_power) and unit.text == "deg"
 
-    def by_radians(self, symbol: sp.Symbol, formula: sp.Expr | None) -> bool:
-        """Is an angle that is told in degrees worked out in radians, as ω t is?"""
-        if formula is None or not self._in_degrees(symbol) or formula.is_number:
-            return False
-        return not is_angle(formula, [s for s in formula.free_symbols if self._in_degrees(s)])
+    def in_radians(self, symbol: sp.Symbol, formula: sp.Expr | None, value: Decimal) -> list[Value]:
+        """An angle that is told in degrees, where it is worked out in radians, as ω t is."""
+        if formula is None or not self._in_degrees(symbol) or formula.is_number or not value.is_finite():
+            return []
+        turns = is_angle(formula, [s for s in formula.free_symbols if self._in_degrees(s)])
+        return [] if turns else [Value(value, "rad", self.figures)]
 
     def _in_page_units(self, symbol: sp.Symbol, value: Decimal) -> Decimal:
         unit = self.ledger.units.get(symbol)
@@ -196,6 +197,13 @@ class Phrases:
             return Value(self._in_unit(number, unit), "deg", self.figures)
         own = self.page_unit(unit)
         return Value(self._in_unit(number, own), own.text, self.figures)
+
+    def converted(self, symbol: sp.Symbol, value: Decimal) -> list[Value]:
+        """The value of a constant that is sought in the unit in which the file asks for it: 2.083 ft = 25 in."""
+        unit, role = self.ledger.units.get(symbol), self.ledger.roles.get(symbol)
+        if unit is None or role is None or role.kind is not Kind.SOUGHT or unit.angle or self.symbolic:
+            return []
+        return self.in_units(value, unit)[1:] if value and value.is_finite() else []
 
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""
