@@ -139,3 +139,8 @@ def test_one_answer_alone_has_no_head() -> None:
     document = narrate(worked(FILES["ex-2-09"])[0], why="a_cor")
     assert not [b for b in document.blocks if isinstance(b, Note) and b.kind in ("Given", "Find", "Principle")]
     assert isinstance(FILES["ex-2-09"], Path)
+
+
+def test_data_of_a_state_of_a_case_have_its_name() -> None:
+    page = Terminal(200).render(narrate(worked(FILES["ball-off-a-smooth-wall"])[0]))
+    assert "Given       land: x_ball = 0" in page

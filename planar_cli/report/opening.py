@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
-from planar_cli.report.blocks import Block, Line, Name, Note, Value, line
+from planar_cli.report.blocks import Block, Line, Name, Note, Text, Value, line
 from planar_cli.report.given import given_rows, idle_masses
 from planar_cli.report.mentioned import Mentioned, mentioned
 from planar_cli.report.principles import principles
@@ -57,7 +57,17 @@ def changed_notes(
     """What a case gives otherwise than the file, or besides. `phrases`: of the file, and of the case."""
     seen = mentioned(blocks)
     before = {datum for row in _rows(problem, seen, phrases[0], figures) for datum in row}
-    yield from _given([[d for d in row if d not in before] for row in _rows(case, seen, phrases[1], figures)])
+    names = {f"{s.name}: " for s in case.states}
+    yield from _given([_changed(row, before, names) for row in _rows(case, seen, phrases[1], figures)])
+
+
+def _changed(row: Sequence[Line], before: Collection[Line], names: Collection[str]) -> list[Line]:
+    """What of a row is new, behind the name of its state. `names`: how the rows of states begin."""
+    new = [d for d in row if d not in before]
+    opens = row[0][0] if row and row[0] else None
+    if new and new[0] != row[0] and isinstance(opens, Text) and opens.text in names:
+        new[0] = line(opens, *new[0])
+    return new
 
 
 def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int) -> list[Sequence[Line]]:
