@@ -22,6 +22,12 @@ def root_edge(system: System, body: str) -> Edge | None:
     return edge
 
 
+def rolls(system: System, body: str) -> bool:
+    """Does it roll on the ground?"""
+    joinings = (j for mode in system.modes.values() for j in mode.facts.joinings)
+    return any({j.mover, j.base} == {body, GROUND} and j.rolling is not None and j.drift is None for j in joinings)
+
+
 def led(system: System, body: str) -> str:
     """It rolls, or hangs on a wheel that does, or turns about a fixed point; "": neither."""
     edge = root_edge(system, body)

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.led import led
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Moving, Position
 
 
@@ -15,10 +17,9 @@ def body_families(position: Position) -> Iterator[BodyFamily]:
         yield BodyFamily(body, *body_residuals(position.system, body))
 
 
-def moving_of(position: Position, bodies: Iterable[str]) -> Iterator[Moving]:
+def moving_of(system: System, motion: Motion, bodies: Iterable[str]) -> Iterator[Moving]:
     """What kinetic energies and momenta are made of."""
-    scene, motion = position.system.scene, position.motion
     for name in bodies:
-        body, center = scene.bodies[name], scene.center_name(name)
+        body, center = system.scene.bodies[name], system.scene.center_name(name)
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
-        yield Moving(name, body.mass, body.inertia, v.x, v.y, omega, center, led(position.system, name))
+        yield Moving(name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name))

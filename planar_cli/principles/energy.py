@@ -92,7 +92,7 @@ class WorkEnergy(Principle):
             idle=_idle(position),
             adds=True,
             timeless=True,
-            moving=tuple(moving_of(position, scene.bodies)),
+            moving=tuple(moving_of(position.system, motion, scene.bodies)),
             longest=500,
         )
 

@@ -109,7 +109,7 @@ def _balances(position: Position) -> Iterator[Balance]:
             if not rate.free_symbols & loose:
                 through, parts = _passing(position, group, center), _angular(position, group, center)
                 aside = "" if name in fixed else _beside(position, group[0], name)
-                moving = tuple(moving_of(position, group))
+                moving = tuple(moving_of(system, position.motion, group))
                 yield from _balance(group, parts, rate, "↺ ", name, aside, through, moving)
 
 

@@ -19,7 +19,7 @@ from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.inertias import inertia_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
-from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, VELOCITY
+from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY
 
 SHORT = 12
 """Longer velocities, momenta and impulses stand in the balance alone."""
@@ -40,10 +40,31 @@ class MomentumTelling:
     def lines(self) -> Iterator[Block]:
         """The momentum at the end, of one body that turns; and the impulse."""
         parts = self.balance.parts
-        if parts is not None and len(parts.moving) == 1 and self.balance.law.about:
-            yield from self._momentum(parts.moving[0])
+        if parts is not None and len(parts.moving) == 1:
+            yield from self._led(parts.moving[0])
+            yield from self._momentum(parts.moving[0]) if self.balance.law.about else ()
         if self.balance.impulse is not None and self.balance.gain != 0:
             yield from self._impulse(self.balance.impulse)
+
+    def _led(self, made: Moving) -> Iterator[Block]:
+        """What the balance counts by the speed of another body: turning, or going along one axis."""
+        omega, stop = self._put(made.omega), self.balance.stop
+        along = [v for v in (self._put(made.vx), self._put(made.vy)) if v != 0]
+        name = f"omega_{made.body}" if self.balance.law.about else f"v_{made.center or made.body}"
+        own, expr = sp.Symbol(f"{name}{STATE}{stop}", real=True), omega
+        if not self.balance.law.about:
+            expr = along[0] if len(along) == 1 else sp.S.Zero
+        dimension = RATE if self.balance.law.about else VELOCITY
+        if own in self.told or expr in (0, own) or (expr.is_Symbol and not self.balance.law.about):
+            return
+        whose = {str(s).partition(STATE)[0].partition("_")[2] for s in expr.free_symbols if STATE in s.name}
+        if (
+            not {"", made.body} & whose
+            and not longer(expr, SHORT)
+            and is_clean(self.phrases.ledger, expr, dimension=dimension)
+        ):
+            self.told.add(own)
+            yield Equation((Math(own), self.phrases.math(expr)), None, note=line(made.why))
 
     def _momentum(self, made: Moving) -> Iterator[Block]:
         """Where the velocity of the mass centre rests on that of turning: both momenta, then their sum."""
@@ -52,6 +73,8 @@ class MomentumTelling:
         if len(along) != 1 or not omega.is_Symbol or omega not in along[0].free_symbols or made.inertia == 0:
             return
         own = sp.Symbol(f"v_{made.center or 'G'}{STATE}{self.balance.stop}", real=True)
+        if made.mass == 0:
+            return
         arm = simplified((after - self._put(made.inertia) * omega) / (self._put(made.mass) * along[0]))
         inertia = inertia_of(made.body, made.inertia, self.phrases)
         whole = sp.Add(inertia * omega, made.mass * arm * own, evaluate=False)

@@ -15,8 +15,10 @@ from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.led import led, rolls
 from planar_cli.equation.plain import identically_zero
-from planar_cli.principles.base import Balance, Impulses
+from planar_cli.equation.system import System
+from planar_cli.principles.base import Balance, Impulses, Moving
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.regimes.equations import Equation
@@ -101,9 +103,21 @@ def _integrated(
         bodies=w.bodies,
         heading=f"angular {offer.words} about " if about else "",
         about=about,
+        moving=tuple(_moving(system, w.bodies)),
         lead="↺ " if w.along is None else f"{_arrow(w.along, regime.general.value)} ",
     )
     return StateBalance(law, a, b, before, after, (("", impulse),))
+
+
+def _moving(system: System, bodies: tuple[str, ...]) -> Iterator[Moving]:
+    """How the bodies of an equation move, and why."""
+    motion = system.motion
+    for body in bodies if motion is not None else ():
+        assert motion is not None
+        made, twist = system.scene.bodies[body], motion.velocities[body]
+        v = motion.velocity(made.center, body)
+        why = f"{body} rolls without slipping" if rolls(system, body) else led(system, body)
+        yield Moving(body, made.mass, made.inertia, v.x, v.y, twist.angular, system.scene.center_name(body), why)
 
 
 def _arrow(direction: tuple[sp.Expr, sp.Expr], value: Valuation) -> str:
