@@ -333,7 +333,8 @@ class Telling:
 
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
-            return self._at_limit(w) or f"Given: {w.words or w.lead}"
+            often = ("", ", differentiated", ", differentiated twice")[w.times]
+            return self._at_limit(w) or f"Given: {w.words or w.lead}{often}"
         if w.source in OF_FORCES:
             return f"{_begun(w.lead)}:"
         if w.source == "closure":
