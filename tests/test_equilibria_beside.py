@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from answered import assert_close, solve
+from answered import assert_close, number, solve
 
+from planar_cli.errors import Undecided
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, simulate
@@ -117,3 +118,25 @@ def test_what_acts_from_it_on_acts_in_it_alone() -> None:
     assert_close(found["y_1"], REST - 0.1)
     assert_close(found["y_2"], REST + 0.1)
     assert_close(found["t_2"], math.pi / 10)
+
+
+def test_equations_nonlinear_in_two_coordinates_are_not_called_impossible() -> None:
+    """A weight hangs between two springs; that it hangs in the middle is nothing that the equations tell."""
+    text = """
+title: Weight between two springs
+plane: vertical
+coordinates: {x: m, y: m}
+points: {A: [-1 m, 0], B: [1 m, 0], P: [x, y]}
+bodies: {weight: {particle: P, mass: 2 kg}}
+loads:
+  - spring: {between: [A, P], stiffness: 100 N/m, natural_length: 1 m}
+  - spring: {between: [B, P], stiffness: 100 N/m, natural_length: 1 m}
+states: {1: [equilibrium]}
+find: {y: y(P) @ 1}
+"""
+    with pytest.raises(Undecided, match="equilibrium are nonlinear in several unknowns at once"):
+        solve(text)
+    found = solve(text.replace("P: [x, y]", "P: [0, y]").replace("x: m, ", ""))
+    y = float(number(found["y"]))
+    length = (1 + y * y) ** 0.5
+    assert -2 * 100 * (length - 1) * y / length == pytest.approx(2 * 9.81)

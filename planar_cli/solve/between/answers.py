@@ -119,7 +119,7 @@ class Answering:
         relation = isinstance(asked.find.found.what, Relation)
         named = [c for c in closed if c in varying or (relation and c.free_symbols & varying)]
         if asked.at is None and named and all(c in named or c == 0 for c in closed):
-            states = ", ".join(f"`@ {s.name}`" for s in self.course.states)
+            states = ", ".join(f"`@ {s.name}`" for s in self.course.problem.states)
             text = f"{asked.find.name} varies in the course of the motion: it has no one value"
             raise refuse(asked.find.mark, "PL560", text, f"say at which state: {states}")
 

@@ -14,7 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative, simplified
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, undecided_at
 from planar_cli.problem.expression import Statement
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.order_of_states import as_listed
@@ -71,6 +71,7 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
         hint = "write the points that may move with `coordinates`, or let a state that is as drawn come before it"
         raise NoSolution([Diagnostic(first.mark, "PL630", text, hint)])
     if not whole:
+        _demand_letter_by_letter(course, states, demands, [*equations, *drawn])
         hint = "check the relations of the state, and whether the forces can balance at all"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: no position of equilibrium is found", hint)])
     whole = _tops(course, states, demands, [*equations, *drawn], whole)
@@ -175,6 +176,47 @@ def _unknowns(course: RegimeSequence, states: tuple[State, ...]) -> frozenset[sp
     return frozenset([*(v for s in states for v in course.stops[s.name].letters.values()), *course.sought()])
 
 
+def _chain(
+    course: RegimeSequence,
+    states: tuple[State, ...],
+    demands: Mapping[str, tuple[Demand, ...]],
+    equations: list[Equation],
+    fixed: Mapping[sp.Symbol, Decimal],
+) -> Chain:
+    """The search of all positions in which the equations hold."""
+    base = course.given().extended(dict(fixed))
+    wanted = [d for ds in demands.values() for d in ds if d.kind == "inequality"]
+
+    def possible(values: dict[sp.Symbol, Decimal]) -> bool:
+        number = base.extended(values)
+        return all(_holds(d, number) for d in wanted)
+
+    unknowns = _unknowns(course, states).difference(fixed)
+    angles = dict.fromkeys(_angles(course, states))
+    symbolic = any(e.residual.free_symbols & set(base.values) for e in equations)
+    return Chain(unknowns, {}, angles, base, symbolic, possible, natural=course.natural(unknowns))
+
+
+def _angles(course: RegimeSequence, states: tuple[State, ...]) -> dict[sp.Symbol, None]:
+    """The letters that are angles, in order."""
+    units, stops = course.ledger.units, [course.stops[s.name] for s in states]
+    letters = [v for stop in stops for v in stop.letters.values()]
+    return {v: None for v in letters if units[v].angle and units[v].text in ("rad", "deg", "rev")}
+
+
+def _demand_letter_by_letter(
+    course: RegimeSequence,
+    states: tuple[State, ...],
+    demands: Mapping[str, tuple[Demand, ...]],
+    equations: list[Equation],
+) -> None:
+    """Undecided: the equations do not give one letter after the other."""
+    found = list(_chain(course, states, demands, equations, {}).branches(equations))
+    if found and all(b.left for b in found):
+        text = "the equations of equilibrium are nonlinear in several unknowns at once"
+        raise undecided_at(states[0].mark, f"{text}; a coordinate less may help, where symmetry tells one")
+
+
 def _branches(
     course: RegimeSequence,
     states: tuple[State, ...],
@@ -183,23 +225,9 @@ def _branches(
     fixed: Mapping[sp.Symbol, Decimal] = MappingProxyType({}),
 ) -> list[Branch]:
     """All positions in which the equations hold, one of each. `fixed`: sought constants that have these values."""
-    base = course.given().extended(dict(fixed))
-    stops = [course.stops[s.name] for s in states]
-    letters = [v for stop in stops for v in stop.letters.values()]
-    units = course.ledger.units
-    angles = {v: None for v in letters if units[v].angle and units[v].text in ("rad", "deg", "rev")}
-    parameters = set(base.values)
-    symbolic = any(e.residual.free_symbols & parameters for e in equations)
-    wanted = [d for ds in demands.values() for d in ds if d.kind == "inequality"]
+    chain = _chain(course, states, demands, equations, fixed)
+    base, symbolic, natural = chain.value, chain.symbolic, chain.natural
     sizes = [s for s in course.sought() if s.name in not_negative(course.problem)]
-
-    def possible(values: dict[sp.Symbol, Decimal]) -> bool:
-        number = base.extended(values)
-        return all(_holds(d, number) for d in wanted)
-
-    unknowns = _unknowns(course, states).difference(fixed)
-    natural = course.natural(unknowns)
-    chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
     found = [b for b in chain.branches(equations) if not b.left]
     found = [b for b in found if not any(s in b.formulas and b.formulas[s].is_negative for s in sizes)]
     proper = [b for b in found if all(b.values.get(s, Decimal(0)) >= 0 for s in sizes)]
@@ -208,7 +236,7 @@ def _branches(
     if not symbolic:
         found = [b for b in found if _assumed(course, states, base.extended(b.values))]
     found = [replace(b, values={**b.values, **fixed}) for b in found]
-    return _distinct(found, set(angles), natural)
+    return _distinct(found, set(_angles(course, states)), natural)
 
 
 def _assumed(course: RegimeSequence, states: tuple[State, ...], number: Valuation) -> bool:
