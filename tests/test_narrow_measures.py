@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from types import SimpleNamespace
 from typing import Any
 
@@ -16,7 +17,7 @@ from planar_cli.motion.crossings import Watch
 from planar_cli.motion.drive import drive
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Settings, simulate
-from planar_cli.solve.between.agreement import demand_fulfilled
+from planar_cli.solve.between.agreement import _without_turns, demand_fulfilled
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.units import parse_unit
 
@@ -107,3 +108,11 @@ def fulfils(residual: sp.Expr, **numbers: str) -> bool:
 )
 def test_terms_that_vanish_together(residual: sp.Expr, numbers: dict[str, str], holds: bool) -> None:
     assert fulfils(residual, **numbers) is holds
+
+
+@pytest.mark.parametrize(("off", "left"), [(0.6283185307179586, 0.0), (-1.2566370614359172, 0.0), (0.3, 0.3)])
+def test_whole_turns_of_an_angle_are_left_out_and_nothing_else(off: float, left: float) -> None:
+    x, y = sp.symbols("x y")
+    value = Valuation({x: Decimal(1), y: Decimal(2)})
+    found = _without_turns(Decimal(repr(off)), x - sp.Rational(1, 10) * sp.atan2(y, x), value)
+    assert float(found) == pytest.approx(left, abs=1e-12)

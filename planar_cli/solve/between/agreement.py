@@ -13,9 +13,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import NoValue
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.solve.between.events import LOOKS
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.integrated import apart, digits
@@ -41,7 +41,7 @@ def compared(found: SolvedMotion) -> tuple[str, ...]:
 
 def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collection[sp.Symbol]) -> None:
     """Disagreement: what following the motion alone has given does not fulfil an equation that it stands in. What is
-    said of the start of a later regime speaks of no moment of the motion.
+    said of the start of a later regime speaks of no moment of the motion. Undecided: it does but for turns.
     """
     for e in course.equations:
         if e.kind == "start" or not e.residual.free_symbols.intersection(guessed) or e.residual.has(sp.Integral):
@@ -51,9 +51,24 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
             continue
         # Terms that all vanish there, as of a velocity across a radius, are measured by what their letters may be off;
         # a number beside them does not vanish.
+        if abs(_without_turns(off, e.residual, value)) <= Decimal(repr(APART)) * value.size(e.residual):
+            raise Undecided(f"an angle in the equation of {e.words} goes on over turns that its formula does not count")
         known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
         if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
             raise Disagreement(f"the motion that was followed contradicts an equation: {e.words}")
+
+
+def _without_turns(off: Decimal, residual: sp.Expr, value: Valuation) -> Decimal:
+    """What is left of a residual when angles that go on over many turns, of which a formula tells the last one, are
+    counted so that it is least.
+    """
+    for angle in sorted(residual.atoms(sp.atan2), key=str):
+        letter = sp.Dummy()
+        slope = value.known(derivative(residual.xreplace({angle: letter}), letter))
+        if slope:
+            turn = abs(slope) * 2 * PI
+            off -= (off / turn).to_integral_value() * turn
+    return off
 
 
 def _play(course: MotionEquations, value: Valuation, residual: sp.Expr, guessed: Collection[sp.Symbol]) -> Decimal:
