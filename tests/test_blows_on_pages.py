@@ -135,7 +135,7 @@ def test_the_authors_letter_of_a_mass_centre() -> None:
 
 
 @pytest.mark.parametrize(("stem", "words"), [
-    ("ex-4-12", "angular impulse and momentum about C, through which N_C, F_C and m g pass:"),
+    ("ex-4-12", "angular impulse and momentum about C (C moves parallel to G), through which N_C, F_C and m g pass:"),
     ("puck-drawn-in-by-a-string", "conservation of angular momentum about O, through which T_string passes:"),
     ("satellite-perigee-apogee", "conservation of angular momentum about O, through which F_attraction passes:"),
 ])  # fmt: skip

@@ -33,7 +33,7 @@ def test_what_is_asked_is_told_in_it() -> None:
 
 def test_an_angular_velocity_is_a_letter_too() -> None:
     text = page("textbook/ex-1-09")
-    assert "v_E = r_h ω = 0.3 · 0.3333 = 0.1 m/s" in text
+    assert "v_E = r_h ω = 0.3 · 0.33333 = 0.1 m/s" in text
     assert "v_B_at_2s, x = -R ω sin θ_2" in text
 
 

@@ -31,7 +31,6 @@ FAULTS = [
     IndexError("x"),
     ZeroDivisionError("x"),
     Unvalued("v_2"),
-    NoValue("no real value"),
     TypeError("x"),
 ]
 

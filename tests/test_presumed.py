@@ -54,7 +54,7 @@ def test_a_sign_that_the_file_leaves_open_is_said(scene: str, unit: str, letters
     text = told(scene % (", ".join(f"{x}: {unit}" for x in letters), ""))
     above = "Assume a > b" in text
     assert above != ("Assume b > a" in text)
-    free = "T = 0 N" if scene is ROPE else "= a Check"
+    free = "T = 0 N" if scene is ROPE else "= a to the right Check"
     assert (free in text) == (above == (scene is ROPE))
 
 
