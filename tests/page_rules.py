@@ -209,6 +209,10 @@ class Told:
     value: tuple[float, str] | None
 
 
+SENSE = re.compile(r",?(?: that is)? (?:clockwise|counterclockwise|upward|downward|to the left|to the right)$")
+"""What a formula as an answer has behind it."""
+
+
 def answers(page: Page) -> list[Told]:
     """The answers of a page; words such as "yes" and curves have neither number nor formula and are left out."""
     rows: list[list[str]] = []
@@ -227,6 +231,8 @@ def answers(page: Page) -> list[Told]:
             if not equal or len(letter.split()) > 1 or not symbols(letter):
                 letter, rest = name, text
             signed = re.sub(rf"^{NUMBER}[^,]*, that is ", "", rest)
+            if value_of(SENSE.sub("", signed)) is None and symbols(SENSE.sub("", signed)):
+                signed = SENSE.sub("", signed)
             found.append(Told(name, letter.lstrip("-"), signed, part, value_of(signed)))
     return found
 
@@ -371,7 +377,8 @@ def phrases(page: Page, forbidden: tuple[str, ...]) -> Iterator[str]:
     """Lines with a phrase that has no place on a page."""
     labels = ("text", "heading", "equation", *(w.lower() for w in LABELS), *(f"{w.lower()} on" for w in LABELS))
     for r in page.of(*labels):
-        if any(p in r.text for p in forbidden):
+        # A length that is kept may be said where its formula stands.
+        if any(p in r.text for p in forbidden) and "= const." not in r.text:
             yield r.text
 
 

@@ -28,6 +28,7 @@ from planar_cli.units import (
     ENERGY,
     FORCE,
     INERTIA,
+    LENGTH,
     MASS,
     RATE,
     STIFFNESS,
@@ -222,7 +223,7 @@ class EnergyTelling(EnergyPieces):
             known = self.phrases.value.known(own) is not None
             if (own, expr) not in self.told and expr != own and not (known and expr.is_number):
                 self.told.add((own, expr))
-                yield Equation((Math(own), *self._length(expr)))
+                yield self._line(Math(own), *self._length(expr), dimension=LENGTH)
 
     def _factor(self, made: Storage, dimension: Dimension) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
         """m g or k; a number, where letters alone do not make it."""
@@ -246,17 +247,18 @@ class EnergyTelling(EnergyPieces):
             ends[own] = self._put(expr)
             if (own, ends[own]) not in self.told:
                 self.told.add((own, ends[own]))
-                yield Equation((line(f"stretch of the {made.words}, ", Math(own)), *self._length(ends[own])))
+                stretch = line(f"stretch of the {made.words}, ", Math(own))
+                yield self._line(stretch, *self._length(ends[own]), dimension=LENGTH)
         one, two = ends
         inside = sp.Add(one**2, -(two**2), evaluate=False)
         factor, sizes = self._factor(made, STIFFNESS)
         told = sp.Mul(sp.Rational(1, 2), factor, inside, evaluate=False)
         yield self._line(lead, self._lettered(told, sizes), *self._numbers(put, self._with(told, ends, sizes)))
 
-    def _line(self, *sides: Any) -> Equation:
-        """One energy, with its unit where numbers stand beside unknowns."""
+    def _line(self, *sides: Any, dimension: Dimension = ENERGY) -> Equation:
+        """One energy or length, with its unit where numbers stand beside unknowns."""
         mixed = isinstance(sides[-1], Math) and sides[-1].values
-        unit = coherent_unit(ENERGY, us=self.phrases.ledger.us)
+        unit = coherent_unit(dimension, us=self.phrases.ledger.us)
         return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
 
 

@@ -13,8 +13,8 @@ from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLI
 CROSS, DOUBLED, CORIOLIS = " × ", " + 2 ", "a_cor"
 """The product in v = ω × r; what stands before that of a Coriolis acceleration, and its name."""
 LENGTHS = {
-    "rope": "The cord keeps its length.",
-    "link": "The link keeps its length.",
+    "rope": "A cord of constant length.",
+    "link": "A link of constant length.",
     "belt": "The belt does not slip: both rims have its speed.",
 }
 DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
