@@ -15,6 +15,7 @@ from planar_cli.problem.expression import Name, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import NONE_KEPT, KeptLetters, Reader, Stop
@@ -22,6 +23,7 @@ from planar_cli.solve.roads import is_curve
 from planar_cli.units import IMPULSE, Unit, parse_unit
 
 TRUTHS = ("reached", "stable")
+RATES = frozenset(("dot", "ddot", "v", "a", "omega", "alpha", "KE", "momentum", "H"))
 
 
 @record
@@ -61,9 +63,21 @@ def asked_finds(motion: RegimeSequence, units: Mapping[str, str]) -> tuple[Asked
     found = []
     for find in motion.problem.find:
         reader = motion.readers[last]
-        at = motion.stops[""] if only else None
+        at = motion.stops[""] if only else _alone(motion, find)
         found.append(AskedFind(find, reader, _parts(find, reader), at, _unit(motion, units, find)))
     return tuple(found)
+
+
+def _alone(motion: RegimeSequence, find: Find) -> Stop | None:
+    """The only state of the file, where that is an equilibrium: what is asked of places and forces is asked there. Of
+    rates, which vanish there, a formula is asked.
+    """
+    states, what = motion.problem.states, find.found.what
+    if len(states) != 1 or motion.states or is_curve(what) or isinstance(what, Relation):
+        return None
+    if any(isinstance(q, Quantity) and q.word in RATES for q in walk(what)):
+        return None
+    return motion.stops[states[0].name]
 
 
 def asked_letters(asked: tuple[AskedFind, ...]) -> set[sp.Symbol]:
