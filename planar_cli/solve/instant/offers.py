@@ -102,6 +102,9 @@ class Offers:
         for j, symbol in enumerate(self.numbers.unknowns):
             if not (x[j] and y[j]) or (symbol not in form_x.terms and symbol not in form_y.terms):
                 continue
+            if any(x[j] * b == y[j] * a and (a or b) for a, b in zip(x[j + 1 :], y[j + 1 :], strict=True)):
+                # Another one of the same direction is nearer to the end of the chain, where the condition is.
+                continue
             across = Vec(-form_y.terms.get(symbol, sp.S.Zero), form_x.terms.get(symbol, sp.S.Zero))
             row = combine((x, y), (-y[j], x[j]))
             if (across.x.free_symbols | across.y.free_symbols) & self._bent:
