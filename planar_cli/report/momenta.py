@@ -6,6 +6,7 @@ v_G = -R ω (rolling),   H_C = I_G ω - m R v_G,   ∫ΣM dt = ∫[0 → t_2] -q
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -17,6 +18,7 @@ from planar_cli.report.blocks import Block, Equation, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.inertias import inertia_of
+from planar_cli.report.span_integrals import ANGULAR_IMPULSE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY
@@ -99,7 +101,9 @@ class MomentumTelling:
         sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
         if not gain.free_symbols & set(self.unknowns) and not self.phrases.symbolic:
             value = self.phrases.value.known(gain)
-            sides += [] if value is None else [self.phrases.of_dimension(value, dimension)]
+            shown = [] if value is None else [self.phrases.of_dimension(value, dimension)]
+            usual = bool(self.balance.law.about) and not self.phrases.ledger.us
+            sides += [replace(v, unit=ANGULAR_IMPULSE) if usual else v for v in shown]
         yield Equation(tuple(sides))
 
     def _put(self, expr: sp.Expr) -> sp.Expr:

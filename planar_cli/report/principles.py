@@ -21,6 +21,8 @@ DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
 ROLLS = "Rolling without slipping: the points that touch have the same velocity."
 ROLLS_BY_ARC = "Rolling without slipping: the way of the centre is the arc r φ."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
+FIRST, SECOND = frozenset(("v", "omega", "dot", "curve")), frozenset(("a", "alpha", "ddot"))
+"""What is asked that rests on derivatives of places, and on second ones."""
 RADIAN = "rad"
 TURNING = "↺ "
 """The lead of a balance of moments or of angular momentum."""
@@ -123,7 +125,8 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
     if "e_n" in page.names or ALONG in uses.passages:
         yield "Path coordinates: a = v̇ e_t + v²/ρ e_n."
     if RATES in uses.passages:
-        yield "Position vectors, differentiated: v = dr/dt, a = dv/dt."
+        twice = bool(uses.asked & SECOND) or not uses.asked & FIRST
+        yield f"Position vectors, differentiated: v = dr/dt{', a = dv/dt' if twice else ''}."
     elif PLACES in uses.passages:
         yield POSITIONS
     if CURVE in uses.passages:

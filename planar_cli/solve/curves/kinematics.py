@@ -205,7 +205,7 @@ class Story:
             kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in _kinds(u)}]
             pairs = {n: ((dx, place.x.rate), (dy, place.y.rate)) for n in kinds if n == 1}
             pairs |= {n: ((ddx, place.x.second), (ddy, place.y.second)) for n in kinds if n == 2}
-            yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])), ALONG)
+            yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])))
         if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
             return
         v, a_t, a_n = (sp.Symbol(f"{name}", real=True) for name in (f"v_{point}", f"a_{point}_t", f"a_{point}_n"))
@@ -225,7 +225,8 @@ class Story:
             own = {s: sizes[s] for s in formula.free_symbols}
             told.append(Row("", (symbol, formula), value, dimension, False, own))
             sizes[symbol] = value
-        yield Passage("Along the path:" if wanted - {"v", "a"} else "Magnitudes:", tuple(told), ALONG)
+        named = ("Along the path:", ALONG) if wanted - {"v", "a"} else ("Magnitudes:", "")
+        yield Passage(named[0], tuple(told), named[1])
 
     def _lettered(self, n: int, point: str, parts: Iterable[tuple[sp.Symbol, sp.Expr | None]]) -> Iterator[Row]:
         """The size of the velocity (1) or the acceleration (2) by both components, in letters or as a number."""
