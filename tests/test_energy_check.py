@@ -16,7 +16,7 @@ FILES = {p.stem: p for p in PROBLEMS}
 
 def _checks(stem: str) -> list[str]:
     page = " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
-    return re.findall(r"work and energy: ((?:T_|E_k)\w+ \+ U = .*?) J = (?:T_|E_k)\w+", page)
+    return re.findall(r"work and energy: ((?:T_|E_k,)\w+ \+ U = .*?) J = (?:T_|E_k,)\w+", page)
 
 
 @pytest.mark.parametrize(

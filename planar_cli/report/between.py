@@ -89,7 +89,7 @@ class BetweenTelling:
             yield from MomentumTelling(b, self.unknowns, self.numeric, self.plain, self.made).lines()
             yield self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
             return
-        first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"
+        first, last = f"{law.letter}__{b.since}", f"{law.letter}__{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
         amounts = [(body, put) for body, amount in b.amounts if (put := self._put(amount)) != 0]
         for i, bodies in told_of_each(amounts).items() if len(b.amounts) > 1 else ():
@@ -111,7 +111,7 @@ class BetweenTelling:
         """Energies one by one with their numbers, then their balance."""
         telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry)
         yield from telling.lines()
-        first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
+        first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
         gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
         parts = [put for put in (self._put(b.before), *gains) if put != 0]

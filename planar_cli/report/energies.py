@@ -49,7 +49,7 @@ class EnergyTelling(EnergyPieces):
     def lines(self) -> Iterator[Block]:
         """T at the beginning and at the end, and what every source brings."""
         b = self.balance
-        first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
+        first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
         yield self._line(line(Name(first)), *self._chain(self._put(b.before)))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
         bodies = told_of_each(amounts)

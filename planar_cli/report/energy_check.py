@@ -48,6 +48,6 @@ def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases)
     if not 2 <= len(terms) <= MOST:
         return ()
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
-    before, end = (Name(f"{balance.law.letter}_{state}") for state in (balance.since, balance.stop))
+    before, end = (Name(f"{balance.law.letter}__{state}") for state in (balance.since, balance.stop))
     head = line("work and energy: ", before, " + ", Name(balance.law.bring), " = ", *chain(terms, unit, phrases, "J"))
     return line(*head, " = ", end)
