@@ -104,9 +104,23 @@ def dimensions_agree(scope: Scope) -> Iterator[Diagnostic]:
     report: list[Diagnostic] = []
     for formula in formulas(scope.problem):
         _check(formula, kinds, report)
+    report += _of_gravity(scope, kinds)
     for find in scope.problem.find:
         check_found(find.found, kinds.of, report)
     yield from report
+
+
+def _of_gravity(scope: Scope, kinds: Kinds) -> list[Diagnostic]:
+    """The name g is that of the acceleration of gravity, whoever declares it."""
+    symbol, wrong = scope.numbers.get("g"), list[Diagnostic]()
+    if symbol is None:
+        return wrong
+    if symbol.value is not None:
+        check_side(symbol.value, units.ACCELERATION, kinds.of, wrong)
+    elif unit_kind(symbol.unit or "").dimension not in (ANY.dimension, units.ACCELERATION):
+        text = f"g is the acceleration of gravity, and no quantity in {symbol.unit}"
+        wrong.append(Diagnostic(symbol.mark, "PL224", text, "write it in `m/s^2` or `ft/s^2`, or take another letter"))
+    return wrong
 
 
 def _check(formula: Formula, kinds: Kinds, report: list[Diagnostic]) -> None:

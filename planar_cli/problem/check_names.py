@@ -120,7 +120,13 @@ def points_found(scope: Scope) -> Iterator[Diagnostic]:
         yield from _missing(surface.body, scope.bodies, "body", surface.mark)
     for body in scope.problem.bodies:
         for used in (*own_points(body.shape), *body.points, body.about):
-            yield from _missing(used, scope.points, "point", body.mark)
+            yield from _missing(used, _beside(body, scope), "point", body.mark)
+
+
+def _beside(body: Body, scope: Scope) -> Iterable[str]:
+    """The points at which a body may be placed: a particle is no place for itself."""
+    own = isinstance(body.shape, Particle) and all(p.name != body.name for p in scope.problem.points)
+    return (p for p in scope.points if not own or p != body.name)
 
 
 def points_of_place(place: Place) -> tuple[str, ...]:
