@@ -34,6 +34,15 @@ def test_both_angles_of_a_throw_are_told() -> None:
     assert [d.code for d in refused.value.diagnostics] == ["PL635"]
 
 
+def test_numbers_drawn_for_letters_are_no_values() -> None:
+    text = THROW.format(more="symbols: {d: m}\nassume: [2*d*g < v_0^2]").replace("given: {v_0: 15 m/s}\n", "")
+    text = text.replace("symbols: {d: m}", "symbols: {d: m, v_0: m/s}").replace("20 m", "d")
+    with pytest.raises(NoSolution) as refused:
+        solve(text)
+    (why,) = refused.value.diagnostics
+    assert why.message == "beta may have 2 values: with each of them the motion passes all states"
+
+
 @pytest.mark.parametrize(
     ("assumed", "angle"), [("beta > 45 deg", STEEP), ("beta < 45 deg", 90 - STEEP), ("beta > 31 deg", STEEP)]
 )

@@ -15,7 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import NoValue, Undecided
+from planar_cli.errors import NoValue, undecided_at
 from planar_cli.solve.between.events import LOOKS
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.integrated import apart, digits
@@ -49,10 +49,11 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
         off = value.known(e.residual)
         if off is None or abs(off) <= Decimal(repr(APART)) * value.size(e.residual):
             continue
+        if abs(_without_turns(off, e.residual, value)) <= Decimal(repr(APART)) * value.size(e.residual):
+            text = f"an angle in the equation of {e.words} goes on over turns that its formula does not count"
+            raise undecided_at(course.states[0].mark, text)
         # Terms that all vanish there, as of a velocity across a radius, are measured by what their letters may be off;
         # a number beside them does not vanish.
-        if abs(_without_turns(off, e.residual, value)) <= Decimal(repr(APART)) * value.size(e.residual):
-            raise Undecided(f"an angle in the equation of {e.words} goes on over turns that its formula does not count")
         known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
         if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
             raise Disagreement(f"the motion that was followed contradicts an equation: {e.words}")

@@ -63,7 +63,8 @@ def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
     if len(fitting) < 2:
         return
     listed = "; ".join(_words(course, b) for b in fitting)
-    text = f"state {state.name}: `{demand.text}` in several ways: {listed}"
+    told = "" if course.problem.symbols else f": {listed}"
+    text = f"state {state.name}: `{demand.text}` in several ways{told}"
     raise NoSolution([Diagnostic(demand.mark, "PL635", text, _hint(course, fitting, state))])
 
 
@@ -77,7 +78,10 @@ def _demand_one(course: MotionEquations, branches: Sequence[Branch]) -> None:
         if own.values and not any(_same(course, own, b) for b in distinct):
             distinct.append(own)
     if len(distinct) > 1:
-        told = "; or ".join(_words(course, b) for b in distinct)
+        # Numbers that were drawn for the letters of the file are no values.
+        names = " and ".join(s.name for s in course.sought())
+        in_letters = f"{names} may have {len(distinct)} values"
+        told = in_letters if course.problem.symbols else "; or ".join(_words(course, b) for b in distinct)
         text = f"{told}: with each of them the motion passes all states"
         hint = "write an inequality that tells which is meant"
         raise NoSolution([Diagnostic(course.problem.unknowns[0].mark, "PL635", text, hint)])

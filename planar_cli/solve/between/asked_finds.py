@@ -24,6 +24,7 @@ from planar_cli.units import IMPULSE, Unit, parse_unit
 
 TRUTHS = ("reached", "stable")
 RATES = frozenset(("dot", "ddot", "v", "a", "omega", "alpha", "KE", "momentum", "H"))
+"""What vanishes in equilibrium."""
 
 
 @record
