@@ -2,20 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(FILES[stem])[0])))
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(
@@ -34,7 +22,7 @@ def _page(stem: str) -> str:
     ],
 )
 def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
-    assert line in _page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(
@@ -49,8 +37,8 @@ def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
     ],
 )
 def test_what_is_differentiated_is_not_given(stem: str, line: str) -> None:
-    assert line in _page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_what_drives_acts_at_no_formula() -> None:
-    assert "drive_1 ← = M a_Q" in _page("man-walking-on-a-boat")
+    assert "drive_1 ← = M a_Q" in page_of_file("man-walking-on-a-boat")

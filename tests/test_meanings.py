@@ -2,20 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(FILES[stem])[0])))
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(
@@ -28,9 +16,9 @@ def _page(stem: str) -> str:
     ],
 )
 def test_a_coordinate_of_the_machine_is_defined_once(stem: str, words: str) -> None:
-    assert _page(stem).count(words) == 1
+    assert page_of_file(stem).count(words) == 1
 
 
 @pytest.mark.parametrize("stem", ["ex-4-11", "ex-1-07", "block-down-a-rough-quarter-circle"])
 def test_coordinates_of_the_file_and_places_need_no_words(stem: str) -> None:
-    assert ": the angle" not in _page(stem)
+    assert ": the angle" not in page_of_file(stem)

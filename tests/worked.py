@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from conftest import ROOT
+from conftest import PROBLEMS, ROOT
 
+from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.homework.verdict import Verdict
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.solved_problem import Solution
 
 GOLDEN = ROOT / "tests" / "golden"
@@ -41,6 +44,12 @@ def worked(path: Path) -> tuple[Solution, tuple[Verdict, ...]]:
         # Without the frames of the solver: pytest would write out their arguments, whole scenes, for minutes.
         raise result.error.with_traceback(None) from None
     return result.solution, result.verdicts
+
+
+def page_of_file(stem: str) -> str:
+    """The printed solution of a file of problems/ by its name, in one line."""
+    (path,) = (p for p in PROBLEMS if p.stem == stem)
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(path)[0])))
 
 
 def name_of(path: Path) -> str:

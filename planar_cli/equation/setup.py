@@ -26,7 +26,7 @@ from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
 from planar_cli.units import DAMPING, PURE, Unit, default_unit, parse_unit
 
-STREAM, FLOW = "stream", "kg/s"
+FLOW = "kg/s"
 
 
 @record
@@ -165,7 +165,7 @@ class Setup:
         if written is not None and isinstance(side, Number | Negate | Scaled):
             return written
         unit = self.unit_for(dimension_of(side, self.lookup))
-        streams = any(type(load).kind == STREAM for load in self.problem.loads)
+        streams = any(load.brings_mass for load in self.problem.loads)
         # A mass that flows is no damping, which has its dimension.
         return FLOW if unit.dimension == DAMPING and streams and not self.ledger.us else unit.text
 
