@@ -15,6 +15,7 @@ from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.letter_check import letter_check
 from planar_cli.report.power_check import power_check
+from planar_cli.report.presses import formula_of_press
 from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
@@ -104,8 +105,13 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
             if column is None or not outcome.solved.unique(column):
                 continue
             if push.kind == "normal" and values[symbol] > 0:
-                dimension = parse_unit(push.unit).dimension
-                found.append(line(Relation(Math(symbol), "=", phrases.of_dimension(values[symbol], dimension)), " > 0"))
+                number = values[symbol]
+                shown = phrases.of_dimension(number, parse_unit(push.unit).dimension)
+                formula = formula_of_press(instant, push, symbol, number, phrases)
+                told = line(Relation(Math(symbol), "=", shown))
+                if formula:
+                    told = line(Math(symbol), " = ", *formula, " = ", shown)
+                found.append(line(*told, " > 0"))
     return found[:MOST_PRESSES]
 
 

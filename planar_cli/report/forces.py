@@ -28,6 +28,7 @@ from planar_cli.report.numeric import vanishing
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import (
     ANGULAR_MOMENTUM,
@@ -78,7 +79,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     where what they guide turns.
     """
     system = instant.trial.system
-    used = {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols}
+    used = _used(stage)
     rigid = instant.instant.scene.bodies[body].rigid
     parts: list[list[Any]] = []
     for w in system.wrenches:
@@ -113,6 +114,19 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
+
+
+def _used(stage: Stage) -> set[sp.Symbol]:
+    """The letters in the equations of a stage."""
+    return {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols}
+
+
+def _idle(instant: InstantSolution, stage: Stage) -> set[sp.Symbol]:
+    """Accelerations that no equation of a stage has, and which are zero: nothing acts along them."""
+    if not instant.trial.outcomes:
+        return set()
+    numbers = unknowns_of(instant.trial.system, instant.trial.outcomes[0])
+    return {s for s, number in numbers.items() if number == 0} - _used(stage)
 
 
 def _absent(instant: InstantSolution, stage: Stage) -> set[str]:
@@ -206,9 +220,12 @@ def _inertia(
     place, at = centre_of(instant.instant.scene, body), _centre(instant.instant.scene, body) if model.rigid else ""
     forces: list[tuple[sp.Expr, str]] = []
     still = vanishing(stage)
+    idle = _idle(instant, stage)
     components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
     for direction, component in components if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
+            continue
+        if component in idle:
             continue
         v = -direction if reversed_sense else direction
         size = _size(direction, instant, body, phrases)

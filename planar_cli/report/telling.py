@@ -335,6 +335,10 @@ class Telling:
         if w.source == "given":
             often = ("", ", differentiated", ", differentiated twice")[w.times]
             return self._at_limit(w) or f"Given: {w.words or w.lead}{often}"
+        if w.source == "limit" and self.instant.instant.statements.extremes:
+            extreme = self.instant.instant.statements.extremes[0].text
+            name, _, most = extreme.partition(" is ")
+            return f"At the {most} {name}{w.lead.removeprefix('at the limit')}:"
         if w.source in OF_FORCES:
             return f"{_begun(w.lead)}:"
         if w.source == "closure":

@@ -348,7 +348,7 @@ def _same(one: Candidate, other: Candidate) -> bool:
 def at_the_limit(words: str) -> str:
     """An assumption as it reads where it only just holds."""
     for holds, just in (
-        ("within its limit", "reaches its limit"),
+        ("within its limit", "reaches its limit, it is about to slip"),
         (" presses", " vanishes, the contact is about to part"),
         ("acts inside the face", "acts at the edge of the face, it is about to tip"),
         ("the tension pulls", "the tension vanishes, the rope is about to slacken"),
