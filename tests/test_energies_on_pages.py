@@ -97,3 +97,16 @@ def test_a_law_that_the_equations_gave_is_not_told_again() -> None:
 def test_the_root_of_a_time_by_the_start() -> None:
     assert "the first such time after the start" in page("ex-1-07")
     assert "the positive root, as t_half > 0" in page("ex-1-06")
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-09", "O_x, O_y do no work, the internal force T_cord no net work:"),
+    ("ex-4-17", "O_x, O_y, N_slider do no work, the internal forces A_n, A_t, B_x, B_y no net work:"),
+    ("ex-4-13", "A_x, A_y do no work:"),
+])  # fmt: skip
+def test_a_force_between_two_bodies_does_work_on_each(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None:
+    assert "3 equations, 3 unknowns: a_Ay, α, T_cord; in terms of F" in page("ex-4-09")

@@ -210,6 +210,8 @@ class Balance:
     """What stands before the equation: → ↑ ↺."""
     idle: tuple[sp.Symbol, ...] = ()
     """Reactions that bring nothing, which is told."""
+    internal: tuple[sp.Symbol, ...] = ()
+    """Reactions between bodies that move, which bring nothing in all: what one body gets another gives."""
     adds: bool = False
     """Does it run on through regimes that follow each other?"""
     timeless: bool = False

@@ -15,9 +15,9 @@ from planar_cli.principles._bodies import moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import GROUND, Problem
 
 FRICTION = "friction at {}"
 """What does work where no load does: what slips."""
@@ -89,7 +89,8 @@ class WorkEnergy(Principle):
             cost=0.9,
             letter=_letter_in(scene.problem),
             bring="U",
-            idle=_idle(position),
+            idle=tuple(position.system.symbols[p.name] for p in _ideal(position) if not _is_internal(p)),
+            internal=tuple(position.system.symbols[p.name] for p in _ideal(position) if _is_internal(p)),
             adds=True,
             timeless=True,
             moving=tuple(moving_of(position.system, motion, scene.bodies)),
@@ -185,8 +186,13 @@ def _power(w: Wrench, motion: Motion) -> sp.Expr:
     return force.dot(motion.velocity(w.point, w.body)) + w.couple * motion.velocities[w.body].angular
 
 
-def _idle(position: Position) -> tuple[sp.Symbol, ...]:
-    """The reactions that do no work."""
+def _ideal(position: Position) -> list[Push]:
+    """The reactions that do no work in all: those of ideal joints."""
     system = position.system
     followers = {law.push for law in system.laws}
-    return tuple(system.symbols[p.name] for p in system.pushes if p.name not in followers and p.kind != "drive")
+    return [p for p in system.pushes if p.name not in followers and p.kind != "drive"]
+
+
+def _is_internal(push: Push) -> bool:
+    """Does it act between bodies that can move?"""
+    return len({a.body for a in push.actions} - {GROUND}) > 1

@@ -153,7 +153,7 @@ class BetweenTelling:
         words = (law.kept if b.gain == 0 else "") or law.heading or law.words
         head = f"From {b.since} to {b.stop}, {group}{words}"
         about = Name(law.about) if law.about else ""
-        return line(head, about, law.explained, *self._through(law.passing), *_idle(law.idle), ":")
+        return line(head, about, law.explained, *self._through(law.passing), *_idle(law.idle, law.internal), ":")
 
     def _through(self, forces: tuple[sp.Expr, ...]) -> list[Any]:
         """The forces that have no moment, as they pass through the point."""
@@ -246,12 +246,25 @@ def dimension_of_balance(b: BalanceTrace) -> Dimension:
     return ENERGY if b.law.letter else ANGULAR_MOMENTUM if b.law.about else IMPULSE
 
 
-def _idle(reactions: tuple[sp.Symbol, ...]) -> list[Any]:
-    """Which reactions do no work."""
-    if len(reactions) > MOST_NAMED:
-        return ["; the reactions of all ideal joints do no work"]
-    named = [part for i, s in enumerate(reactions) for part in (", " if i else "; ", Math(s))]
-    return [*named, " do no work" if len(reactions) > 1 else " does no work"] if named else []
+def _idle(reactions: tuple[sp.Symbol, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
+    """Which reactions do no work, and which none in all."""
+    if len(reactions) + len(internal) > MOST_NAMED:
+        return ["; the reactions of all ideal joints do no work in all"]
+    alone = [*_listed(reactions), " do no work" if len(reactions) > 1 else " does no work"] if reactions else []
+    if not internal:
+        return ["; ", *alone] if alone else []
+    several = len(internal) > 1
+    together = [
+        f"the internal force{'s' if several else ''} ",
+        *_listed(internal),
+        "" if alone else " do" if several else " does",
+        " no net work",
+    ]
+    return ["; ", *alone, *([", "] if alone else []), *together]
+
+
+def _listed(symbols: tuple[sp.Symbol, ...]) -> list[Any]:
+    return [part for i, s in enumerate(symbols) for part in ((", ", Math(s)) if i else (Math(s),))]
 
 
 def _across(words: str) -> Line:

@@ -83,7 +83,16 @@ class SolvingTelling:
         ]
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]
+        for i, s in enumerate(self._carried(stage, blocks, unknowns)):
+            parts += [", " if i else "; in terms of ", Math(s)]
         return line(*parts)
+
+    def _carried(self, stage: Stage, blocks: Sequence[SolvedBlock], unknowns: Sequence[sp.Symbol]) -> list[sp.Symbol]:
+        """What is sought of the file, stands in the equations, and is only found by what follows."""
+        held = {s for b in blocks for w in b.equations for s in w.residual.free_symbols}
+        open_ = {u.name for u in self.instant.instant.scene.problem.unknowns}
+        left = held - set(unknowns) - stage.algebra.unknowns
+        return sorted((s for s in left if s.name in open_), key=lambda s: s.name)
 
     @staticmethod
     def _named(stage: Stage, written: Sequence[Written]) -> dict[sp.Symbol, int]:
