@@ -95,14 +95,14 @@ def found(solution: Solution) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("text", "find", "words", "answer"),
     [
-        (WHEEL, "path(G)", "straight line", "y = r"),
+        (WHEEL, "path(G)", "straight line parallel to the x axis", "y = r"),
         (WHEEL, "path(P/G)", "circle about G", "x^2 + y^2 = r^2"),
         (WHEEL, "hodograph(P)", "circle about (2*r, 0)", "(x - 1 m/s)^2 + y^2 = (1 m/s)^2"),
         (FOUR_BAR, "path(A)", "circle about O", "x^2 + y^2 = 1 m^2"),
         (FOUR_BAR, "path(B)", "circle about C", "(x - 3 m)^2 + y^2 = 4 m^2"),
         (FOUR_BAR, "path(B/A)", "circle about A", "x^2 + y^2 = 10 m^2"),
         (TRAMMEL, "path(M)", "ellipse", "(2*x/(3*l))^2 + (2*y/l)^2 = 1"),
-        (TRAMMEL, "path(B)", "straight line", "y = 0"),
+        (TRAMMEL, "path(B)", "straight line parallel to the x axis", "y = 0"),
         (ARM, "path(A)", "circle about O", "x^2 + y^2 = (2 m)^2"),
         (THROW, "path(P)", "parabola", "y = x*tan(alpha) - g*x^2/(2*v_0^2*cos(alpha)^2)"),
         (THROW, "hodograph(P)", "straight line", "vx = v_0*cos(alpha)"),

@@ -10,7 +10,6 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
-from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger, display
@@ -252,6 +251,8 @@ def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
 def answer_line(found: Found, phrases: Phrases) -> Line:
     """The answer of a find: its value with unit and direction, its formula, or its word."""
     if found.curve is not None:
+        from planar_cli.report.told_curves import curve_line
+
         what = found.find.found.what if found.find is not None else None
         return curve_line(found.curve, phrases, isinstance(what, Quantity) and what.word == "hodograph")
     if found.word:
@@ -305,37 +306,6 @@ def _in_asked_unit(line: Line, found: Found, phrases: Phrases) -> Line:
     head = Text(f"{significant(factor, phrases.figures)} · ")
     whole = found.kind == "vector" or not (found.expressions or (sp.S.One,))[0].is_Add
     return (head, *line) if whole else (head, Text("("), *line, Text(")"))
-
-
-def curve_line(curve: Curve, phrases: Phrases, hodograph: bool = False) -> Line:
-    """The name of a curve, its equation with the units of its numbers, and where that holds. `hodograph`: it is one of
-    velocities.
-    """
-    from planar_cli.report.notation import plain
-
-    parts: list[Any] = [Text(curve.told(plain))]
-    if curve.equation is not None:
-        parts += [Text(", "), phrases.math(curve.equation)]
-        plain_numbers = _with_numbers(curve.equation, phrases)
-        if plain_numbers is not None:
-            parts += [Text(", that is "), plain_numbers]
-        if not phrases.letters:
-            length = "ft" if phrases.ledger.us else "m"
-            parts.append(Text(f" (in {length}/s)" if hodograph else f" (in {length})"))
-    if curve.holds:
-        parts.append(Text(f", {curve.holds}"))
-    return tuple(parts)
-
-
-def _with_numbers(equation: Any, phrases: Phrases) -> Math | None:
-    """A curve with the numbers of all names put in; None where there are none, or letters without a number."""
-    inside = [s for s in equation.free_symbols if s in phrases.ledger.values]
-    if phrases.letters or not inside:
-        return None
-    numbers = {s: sp.Rational(str(phrases.value(s))) for s in inside}
-    sides = [side.xreplace(numbers) for side in (equation.lhs, equation.rhs)]
-    plain = [rounded(sp.nsimplify(sp.N(s, 30), rational=True), phrases.figures) for s in sides]
-    return Math(sp.Eq(*plain, evaluate=False))
 
 
 def components(x: Decimal, y: Decimal, unit: str, figures: int) -> Line:

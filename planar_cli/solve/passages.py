@@ -65,3 +65,10 @@ class Tale:
 def told_function(function: Any) -> Row:
     """A coordinate as a function, with the words from where it comes."""
     return Row(function.words, sp.Eq(function.symbol, function.expr, evaluate=False))
+
+
+def squared_radius(equation: Any, radius: sp.Expr | None) -> Any:
+    """x² + y² = 225 as x² + y² = 15²: of a circle whose radius is a number, that is seen in its equation."""
+    if radius is None or not radius.is_number or radius == 1 or sp.expand(equation.rhs - radius**2) != 0:
+        return equation
+    return sp.Eq(equation.lhs, sp.Pow(radius, 2, evaluate=False), evaluate=False)

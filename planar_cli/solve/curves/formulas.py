@@ -32,7 +32,7 @@ from planar_cli.solve.between.agreement import balanced
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinematics import Story, letter_of, no_value, tells
-from planar_cli.solve.curves.paths import CurveReader
+from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
@@ -126,7 +126,7 @@ class FormulaReader:
     units: Mapping[str, str]
     regime: Regime
     value: Callable[[sp.Expr], Decimal | None] | None = None
-    curves: list[Passage] = field(default_factory=list)
+    curves: list[tuple[Quantity, Passage]] = field(default_factory=list)
     compared: int = 0
     _quantities: Quantities | None = None
     _functions: Functions | None = None
@@ -172,7 +172,8 @@ class FormulaReader:
         if is_curve(what):
             self._check_points(find)
             found, passage = CurveReader(self.regime, drawn_start(self.regime)).answer(find)
-            self.curves.append(passage)
+            assert isinstance(what, Quantity)
+            self.curves.append((what, passage))
             return found
         pure = parse_unit("1")
         if isinstance(what, Relation) or (isinstance(what, Quantity) and what.word == "mode"):
@@ -298,7 +299,7 @@ class FormulaReader:
         """Places and their derivatives, then the curves."""
         finds = [f for f in self.problem.find if not is_curve(f.found.what) and not asks_forces(f)]
         told = () if self.kinetic or not finds else self._places(finds)
-        return (*told, *self.curves)
+        return (*told, *(without_told_places(q, curve, told) for q, curve in self.curves))
 
     def by_coordinates(self, value: Valuation) -> tuple[tuple[Passage, ...], frozenset[str]]:
         """The same with the coordinates that are given over time as letters, and their names; empty: there are none."""

@@ -6,12 +6,12 @@ eliminated. (An Introduction to Planar Dynamics, 1.1, 1.4.1.)
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.calculus.curve_words import CIRCLE, POINT, Curve
+from planar_cli.calculus.curve_words import CIRCLE, LINE, POINT, Curve
 from planar_cli.calculus.curves import curve_of
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
@@ -23,7 +23,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
-from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, told_function
+from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, squared_radius, told_function
 from planar_cli.solve.regimes.functions import Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import Found
@@ -205,12 +205,26 @@ class CurveReader:
         if curve.kind == POINT:
             rests = "the velocity does not change" if q.word == "hodograph" else "it does not move in this frame"
             return replace(curve, kind=f"point: {rests}", centre=None)
+        if curve.kind == LINE and (along := self._along_axis(q, curve)):
+            return replace(curve, kind=f"{LINE} {along}")
         if curve.kind != CIRCLE or curve.centre is None:
             return curve
         name = self._named_centre(q, curve.centre) if q.word == "path" else ""
         if not name and all(value.is_zero(c) for c in curve.centre):
             name = "the origin"
         return replace(curve, kind=f"circle about {name}", centre=None) if name else curve
+
+    def _along_axis(self, q: Quantity, curve: Curve) -> str:
+        """How a line lies that is parallel to an axis of its frame."""
+        x, y = (sp.Symbol(a, real=True) for a in PATH[0])
+        body = self.frame(q)
+        if curve.equation is None or curve.equation.lhs not in (x, y) or curve.equation.rhs.has(x, y):
+            return ""
+        shape = self.regime.general.instant.scene.bodies[body].shape if body is not None else None
+        if isinstance(shape, Rod) and curve.equation.lhs == y:
+            called = with_article(q.things[1])
+            return f"through {shape.start} along {called}" if curve.equation.rhs == 0 else f"parallel to {called}"
+        return "" if body is not None else f"parallel to the {'x' if curve.equation.lhs == y else 'y'} axis"
 
     def _named_centre(self, q: Quantity, centre: tuple[sp.Expr, sp.Expr]) -> str:
         """A point that stays at the centre, wherever the others are."""
@@ -226,15 +240,22 @@ class CurveReader:
         if q.word == "hodograph":
             return f"Hodograph of {point}, the curve of the tip of its velocity drawn from one point"
         if len(q.things) < 2 or q.things[1] == GROUND:
-            return f"Path of {point}"
+            return f"Path of {point}{' over the ground' if self._several_frames() else ''}"
         other = q.things[1]
         body = self.frame(q)
         if body is None:
-            return f"Path of {point} seen from a frame that moves with {other} and does not turn, {other} its origin"
-        shape = self.regime.general.instant.scene.bodies[body].shape
+            return (
+                f"Path of {point} seen from a frame that moves with {other} and does not turn, with {other} as origin"
+            )
+        shape, called = self.regime.general.instant.scene.bodies[body].shape, with_article(other)
         if isinstance(shape, Rod):
-            return f"Path of {point} seen from {other}, its origin at {shape.start} and its x axis along {other}"
-        return f"Path of {point} seen from {other}, its origin at the centre and its axes turning with {other}"
+            return f"Path of {point} seen from {called}, origin at {shape.start}, x axis along {called}"
+        return f"Path of {point} seen from {called}, origin at the centre, axes turning with {called}"
+
+    def _several_frames(self) -> bool:
+        """Is some path asked as a moving point or body sees it?"""
+        asked = (f.found.what for f in self.regime.general.instant.scene.problem.find)
+        return any(isinstance(q, Quantity) and q.word == "path" and len(q.things) > 1 for q in asked)
 
     def _meaning(self, single: Single) -> str:
         """What a coordinate is that the file does not name."""
@@ -243,10 +264,13 @@ class CurveReader:
         if single.coordinate is not None:
             return f", `{parameter.name}` the coordinate {single.coordinate.name}:"
         own = next((c for c in self.regime.coordinates if c.symbol == parameter), None)
-        if own is None or parameter in scene.ledger.coordinates or own.words[:5] in ("x of ", "y of "):
+        inside = exprs.x.free_symbols | exprs.y.free_symbols
+        if own is None or own.words[:5] in ("x of ", "y of ") or parameter not in inside:
             return ":"
-        if parameter not in exprs.x.free_symbols | exprs.y.free_symbols:
-            return ":"
+        if parameter in scene.ledger.coordinates:
+            constant = sorted(f"`{s.name}`" for s in inside & set(scene.ledger.letters) - {parameter})
+            rest = f", {' and '.join(constant)} {'are' if len(constant) > 1 else 'is'} constant" if constant else ""
+            return f" (`{parameter.name}` varies{rest}):"
         since = " from where it is drawn" if own.drawn == 0 and own.words.startswith("way") else ""
         return f", `{parameter.name}` the {own.words}{since}:"
 
@@ -262,6 +286,9 @@ class CurveReader:
             line = expanded(expr) if expr.is_polynomial(self.regime.time) else expr
             shown.append(Row(words, sp.Eq(sp.Symbol(axis, real=True), line, evaluate=False)))
         steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s.line) for s in shown)]
+        steps = [
+            replace(s, line=squared_radius(s.line, curve.radius)) if s.line == curve.equation else s for s in steps
+        ]
         return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
 
 
@@ -287,6 +314,34 @@ def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledg
     return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})), p)
 
 
+def with_article(body: str) -> str:
+    """A body in a sentence: the boom, but AB."""
+    return f"the {body}" if body.islower() and len(body) > 2 else body
+
+
+def without_told_places(q: Quantity, curve: Passage, told: Iterable[Passage]) -> Passage:
+    """A curve without x(t) and y(t) of its point, or their rates, where these stand above."""
+    if len(q.things) > 1:
+        return curve
+    known = {sides_of(r)[0].name: sides_of(r)[-1] for p in told for r in p.rows if len(sides_of(r)) > 1}
+    dots, axes = ("_dot", HODOGRAPH[0]) if q.word == "hodograph" else ("", PATH[0])
+    letters = dict(zip(axes, (f"{axis}_{q.things[0]}{dots}" for axis in PATH[0]), strict=True))
+    above = {
+        str(sides_of(row)[0]): row
+        for row in curve.rows
+        if (letter := letters.get(str(sides_of(row)[0]))) in known and _equal(known[letter], sides_of(row)[-1])
+    }
+    left = tuple(row for row in curve.rows if row not in above.values())
+    if not left or above.keys() != letters.keys():
+        return curve
+    names = " and ".join(f"{axis} = {letter}" for axis, letter in letters.items()) if dots else ""
+    return replace(curve, heading=f"{curve.heading.removesuffix(':')}{', ' if names else ''}{names}:", rows=left)
+
+
+def _equal(one: sp.Expr, other: sp.Expr) -> bool:
+    return bool(expanded(sp.sympify(one - other)) == 0)
+
+
 def _too_long(row: Row) -> bool:
     """Would it fill most of a page?"""
     return any(longer(side, LONGEST) for side in sides_of(row) if isinstance(side, sp.Expr))
@@ -294,4 +349,4 @@ def _too_long(row: Row) -> bool:
 
 def _same(step: object, shown: sp.Eq) -> bool:
     """Is a step a line that is shown already?"""
-    return isinstance(step, sp.Eq) and step.lhs == shown.lhs and expanded(step.rhs - shown.rhs) == 0
+    return isinstance(step, sp.Eq) and step.lhs == shown.lhs and _equal(step.rhs, shown.rhs)
