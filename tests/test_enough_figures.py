@@ -20,8 +20,8 @@ from planar_cli.report.blocks import Equation, Math, Value
 from planar_cli.report.enough_figures import MOST, enough_figures, figures_of
 from planar_cli.report.narrate import narrate
 from planar_cli.report.numbers import significant
+from planar_cli.report.rounding import rounded
 from planar_cli.report.sums import sum_of
-from planar_cli.report.words import rounded
 from planar_cli.units import parse_unit
 
 SAMPLE = (

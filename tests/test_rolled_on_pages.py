@@ -13,7 +13,7 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
-ROLLS = "disk rolls on floor without slipping: G advances by the arc that has touched it."
+ROLLS = "The disk rolls on the floor without slipping: G advances by the arc that has touched it."
 TEXTBOOK = ROOT / "problems" / "textbook"
 
 
@@ -25,7 +25,8 @@ def _page(path: Path) -> str:
 def test_a_wheel_placed_by_an_arc_rolls(stem: str) -> None:
     page = _page(TEXTBOOK / f"{stem}.yaml")
     assert page.index(ROLLS) < page.index("x_G = r φ")
-    assert "x_P = x_G - r sin φ = r (φ - sin φ)" in page
+    assert "x_P = x_G + r cos(270° - φ) = r φ - r sin φ = r (φ - sin φ)" in page
+    assert "y_P = y_G + r sin(270° - φ) = r - r cos φ = r (1 - cos φ)" in page
     assert "Not used" not in page
 
 

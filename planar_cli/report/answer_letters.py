@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
+from planar_cli.report.letter_vectors import letter_vector_words
 from planar_cli.report.names import plain_name
 from planar_cli.report.senses import direction_words
 from planar_cli.report.words import Phrases, answer_line, told_unit
@@ -18,7 +19,7 @@ from planar_cli.solve.solved_problem import PartSolution
 
 def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Answer:
     """The answer to a find. `told`: the blocks before it, whose letters it may name."""
-    said = answer_line(found, phrases)
+    said = line(*answer_line(found, phrases), *letter_vector_words(found, part, phrases))
     relation = ":" if found.word or found.curve is not None else "="
     if part.tale is not None and (letter := part.tale.letters.get(found.name)) is not None:
         named = plain_name(found.name) == plain_name(letter.name)

@@ -19,7 +19,8 @@ from planar_cli.report.checks import unconfirmed
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
 from planar_cli.report.page_units import in_base_units
-from planar_cli.report.words import answer_text, rounded, told_unit
+from planar_cli.report.rounding import rounded
+from planar_cli.report.words import answer_text, told_unit
 from planar_cli.solve.instant.algebra import Line
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.stages import Stage

@@ -6,7 +6,7 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.report.page_units import in_base_units
-from planar_cli.report.words import rounded
+from planar_cli.report.rounding import rounded
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result
 
 STEP_DIGITS = 12

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.swallowed import with_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.passages import Row, Tale, sides_of
@@ -42,6 +42,9 @@ def _row(row: Row, phrases: Phrases) -> Equation:
         bare = last.is_number and (len(sides) == 2 or last.is_Rational)
         sides = sides[:-1] if bare else [*sides, *([in_numbers] if in_numbers else [])]
         sides.append(phrases.of_dimension(row.value, row.dimension, row.angle) if row.value else line("0"))
+    if row.way:
+        terms = (piece for i, term in enumerate(row.way) for piece in ((" + ", Math(term)) if i else (Math(term),)))
+        sides.insert(1, line(*terms))
     return Equation(tuple(sides), None, lead)
 
 

@@ -19,7 +19,7 @@ LENGTHS = {
 }
 DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
 ROLLS = "Rolling without slipping: the points that touch have the same velocity."
-ROLLS_BY_ARC = "Rolling without slipping: the way of the centre is the arc r φ."
+ROLLS_BY_ARC = "Rolling without slipping: the centre advances by the arc r φ (φ in radians)."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
 FIRST, SECOND = frozenset(("v", "omega", "dot")), frozenset(("a", "alpha", "ddot", "rho"))
 """What is asked that rests on derivatives of places, and on second ones."""

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
+from planar_cli.calculus.curve_words import CIRCLE, Curve
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger, display
@@ -20,32 +21,16 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.enough_figures import enough_figures
 from planar_cli.report.neat import Neat
-from planar_cli.report.numbers import as_printed, quantity, significant, vector_words
+from planar_cli.report.numbers import quantity, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
+from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula
+from planar_cli.solve.passages import squared_radius
 from planar_cli.solve.solution import Found
-from planar_cli.units import Dimension, Unit
+from planar_cli.units import LENGTH, TIME, Dimension, Unit
 
 ANGLES = ("", "1", "deg", "rad", "rev")
-LONG = 7
-"""A rational with more digits than this is shown rounded."""
-
-
-def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
-    """The expression with long rationals and roots of numbers rounded for print."""
-    if expr.is_Rational:
-        if len(str(expr.p)) + len(str(expr.q)) <= LONG or expr.is_Integer:
-            return expr if len(str(expr.p)) <= LONG + 4 else _short(expr, figures)
-        return _short(expr, figures)
-    if not expr.args:
-        return expr
-    args = [rounded(a, figures) for a in expr.args]
-    return expr.func(*args) if any(a is not b for a, b in zip(args, expr.args, strict=True)) else expr
-
-
-def _short(number: sp.Expr, figures: int) -> sp.Expr:
-    return sp.Rational(str(as_printed(Decimal(int(number.p)) / Decimal(int(number.q)), figures)))
 
 
 @record
@@ -251,8 +236,6 @@ def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
 def answer_line(found: Found, phrases: Phrases) -> Line:
     """The answer of a find: its value with unit and direction, its formula, or its word."""
     if found.curve is not None:
-        from planar_cli.report.told_curves import curve_line
-
         what = found.find.found.what if found.find is not None else None
         return curve_line(found.curve, phrases, isinstance(what, Quantity) and what.word == "hodograph")
     if found.word:
@@ -306,6 +289,49 @@ def _in_asked_unit(line: Line, found: Found, phrases: Phrases) -> Line:
     head = Text(f"{significant(factor, phrases.figures)} · ")
     whole = found.kind == "vector" or not (found.expressions or (sp.S.One,))[0].is_Add
     return (head, *line) if whole else (head, Text("("), *line, Text(")"))
+
+
+def curve_line(curve: Curve, phrases: Phrases, hodograph: bool = False) -> Line:
+    """The name of a curve, its equation with the units of its numbers, and where that holds. `hodograph`: it is one of
+    velocities.
+    """
+    from planar_cli.report.notation import plain
+
+    parts: list[Any] = [Text(curve.told(plain)), *_radius(curve, phrases, hodograph)]
+    if curve.equation is not None:
+        shown = squared_radius(curve.equation, curve.radius)
+        parts += [Text(", "), phrases.math(curve.equation) if shown == curve.equation else Math(shown)]
+        plain_numbers = _with_numbers(curve.equation, phrases)
+        if plain_numbers is not None:
+            parts += [Text(", that is "), plain_numbers]
+        if not phrases.letters and curve.equation.rhs != 0:
+            length = "ft" if phrases.ledger.us else "m"
+            parts.append(Text(f" (velocities in {length}/s)" if hodograph else f" (lengths in {length})"))
+    if curve.holds:
+        parts.append(Text(f", {curve.holds}"))
+    return tuple(parts)
+
+
+def _radius(curve: Curve, phrases: Phrases, hodograph: bool) -> Line:
+    """Of a circle its radius, with the number of one that is no plain number."""
+    if not curve.kind.startswith(CIRCLE) or curve.radius is None:
+        return ()
+    formula = phrases.math(curve.radius)
+    if phrases.letters:
+        return (Text(" of radius "), formula)
+    value = phrases.of_dimension(phrases.value(curve.radius), LENGTH / TIME if hodograph else LENGTH)
+    return (Text(" of radius "), *(() if curve.radius.is_Rational else (formula, Text(" = "))), value)
+
+
+def _with_numbers(equation: Any, phrases: Phrases) -> Math | None:
+    """A curve with the numbers of all names put in; None where there are none, or letters without a number."""
+    inside = [s for s in equation.free_symbols if s in phrases.ledger.values]
+    if phrases.letters or not inside:
+        return None
+    numbers = {s: sp.Rational(str(phrases.value(s))) for s in inside}
+    sides = [side.xreplace(numbers) for side in (equation.lhs, equation.rhs)]
+    numeric = [rounded(sp.nsimplify(sp.N(s, 30), rational=True), phrases.figures) for s in sides]
+    return Math(sp.Eq(*numeric, evaluate=False))
 
 
 def components(x: Decimal, y: Decimal, unit: str, figures: int) -> Line:

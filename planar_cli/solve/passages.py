@@ -22,7 +22,8 @@ and that a wheel rolls, which has no rows.
 class Row:
     """Words before a line, and the line: an equation, its sides one after the other, or a formula. `value`: of its last
     side at the instant that is asked for, in base units of `dimension`; an `angle` has none. `sizes`: those of the
-    letters in that side.
+    letters in that side. `way`: the terms of a sum that is written after the first side as it stands, nothing in it
+    worked out: x_G + r cos(270° - φ).
     """
 
     words: str
@@ -31,6 +32,7 @@ class Row:
     dimension: Dimension = PURE
     angle: bool = False
     sizes: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
+    way: tuple[sp.Expr, ...] = ()
 
 
 def sides_of(row: Row) -> tuple[Any, ...]:

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.factoring import factored
@@ -31,7 +32,8 @@ from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.curves.by_coordinates import by_coordinates
-from planar_cli.solve.curves.kinematics import Story, letter_of, no_value, tells
+from planar_cli.solve.curves.kinds_asked import letter_of, tells
+from planar_cli.solve.curves.kinematics import Story, no_value
 from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.instant.verify import Disagreement
@@ -242,7 +244,15 @@ class FormulaReader:
         """A formula of the regime with rates and functions of time put in, as it is printed."""
         expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
         expr = simplified(self._unsigned(simplified(self.functions.put_in(expr))))
-        return directed(expr, self.regime.general.instant.scene.valuations[0])
+        return self._together(directed(expr, self.regime.general.instant.scene.valuations[0]))
+
+    def _together(self, expr: sp.Expr) -> sp.Expr:
+        """r - r cos φ as r (1 - cos φ), beside r (φ - sin φ): what all terms have of the letters of the file."""
+        ledger = self.regime.general.instant.scene.ledger
+        whole = factor_terms(expr) if expr.is_Add else expr
+        own = {*ledger.coordinates, self.regime.time}
+        shared = {f for f in sp.Mul.make_args(whole) if f.is_Symbol} - own if whole is not expr else set()
+        return whole if shared & set(ledger.letters) else expr
 
     def _unsigned(self, expr: sp.Expr) -> sp.Expr:
         """|e| is e where the file writes a distance or a magnitude with it: those are not negative."""

@@ -6,7 +6,7 @@ all others in Cartesian ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
@@ -18,21 +18,27 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities, direction_angle
-from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.scene import GROUND, Find, Polar
-from planar_cli.problem.walk import walk
-from planar_cli.records import changing, record
+from planar_cli.problem.scene import Find, Polar
+from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
+from planar_cli.solve.curves.kinds_asked import (
+    POLAR,
+    Use,
+    along_paths,
+    asked_in,
+    is_whole,
+    kinds_of,
+    magnitudes_of,
+    polar_of,
+    wanted_of,
+)
+from planar_cli.solve.curves.paths import with_article
 from planar_cli.solve.curves.rolled import rolled
 from planar_cli.solve.passages import ALONG, PLACES, RADIAL, RATES, ROLLING, Passage, Row, sides_of, told_function
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.units import LENGTH, PURE, TIME
 
-LEVELS = {"r": 0, "x": 0, "y": 0, "v": 1, "IC": 1, "coriolis": 1, "KE": 1, "momentum": 1, "H": 1, "a": 2, "rho": 2}
-ANGLES = {"theta": 0, "omega": 1, "alpha": 2}
-WITHOUT_POINT = ("KE", "momentum", "H")
-POLAR = ("r", "theta")
 GIVEN = "Given, and differentiated:"
 HEADINGS = (
     "Places:",
@@ -66,18 +72,18 @@ class Story:
 
     def passages(self, finds: Iterable[Find]) -> tuple[Passage, ...]:
         """Everything on which these finds rest."""
-        asked = list(_asked(finds))
-        polar = _polar(asked)
+        asked = list(asked_in(finds))
+        polar = polar_of(asked)
         around = [
             p
             for (point, origin), level in polar.items()
-            for p in self._polar_passages(point, origin, level, _magnitudes(asked, point))
+            for p in self._polar_passages(point, origin, level, magnitudes_of(asked, point))
         ]
         rows: tuple[list[Row], list[Row], list[Row]] = ([], [], [])
-        wanted = _wanted(asked, {point for point, _ in polar})
+        wanted = wanted_of(asked, {point for point, _ in polar})
         for (thing, angular), level in {**self._origins(wanted), **wanted}.items():
             for name, jet in self._jets(thing, angular):
-                whole = not angular and any(_is_whole(u.quantity, thing) for u in asked)
+                whole = not angular and any(is_whole(u.quantity, thing) for u in asked)
                 for n, row in enumerate(self._derivatives(name, jet, level, angular, whole)):
                     if row is not None:
                         rows[n].append(row)
@@ -87,40 +93,52 @@ class Story:
         rolling = self._rolling() if first else ()
         passages = [Passage(GIVEN, tuple(self._given())), *rolling, Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
-            passages.append(Passage("Rates of the coordinates:", tuple(self._rates())))
+            passages.append(Passage("Rates of the coordinates:", tuple(self._rates(bool(rows[2])))))
         passages += [Passage(HEADINGS[n], tuple(rows[n]), RATES) for n in (1, 2)]
-        passages += [p for point in _along_paths(asked, polar) for p in self._path_passages(point, asked)]
+        passages += [p for point in along_paths(asked, polar) for p in self._path_passages(point, asked)]
         return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
 
     def _rolling(self) -> Iterator[Passage]:
         """That a wheel which the file places by an arc rolls."""
         for r in rolled(self.quantities):
-            rolls = f"{r.body} rolls on {r.surface} without slipping: "
+            body, surface = with_article(r.body), with_article(r.surface)
+            rolls = f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: "
             yield Passage(f"{rolls}{r.centre} advances by the arc that has touched it.", (), ROLLING)
 
     def _origin(self, thing: str) -> str:
         """The point that moves and from which the file measures another; "" where there is none."""
-        scene = self.quantities.scene
-        place = next((p.place for p in scene.problem.points if p.name == thing), None)
-        if not isinstance(place, Polar) or self.driven is not None:
+        place = self._measured(thing)
+        if place is None or self.driven is not None:
             return ""
         at = self.quantities.place(place.origin)
         return place.origin if any(j.rate not in (None, 0) for j in (at.x, at.y)) else ""
+
+    def _measured(self, thing: str) -> Polar | None:
+        """How the file measures a point from another, by distance and angle."""
+        place = next((p.place for p in self.quantities.scene.problem.points if p.name == thing), None)
+        return place if isinstance(place, Polar) else None
 
     def _origins(self, wanted: Mapping[tuple[str, bool], int]) -> dict[tuple[str, bool], int]:
         """The origins of what is told, whose places are told before it."""
         found = {(o, False): 0 for thing, angular in wanted if not angular and (o := self._origin(thing))}
         return {**(self._origins(found) if found else {}), **found}
 
-    def _from_origin(self, name: str, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:
-        """x_P = x_G + r cos θ, where the file measures P from G."""
+    def _from_origin(self, name: str, closed: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+        """x_G + r cos(270° - φ) as the file measures P from G, and r φ - r sin φ, which that is."""
         axis, _, thing = name.partition("_")
         origin = self._origin(thing)
         if not origin or axis not in ("x", "y"):
-            return ()
+            return (), ()
         at = self._jet(getattr(self.quantities.place(origin), axis))
-        rest, base = self.clean(closed - self.regime.closed(at.value)), sp.Symbol(f"{axis}_{origin}", real=True)
-        return () if 0 in (rest, at.value) else (base + rest,)
+        base, rest = self.clean(self.regime.closed(at.value)), self.clean(closed - self.regime.closed(at.value))
+        if base == 0:
+            return (), ()
+        scene = self.quantities.scene
+        place = self._measured(thing)
+        assert place is not None
+        turned = (sp.cos if axis == "x" else sp.sin)(scene.value(place.angle), evaluate=False)
+        reach = sp.Mul(scene.value(place.distance), turned, evaluate=False)
+        return (sp.Symbol(f"{axis}_{origin}", real=True), reach), (sp.Add(base, rest),)
 
     def _function(self, function: Function) -> Row:
         """A coordinate as a function, with its value."""
@@ -151,16 +169,19 @@ class Story:
         closed = self.regime.closed(jet.value) if self.driven is None else jet.value
         self.used.append(closed)
         stem = closed.name if isinstance(closed, sp.Symbol) and closed in self.regime.rates else name
+        before = closed
         for n, expr in enumerate((closed, jet.rate, jet.second)[: level + 1]):
             if expr is None or (n and jet.rate == 0 and not whole):
                 return
             formula, symbol = self.clean(expr), sp.Symbol(f"{stem}{DOTS[n]}", real=True)
-            between = (self._from_origin(name, closed, formula), self._by_chain(closed, formula), ())[n]
+            way, between = self._from_origin(name, closed) if n == 0 else ((), self._by_chain(before, formula))
+            between = tuple(b for b in between if b != formula)
             line = (symbol, *between, formula) if between else sp.Eq(symbol, formula, evaluate=False)
-            yield None if formula == symbol else self._row(line, formula, n, angular)
+            yield None if formula == symbol else replace(self._row(line, formula, n, angular), way=way)
+            before = formula
 
     def _by_chain(self, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:
-        """The derivative of a place by the chain rule, before the rates of the coordinates are put in."""
+        """The derivative of a place or a velocity by the chain rule, before the rates of the coordinates are put in."""
         rates = {q: sp.Symbol(f"{q.name}_dot", real=True) for q in self.regime.rates if q in closed.free_symbols}
         if self.driven is not None or not self.with_rates or any(q in self.functions.found for q in rates):
             return ()
@@ -180,13 +201,19 @@ class Story:
                 yield f"x_{name}", self._jet(place.x)
                 yield f"y_{name}", self._jet(place.y)
 
-    def _rates(self) -> Iterator[Row]:
-        """q̇ = …, of the coordinates that stand in what is told and are no functions of time."""
+    def _rates(self, twice: bool) -> Iterator[Row]:
+        """q̇ = …, of the coordinates that stand in what is told and are no functions of time. `twice`: accelerations are
+        told, in which q̈ = 0 matters.
+        """
         inside = set().union(*(e.free_symbols for e in self.used)) if self.used else set()
         for symbol, rate in self.regime.rates.items():
             dotted = sp.Symbol(f"{symbol.name}_dot", real=True)
-            if symbol in inside and symbol not in self.functions.found and rate != dotted:
-                yield Row("", sp.Eq(dotted, rate, evaluate=False))
+            if symbol not in inside or symbol in self.functions.found or rate == dotted:
+                continue
+            steady = twice and not rate.free_symbols & {self.regime.time, *self.regime.rates}
+            yield Row("constant" if steady else "", sp.Eq(dotted, rate, evaluate=False))
+            if steady:
+                yield Row("so that", sp.Eq(sp.Symbol(f"{symbol.name}_ddot", real=True), 0, evaluate=False))
 
     # --- along the path ----------------------------------------------------------------------------------------------
 
@@ -202,14 +229,14 @@ class Story:
         sizes = {s: number for s, number in known.items() if number is not None}
         dx, dy, ddx, ddy = (sp.Symbol(f"{axis}_{point}{d}", real=True) for d in DOTS[1:] for axis in "xy")
         if not sizes:
-            kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in _kinds(u)}]
+            kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in kinds_of(u)}]
             pairs = {n: ((dx, place.x.rate), (dy, place.y.rate)) for n in kinds if n == 1}
             pairs |= {n: ((ddx, place.x.second), (ddy, place.y.second)) for n in kinds if n == 2}
             yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])))
         if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
             return
         v, a_t, a_n = (sp.Symbol(f"{name}", real=True) for name in (f"v_{point}", f"a_{point}_t", f"a_{point}_n"))
-        wanted = {kind for use in asked if use.quantity.things[0] == point for kind in _kinds(use)}
+        wanted = {kind for use in asked if use.quantity.things[0] == point for kind in kinds_of(use)}
         lines = {v: sp.sqrt(dx**2 + dy**2)}
         if wanted - {"v"} and sizes.keys() >= {ddx, ddy}:
             lines |= {sp.Symbol(f"a_{point}", real=True): sp.sqrt(ddx**2 + ddy**2)} if "a" in wanted else {}
@@ -297,101 +324,3 @@ class Story:
             sizes = {s: self.value(self.clean(e)) for s, e in inside.items() if s in part.free_symbols}
             known = {s: v for s, v in sizes.items() if v is not None}
             yield row if row.value is None else replace(row, line=(symbol, part), sizes=known)
-
-
-@record
-class Use:
-    """One quantity of a find, and how often what it is about is differentiated."""
-
-    quantity: Quantity
-    level: int
-
-
-def _asked(finds: Iterable[Find]) -> Iterator[Use]:
-    for find in finds:
-        dots = 0
-        for q in (n for n in walk(find.found.what) if isinstance(n, Quantity)):
-            if q.word in ("dot", "ddot"):
-                dots += 1 if q.word == "dot" else 2
-            elif q.word in ANGLES or q.word in LEVELS:
-                yield Use(q, min({**LEVELS, **ANGLES}[q.word] + dots, 2))
-
-
-def _is_whole(quantity: Quantity, thing: str) -> bool:
-    """Are both components of the velocity or the acceleration of a thing asked?"""
-    return quantity.word in ("v", "a") and not quantity.parts and quantity.things == (thing,)
-
-
-def _polar(asked: list[Use]) -> dict[tuple[str, str], int]:
-    """Points of which components along and across r are asked, each with the origin of r ("": that of the file)."""
-    found: dict[tuple[str, str], int] = {}
-    for use in asked:
-        if use.quantity.parts and use.quantity.parts[0].kind in POLAR:
-            things = use.quantity.things
-            key = (things[0], "" if len(things) < 2 or things[1] == GROUND else things[1])
-            found[key] = max(found.get(key, 0), use.level)
-    return found
-
-
-def _kinds(use: Use) -> set[str]:
-    """What is asked of a point along its path: its speed (v), the size of its acceleration (a), t, n, rho."""
-    quantity, kinds = use.quantity, {p.kind for p in use.quantity.parts}
-    if quantity.word == "rho":
-        return {"rho"}
-    if quantity.word == "a":
-        return (kinds & {"t", "n"}) | ({"a"} if "mag" in kinds else set())
-    return {"v"} if quantity.word == "v" and "mag" in kinds else set()
-
-
-def _along_paths(asked: list[Use], polar: Iterable[tuple[str, str]]) -> list[str]:
-    """Points of which something along the path is asked and that are not told in polar coordinates."""
-    around = {point for point, _ in polar}
-    return list(dict.fromkeys(u.quantity.things[0] for u in asked if _kinds(u) and u.quantity.things[0] not in around))
-
-
-def tells(find: Find, names: Collection[str], finds: Iterable[Find]) -> bool:
-    """Has what is asked a line of its own here? `names`: coordinates that are told; `finds`: all that is asked."""
-    q = find.found.what
-    if isinstance(q, Name):
-        return q.name in names
-    if isinstance(q, Quantity) and q.word == "r" and {p.kind for p in q.parts} <= {"mag", "angle"} and q.parts:
-        return q.things in [(point, origin) for point, origin in _polar(list(_asked(finds)))]
-    if not isinstance(q, Quantity) or q.word not in ("r", "v", "a", "rho", *ANGLES):
-        return False
-    kinds = {p.kind for p in q.parts}
-    return kinds <= {"x", "y"} or (kinds <= {"mag", "t", "n"} and q.word in ("v", "a")) or kinds <= set(POLAR)
-
-
-def letter_of(find: Find) -> sp.Symbol | None:
-    """The letter of a find that is one component or a magnitude; None: it is another thing."""
-    q = find.found.what
-    if not isinstance(q, Quantity) or len(q.parts) > 1 or q.word not in ("r", "v", "a", "rho"):
-        return None
-    kind, point = q.parts[0].kind if q.parts else "", q.things[0]
-    if kind in ("x", "y"):
-        return sp.Symbol(f"{kind}_{point}{DOTS[LEVELS[q.word]]}", real=True)
-    if kind in (*POLAR, "t", "n"):
-        return sp.Symbol(f"{q.word}_{point}_{kind}", real=True)
-    return sp.Symbol(f"{q.word}_{point}", real=True) if kind == "mag" or q.word == "rho" else None
-
-
-def _magnitudes(asked: list[Use], point: str) -> set[int]:
-    """Of a point's velocity (1) and acceleration (2) those of which the magnitude is asked."""
-    sizes = (u for u in asked if [p.kind for p in u.quantity.parts] == ["mag"] and u.quantity.things == (point,))
-    return {u.level for u in sizes if u.level}
-
-
-def _wanted(asked: list[Use], polar: set[str]) -> dict[tuple[str, bool], int]:
-    """Which points (False) and angles of bodies (True) are told, differentiated how often. Of a point that is told in
-    polar coordinates magnitudes need nothing more.
-    """
-    found: dict[tuple[str, bool], int] = {}
-    for use in asked:
-        q = use.quantity
-        kinds = {p.kind for p in q.parts}
-        if q.word not in ANGLES and q.things[0] in polar and kinds and kinds <= {*POLAR, "mag"}:
-            continue
-        for thing in q.things[:1] if q.word in WITHOUT_POINT else q.things:
-            key = (thing, q.word in ANGLES)
-            found[key] = max(found.get(key, 0), use.level)
-    return found

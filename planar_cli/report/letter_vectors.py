@@ -1,0 +1,69 @@
+"""A vector in letters read: its size, and where it points.
+
+a_P = [r ω² sin φ, r ω² cos φ], that is r ω² along the unit vector [sin φ, cos φ], from P to G
+r_B/A = [1/2 (√3 - 1) r, -1/2 (1 + √3) r], that is √2 r at 75.0° below +x
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.equation.plain import identically_zero, longer, simplified
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Line, line
+from planar_cli.report.numbers import vector_words
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
+
+SHORT = 8
+"""A size, or a component of a unit vector, of more operations says nothing at sight."""
+
+
+def letter_vector_words(found: Found, part: PartSolution, phrases: Phrases) -> Line:
+    """What stands behind the components; empty where the size is no product, or one component is zero."""
+    what = found.find.found.what if found.find is not None else None
+    if found.kind != "vector" or found.values is not None or len(found.expressions or ()) != 2:
+        return ()
+    if not isinstance(what, Quantity) or what.parts or not _has_direction(what) or not part.instants:
+        return ()
+    x, y = found.expressions or ()
+    if x == 0 or y == 0:
+        return ()
+    size = simplified(sp.sqrt(simplified(x**2 + y**2)))
+    if size.has(sp.Abs) or any(p.base.is_Add for p in size.atoms(sp.Pow) if not p.exp.is_Integer):
+        return ()
+    unit = Vec(simplified(x / size), simplified(y / size))
+    if size.is_number or any(longer(e, SHORT) for e in (size, unit.x, unit.y)):
+        return ()
+    head = line(", that is ", phrases.math(size))
+    if unit.x.is_number and unit.y.is_number:
+        words = vector_words(phrases.certain(unit.x), phrases.certain(unit.y)) if size.is_positive else ""
+        return line(*head, f" {words}") if words else ()
+    along = line(" along the unit vector [", phrases.math(unit.x), ", ", phrases.math(unit.y), "]")
+    scene = part.instants[-1].instant.scene
+    towards = next(_ends(what.things[0], unit, scene), "") if part.motion is None else ""
+    return line(*head, *along, f", {towards}" if towards else "")
+
+
+def _has_direction(q: Quantity) -> bool:
+    """Is it a velocity, an acceleration or a place relative to a point?"""
+    return q.word in ("v", "a") or (q.word == "r" and len(q.things) == 2 and q.things[1] != GROUND)
+
+
+def _ends(point: str, unit: Vec, scene: Scene) -> Iterator[str]:
+    """Between which points a vector at one of them lies."""
+    if point not in scene.points:
+        return
+    for other in scene.points:
+        if other == point:
+            continue
+        arm = scene.point(other) - scene.point(point)
+        along = simplified(arm.x * unit.x + arm.y * unit.y)
+        if identically_zero(arm.x * unit.y - arm.y * unit.x) and (along.is_positive or along.is_negative):
+            yield f"from {point} to {other}" if along.is_positive else f"from {other} to {point}"
