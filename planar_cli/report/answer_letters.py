@@ -32,7 +32,12 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     same = plain_name(found.name) in (plain_name(symbol.name), plain_name(own.name))
     if same and asked == symbol:
         return Answer(found.name, said, relation)
-    if same and not size and found.values is not None and direction_words(found, found.values[0]):
+    if (
+        same
+        and not size
+        and found.values is not None
+        and direction_words(found, found.values[0], phrases.ledger, phrases.value)
+    ):
         # Its direction says in which sense it counts.
         return Answer(found.name, said, "=")
     letter = line("|", Math(symbol), "|") if size else line(Math(asked))
@@ -75,6 +80,6 @@ def _signed(found: Found, phrases: Phrases) -> list[Inline]:
     if found.values is None:
         return []
     number = display(found.values[0], found.unit, phrases.ledger.us)
-    if number >= 0 or not direction_words(found, number):
+    if number >= 0 or not direction_words(found, number, phrases.ledger, phrases.value):
         return []
     return [Value(number, told_unit(found.unit, found.energy), phrases.figures), Text(", that is ")]

@@ -1,11 +1,17 @@
-"""The sense of an answer in words: counterclockwise, to the right, upward."""
+"""The sense of an answer in words: counterclockwise, to the right, upward, at 20° above +x."""
 
 from __future__ import annotations
 
 from decimal import Decimal
 
-from planar_cli.problem.expression import Part, Quantity, Side
-from planar_cli.report.numbers import rotation_words
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.expression import Name, Part, Quantity, Side
+from planar_cli.problem.walk import walk
+from planar_cli.report.numbers import rotation_words, vector_words
 from planar_cli.report.sides import number_of
 from planar_cli.solve.solution import Found
 
@@ -14,9 +20,32 @@ TURNS = ("omega", "alpha", "moment", "H")
 MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
 
 
-def direction_words(found: Found, number: Decimal) -> str:
-    """Words for rotations and for x and y parts; empty of all else, and where there is no number."""
-    return "" if not number or found.values is None else _words(found, number > 0)
+def direction_words(found: Found, number: Decimal, ledger: Ledger, value: Valuation) -> str:
+    """Words for rotations and for parts along axes and given directions; empty of all else, and where there is no
+    number.
+    """
+    if not number or found.values is None:
+        return ""
+    return _words(found, number > 0) or _oblique(found, number > 0, ledger, value)
+
+
+def _oblique(found: Found, positive: bool, ledger: Ledger, value: Valuation) -> str:
+    """The direction of a part along a slanting line that the file gives by its angle."""
+    what = found.find.found.what if found.find is not None else None
+    if not isinstance(what, Quantity) or what.word not in MOVES or len(what.parts) != 1:
+        return ""
+    (part,) = what.parts
+    if part.kind != "along" or not isinstance(part.direction, Side):
+        return ""
+    nodes = list(walk(part.direction))
+    if any(isinstance(node, Quantity) for node in nodes):
+        return ""
+    named = {ledger.symbols.get(node.name) for node in nodes if isinstance(node, Name) and node.name != "pi"}
+    if not all(symbol in ledger.values for symbol in named) or any(symbol in value.drawn for symbol in named):
+        return ""
+    angle = Evaluator(ledger, {}).value(part.direction)
+    cosine, sine = value(sp.cos(angle)), value(sp.sin(angle))
+    return vector_words(cosine, sine) if positive else vector_words(-cosine, -sine)
 
 
 def sense_of_formula(found: Found) -> str:

@@ -21,6 +21,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
@@ -215,9 +216,11 @@ class Telling:
         relations = [*(w for w in relations if w.source != "extreme"), *extremes]
         if relations and stages:
             blocks.append(Paragraph(line("Accelerations:")))
+        ends = [found[0] for w in relations if (found := named_end(w, last, self.system)) is not None]
+        blocks += [self._explicit(x, last) for x in last.lines if x in ends]
         blocks += self._equations(relations, last)
         blocks += self._centres(last) if kinetic else ()
-        return [*blocks, *(self._explicit(x, last) for x in last.lines)]
+        return [*blocks, *(self._explicit(x, last) for x in last.lines if x not in ends)]
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
         sides, note = self.numeric.named(x, stage)
@@ -265,6 +268,8 @@ class Telling:
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
         """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
+        if (end := named_end(w, stage, self.system)) is not None:
+            length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         words = self.vectors.before(w, stage.level) or [Paragraph(length or self._named(self._relation_words(w)))]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]
@@ -277,6 +282,8 @@ class Telling:
                 line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
             )
             return [*words, Equation(chain, number)]
+        if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.is_Symbol:
+            w = replace(w, left=w.right, right=w.left)
         turned = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
         return [*words, Equation(sides, number, (), note)]

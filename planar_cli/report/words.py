@@ -261,7 +261,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         if not place and not any(numbers):
             return (Text("0"),)
         return _vector_line(numbers, unit, phrases.figures, place)
-    words = direction_words(found, numbers[0])
+    words = direction_words(found, numbers[0], phrases.ledger, phrases.value)
     shown = abs(numbers[0]) if words else numbers[0]
     return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
 
