@@ -48,6 +48,7 @@ class Damper(Load):
     effect: ClassVar[Effect] = Effect("damper force", "dampers", rank=5)
     line: ClassVar[str] = "pull of {called}"
     quantities: ClassVar[tuple[str, ...]] = ("tension",)
+    nouns: ClassVar[tuple[str, ...]] = ("dashpot", "absorber", "brake")
     pulls: ClassVar[bool] = True
     dissipates: ClassVar[bool] = True
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.isolated import at_sight
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.words import Phrases
@@ -111,6 +113,7 @@ class SolvingTelling:
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []
+        block = replace(block, lines=tuple(at_sight(x, block.equations, self.numeric.readable) for x in block.lines))
         lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
         if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
             blocks = self._put_in(block, stage)

@@ -14,6 +14,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, measured, places
@@ -178,6 +179,7 @@ class Telling:
                     sides = (sides[0], root, value)
                 if not is_length and is_sought(symbol, ledger):
                     sides = sides[:2]
+                blocks += rate_of_length(symbol, expr, self.system, self.phrases)
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
         return alike_together(blocks)
 
@@ -282,7 +284,7 @@ class Telling:
                 line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
             )
             return [*words, Equation(chain, number)]
-        if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.is_Symbol:
+        if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.as_coeff_Mul()[1].is_Symbol:
             w = replace(w, left=w.right, right=w.left)
         turned = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
