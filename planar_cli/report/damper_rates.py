@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.system import System
-from planar_cli.loads.damper import Damper
+from planar_cli.loads.base import Load
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Equation, Line, Name, line
 from planar_cli.report.geometry import measured
@@ -24,12 +24,13 @@ def rate_of_length(symbol: sp.Symbol, force: sp.Expr, system: System, phrases: P
     """The length and its rate of the damper whose pull has a letter: √(1.2² + 0.5²) = 1.3 m, 12/13 v_P = 1.4 m/s."""
     own = next((w for w in system.wrenches if w.kind == "damper" and w.magnitude == symbol), None)
     load = next((x for x in system.scene.problem.loads if own is not None and x.name == own.name), None)
-    if not isinstance(load, Damper) or phrases.symbolic:
+    between, coefficient = getattr(load, "between", ()), getattr(load, "coefficient", None)
+    if load is None or not between or coefficient is None or phrases.symbolic:
         return
     scene = system.scene
-    start, end = (scene.points[p] for p in load.between)
+    start, end = (scene.points[p] for p in between)
     reach = end - start
-    rate = simplified(force / scene.value(load.coefficient))
+    rate = simplified(force / scene.value(coefficient))
     squares = (sp.Pow(abs(part), 2, evaluate=False) for part in (reach.x, reach.y))
     length = measured(sp.Pow(sp.Add(*squares, evaluate=False), sp.Rational(1, 2), evaluate=False), phrases)
     if length is None or longer(rate, LONGEST) or any(phrases.value.known(s) is None for s in rate.free_symbols):
@@ -43,9 +44,10 @@ def rate_of_length(symbol: sp.Symbol, force: sp.Expr, system: System, phrases: P
     yield Equation(tuple(sides), None, line("rate of its length, ", *_part(load, scene.owner), ":"), line(sense))
 
 
-def _part(load: Damper, owner: Callable[[str], str]) -> Line:
+def _part(load: Load, owner: Callable[[str], str]) -> Line:
     """`v_P along WP`, where one end is at rest."""
-    moving = [p for p in load.between if owner(p) != GROUND]
+    ends: tuple[str, ...] = getattr(load, "between", ())
+    moving = [p for p in ends if owner(p) != GROUND]
     if len(moving) != 1:
         return line("the relative velocity of its ends along it")
-    return line(Name(f"v_{moving[0]}"), f" along {''.join(load.between)}")
+    return line(Name(f"v_{moving[0]}"), f" along {''.join(ends)}")
