@@ -23,3 +23,18 @@ def moving_of(system: System, motion: Motion, bodies: Iterable[str]) -> Iterator
         body, center = system.scene.bodies[name], system.scene.center_name(name)
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
         yield Moving(name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name))
+
+
+def joined(position: Position) -> list[tuple[str, ...]]:
+    """The bodies in groups: within one, reactions and loads join them; nothing acts between two groups."""
+    system = position.system
+    acting = [{a.body for a in push.actions} for push in system.pushes]
+    loads: dict[tuple[str, str], set[str]] = {}
+    for w in system.wrenches:
+        loads.setdefault((w.kind, w.name), set()).add(w.body)
+    groups: list[set[str]] = [{name} for name in system.scene.bodies]
+    for together in (*acting, *loads.values()):
+        met = [g for g in groups if g & together]
+        groups = [g for g in groups if g not in met] + ([set().union(*met)] if met else [])
+    order = list(system.scene.bodies)
+    return sorted((tuple(sorted(g, key=order.index)) for g in groups), key=lambda g: order.index(g[0]))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import ClassVar, final
 
 import sympy as sp
@@ -11,7 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
-from planar_cli.principles._bodies import moving_of
+from planar_cli.principles._bodies import joined, moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
@@ -19,6 +19,8 @@ from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 
+WORK, NO_WORK = 0.9, 1.3
+"""The cost of the balance; where nothing does work on a group, its momentum tells the speeds sooner."""
 FRICTION = "friction at {}"
 """What does work where no load does: what slips."""
 
@@ -71,31 +73,52 @@ class WorkEnergy(Principle):
     alone: ClassVar[str] = "the balance of energy"
 
     def over(self, position: Position, chosen: bool) -> Iterator[Balance]:
-        """T_1 + U_1-2 = T_2, unless something unknown drives the scene, or a support moves."""
+        """T_1 + U_1-2 = T_2 of all bodies, and of each group of them that nothing joins to the others; unless something
+        unknown drives the scene, or a support moves.
+        """
         for frame in frames(position):
             yield from _seen_from(position, frame)
         if not _closed(position):
             return
-        scene, motion = position.system.scene, position.motion
-        kinetic = []
-        for name, body in scene.bodies.items():
-            v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
-            kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
-        yield Balance(
-            words="work and kinetic energy",
-            name="",
-            amounts=tuple((name, energy) for name, energy in kinetic if energy != 0),
-            sources=tuple(_sources(position)),
-            cost=0.9,
-            letter=_letter_in(scene.problem),
-            bring="U",
-            idle=tuple(position.system.symbols[p.name] for p in _ideal(position) if not _is_internal(p)),
-            internal=tuple(position.system.symbols[p.name] for p in _ideal(position) if _is_internal(p)),
-            adds=True,
-            timeless=True,
-            moving=tuple(moving_of(position.system, motion, scene.bodies)),
-            longest=500,
-        )
+        groups, sources = joined(position), list(_sources(position))
+        whole = tuple(position.system.scene.bodies)
+        if len(groups) > 1:
+            for group in groups:
+                yield from _of(position, group, [s for s, bodies in sources if bodies & set(group)], group)
+        yield from _of(position, whole, [s for s, _ in sources], ())
+
+
+def _of(
+    position: Position, bodies: tuple[str, ...], sources: Sequence[Source], told: tuple[str, ...]
+) -> Iterator[Balance]:
+    """The balance of some bodies; `told`: by which names, none where they are all."""
+    scene, motion = position.system.scene, position.motion
+    kinetic = []
+    for name in bodies:
+        body = scene.bodies[name]
+        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
+        kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
+    amounts = tuple((name, energy) for name, energy in kinetic if energy != 0)
+    if told and not amounts:
+        return
+    ideal = _ideal(position, bodies)
+    works = any(expanded(s.rate) != 0 for s in sources)
+    yield Balance(
+        words="work and kinetic energy",
+        name="",
+        amounts=amounts,
+        sources=tuple(sources),
+        cost=WORK if works or not told else NO_WORK,
+        bodies=told,
+        letter=_letter_in(scene.problem),
+        bring="U",
+        idle=tuple(position.system.symbols[p.name] for p in ideal if not _is_internal(p)),
+        internal=tuple(position.system.symbols[p.name] for p in ideal if _is_internal(p)),
+        adds=True,
+        timeless=True,
+        moving=tuple(moving_of(position.system, motion, bodies)),
+        longest=500,
+    )
 
 
 def _letter_in(problem: Problem) -> str:
@@ -155,8 +178,8 @@ def _closed(position: Position) -> bool:
     return not any(position.time in v.x.free_symbols | v.y.free_symbols for v in carried)
 
 
-def _sources(position: Position) -> Iterator[Source]:
-    """Weights first, then loads one by one, then the friction of what slips."""
+def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
+    """Weights first, then loads one by one, then the friction of what slips; each with the bodies that it acts on."""
     system, motion = position.system, position.motion
     assert system.reactions is not None
     named: dict[tuple[str, str], list[Wrench]] = {}
@@ -171,14 +194,15 @@ def _sources(position: Position) -> Iterator[Source]:
         stored = None if load is None else load.potential(setting)
         working = FRICTION if load is None else load.working or load.called.removeprefix("the ")
         of = None if made is None else Stored(sp.sympify(made[0]), sp.sympify(made[1]), made[2], made[3])
-        yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored), of)
+        function = None if stored is None else -sp.sympify(stored)
+        yield Source(working.format(name), power, function, of), {w.body for w in wrenches}
     followers = {law.push for law in system.laws}
     for push, value in system.reactions.pushes:
         if push.name not in followers or value == 0:
             continue
         parts = [a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
         parts += [a.couple * motion.velocities[a.body].angular for a in push.actions]
-        yield Source(FRICTION.format(push.place), sp.Add(*parts) * value)
+        yield Source(FRICTION.format(push.place), sp.Add(*parts) * value), {a.body for a in push.actions}
 
 
 def _power(w: Wrench, motion: Motion) -> sp.Expr:
@@ -186,11 +210,12 @@ def _power(w: Wrench, motion: Motion) -> sp.Expr:
     return force.dot(motion.velocity(w.point, w.body)) + w.couple * motion.velocities[w.body].angular
 
 
-def _ideal(position: Position) -> list[Push]:
-    """The reactions that do no work in all: those of ideal joints."""
+def _ideal(position: Position, bodies: tuple[str, ...]) -> list[Push]:
+    """The reactions on bodies that do no work in all: those of ideal joints."""
     system = position.system
     followers = {law.push for law in system.laws}
-    return [p for p in system.pushes if p.name not in followers and p.kind != "drive"]
+    own = [p for p in system.pushes if any(a.body in bodies for a in p.actions)]
+    return [p for p in own if p.name not in followers and p.kind != "drive"]
 
 
 def _is_internal(push: Push) -> bool:
