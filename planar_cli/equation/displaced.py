@@ -46,6 +46,8 @@ class Displacer:
     made: CoordinateNames
     poses: dict[str, Pose] = field(default_factory=lambda: {GROUND: HERE})
     coordinates: list[Coordinate] = field(default_factory=list)
+    _begun: set[str] = field(default_factory=set)
+    """Bodies that are placed already, or as soon as those are from which the file places them."""
 
     def run(self) -> Displacement:
         """All bodies in the order of the tree, then the points of contact."""
@@ -57,8 +59,9 @@ class Displacer:
 
     def _place(self, edge: Edge) -> None:
         """A body, after those from which the file places it."""
-        if edge.body in self.poses:
+        if edge.body in self._begun:
             return
+        self._begun.add(edge.body)
         carrier, _ = self._origin(edge.body)
         for other in self.tree.edges:
             if other.body == carrier or (other.body == edge.parent and edge.body not in self.formula):
@@ -114,8 +117,8 @@ class Displacer:
         coordinates = set(self.scene.ledger.coordinates)
         center = body.center
         carrier, origin = self._origin(edge.body)
-        if carrier != GROUND:
-            # It goes along with the point from which it is placed.
+        if carrier != GROUND and carrier in self.poses:
+            # It goes along with the point from which it is placed, unless each is placed from a point of the other.
             center = center + self.poses[carrier].point(self.scene.point(origin)) - self.scene.point(origin)
         if edge.spin is None or body.theta.free_symbols & coordinates or self._turned_by_points(edge.body):
             return Pose(body.center, center, body.theta, body.theta)

@@ -125,16 +125,22 @@ class SceneAutomaton:
 
     def _is_driven(self, way: Sequence[float], largest: float, choice: Choice, t: float, y: Sequence[float]) -> bool:
         """Does a load or a reaction drive along this way? `largest`: its largest part."""
-        rows = self._driving(choice, t, y)
+        moved = {i for i, v in enumerate(way) if abs(v) > 1e-9 * largest}
+        try:
+            rows = self._driving(choice, t, y, moved)
+        except ZeroDivisionError:
+            # The ends of a spring coincide: it has no direction in this position, but drives in any other.
+            return True
         return any(abs(sum(f * v for f, v in zip(row, way, strict=True))) > 1e-9 * largest for row in rows)
 
-    def _driving(self, choice: Choice, t: float, y: Sequence[float]) -> list[list[float]]:
-        """What loads and reactions drive, for each velocity, in parts of the largest."""
+    def _driving(self, choice: Choice, t: float, y: Sequence[float], moved: Collection[int]) -> list[list[float]]:
+        """What loads and reactions drive, for each velocity, in parts of the largest; of those that drive `moved`."""
         model, indices = self.model, self.model.chosen(choice)
         layout = model.layout
         columns = [layout.of_actions(wrenches) for wrenches in model.wrenches.values()]
         for joint in model.joints:
             columns += [layout.of_actions(p.actions) for p in model.modes[joint.name][indices[joint.name]].facts.pushes]
+        columns = [c for c in columns if not moved.isdisjoint(c)]
         numbers = iter(compiled([x for c in columns for x in c.values()], layout.state, layout.time).function(t, y))
         found: list[list[float]] = []
         for column in columns:

@@ -87,6 +87,8 @@ def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
     takes = TAKES.get(quantity.word)
     if takes is None or not quantity.things:
         return
+    if quantity.word in BODY_WORDS:
+        yield from _turning(quantity, scope)
     yield from _thing(quantity, 0, takes.first, scope)
     if len(quantity.things) > 1:
         yield from _second(quantity, takes, scope)
@@ -95,6 +97,15 @@ def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
         example = {"coriolis": "coriolis(P/b)", "H": "H(b/P)"}[quantity.word]
         message = f"{quantity.word}({quantity.things[0]}) leaves open about or against what"
         yield Diagnostic(quantity.mark, "PL421", message, f"write `{example}`")
+
+
+def _turning(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
+    """A particle has no angle of its own, so that nothing can be said of how it turns."""
+    for name in quantity.things:
+        if name in scope.bodies and isinstance(scope.bodies[name].shape, Particle):
+            text = f"{name} is a particle: it has no angle, so `{quantity.word}({name})` says nothing"
+            hint = f"name a body that turns, or write `r({name}).angle` for the direction in which {name} lies"
+            yield Diagnostic(quantity.mark, "PL420", text, hint)
 
 
 def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnostic]:

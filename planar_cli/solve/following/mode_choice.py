@@ -39,11 +39,22 @@ class ModeChoice:
     lack: NoSolution | None = None
     """What is wrong with the first of them in which no motion passes through the states."""
 
-    def _unblocked(self, modes: ModeSequence, i: int) -> ModeSequence:
-        """Another choice of modes, where the velocities of this one contradict each other in every position."""
-        other = self._other(modes, i, "the joints contradict what is given of the velocities")
+    def _unblocked(self, course: RegimeSequence) -> ModeSequence | None:
+        """Another choice of modes, where in this one the velocities of a stretch contradict each other in every
+        position; None: they do not. NoSolution: they do in all choices, or in a state of equilibrium.
+        """
+        modes = course.modes
+        for state, stretch in modes.equilibria:
+            if not self.workshop.regime(stretch).moves():
+                text = f"the joints contradict what is given of the velocities at {state.name}"
+                lack = NoSolution([Diagnostic(state.mark, "PL622", text)])
+                raise as_drawn(stretch.span, self.workshop, self.problem) or lack
+        blocked = next((i for i, r in enumerate(course.regimes) if not r.moves()), None)
+        if blocked is None:
+            return None
+        other = self._other(modes, blocked, "the joints contradict what is given of the velocities")
         if other is None:
-            raise as_drawn(modes.stretch(i).span, self.workshop, self.problem) or self._exhausted(modes, i)
+            raise as_drawn(modes.stretch(blocked).span, self.workshop, self.problem) or self._exhausted(modes, blocked)
         return other
 
     def _agreeing(self, course: RegimeSequence) -> ModeSequence | None:

@@ -96,13 +96,9 @@ class ModeSearch(ModeChoice):
         while (modes, self.sense) not in looked and len(looked) < CHANGES:
             looked.append((modes, self.sense))
             sequence = regime_sequence(self.problem, modes, self.workshop)
-            blocked = next((i for i, r in enumerate(sequence.regimes) if not r.moves()), None)
-            if blocked is not None:
-                modes = self._unblocked(modes, blocked)
-                continue
-            agreeing = self._agreeing(sequence)
-            if agreeing is not None:
-                modes = agreeing
+            other = self._unblocked(sequence) or self._agreeing(sequence)
+            if other is not None:
+                modes = other
                 continue
             if hangs := hanging(sequence):
                 modes = modes.with_resting(hangs)

@@ -226,7 +226,8 @@ def _general(
     setup.scene.facings = {joint.name: side for joint, modes in drawn.modes if (side := modes[0].side)}
     instant = Instant(setup)
     system = instant.system(choice)
-    held = held_places(instant.setup, system.quantities_of(system.first, None))
+    varying = {s for c in (*user, *displacement.coordinates) for s in (c.symbol, c.start)}
+    held = held_places(instant.setup, system.quantities_of(system.first, None), varying)
     if held:
         constraints = (*constraints, *held)
         user = _user_coordinates(instant, made)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -12,13 +12,17 @@ from planar_cli.equation.curves import direction_of
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Part, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.regimes.constraints import Constraint
 
 
-def held_places(setup: Setup, quantities: Quantities) -> tuple[Constraint, ...]:
-    """Every relation about places that holds all the time, as a residual in coordinates and t."""
+def held_places(setup: Setup, quantities: Quantities, varying: Collection[sp.Symbol]) -> tuple[Constraint, ...]:
+    """Every relation about places that holds all the time, as a residual in coordinates and t.
+
+    `varying`: coordinates and where they start. NoSolution: a relation has none of them, and does not hold.
+    """
     names = {s.name for s in setup.ledger.coordinates}
     relations = [
         r
@@ -35,9 +39,17 @@ def held_places(setup: Setup, quantities: Quantities) -> tuple[Constraint, ...]:
         for residual in _residuals(relation, paired, quantities):
             expr = simplified(residual)
             if expr != 0 and expr.free_symbols:
+                if expr.free_symbols.isdisjoint(varying):
+                    raise _cannot_vary(relation)
                 text = relation.text if paired is None else f"{relation.text}, {paired.text}"
                 found.append(Constraint(expr, text, "", "motion"))
     return tuple(found)
+
+
+def _cannot_vary(relation: Relation) -> NoSolution:
+    """A relation between what the joints keep as it is drawn."""
+    text = f"`{relation.text}` can not hold all the time: what it names can not move so"
+    return NoSolution([Diagnostic(relation.mark, "PL607", text, "leave it out, or name what the joints let move")])
 
 
 def _part_of(relation: Relation, kind: str) -> tuple[str, tuple[str, ...]] | None:
