@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from functools import cached_property
 
 from planar_cli.integrators.base import Step
@@ -133,7 +133,7 @@ class SceneAutomaton:
             return True
         return any(abs(sum(f * v for f, v in zip(row, way, strict=True))) > 1e-9 * largest for row in rows)
 
-    def _driving(self, choice: Choice, t: float, y: Sequence[float], moved: Collection[int]) -> list[list[float]]:
+    def _driving(self, choice: Choice, t: float, y: Sequence[float], moved: Set[int]) -> list[list[float]]:
         """What loads and reactions drive, for each velocity, in parts of the largest; of those that drive `moved`."""
         model, indices = self.model, self.model.chosen(choice)
         layout = model.layout
