@@ -46,6 +46,7 @@ from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.steps import SOLVING, without_ritual
+from planar_cli.report.tale_check import tale_check
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore
 from planar_cli.report.uses import uses_of
@@ -179,6 +180,8 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if part.motion is not None and why is None:
         others = (check(part.motion, settled) for check in (energy_check, blow_check, law_check))
         blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
+    if why is None and (derived := tale_check(part, phrases)):
+        blocks.append(Check(derived))
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
