@@ -27,7 +27,28 @@ def test_an_acceleration_that_always_points_to_the_centre() -> None:
 
 
 def test_a_displacement_of_a_fixed_direction() -> None:
-    assert "that is √2 r at 75° below +x" in _page("ex-1-02")
+    page = _page("ex-1-02")
+    assert "that is √2 r at 75° below +x" in page
+    assert "x_A2 - x_A = r cos(-30°) - r cos 60° = 1/2 (√3 - 1) r" in page
+
+
+def test_what_is_shifted_parallel_to_itself_is_not_worked_out_again() -> None:
+    page = _page("ex-1-02")
+    assert "r_B2/A2 = r_B/A = [l, 0]: AB keeps its length and direction (translation), so B moves as A:" in page
+    assert "r_B2_from_B = r_A2_from_A\n" in page
+    assert "x_B2" not in page
+
+
+def test_special_positions_check_a_rolling_wheel() -> None:
+    assert "at φ = 0, P at [0, 0]: v_P = 0; at φ = 180°, P at [π r, 2 r]: v_P = [2 r ω, 0]" in _page("ex-1-04")
+
+
+def test_two_ways_to_the_same_speed() -> None:
+    assert "√(v_Pr² + v_Pθ²) = √(0.08256² + 0.1544²) = 0.1751 m/s; |ẋ_P| = 0.1751 m/s" in _page("ex-1-14")
+
+
+def test_a_constant_speed_on_a_circle() -> None:
+    assert "constant speed on a circle: a_P = v_P²/R = 11.781²/15 = 9.253 m/s²" in _page("ex-1-12")
 
 
 def test_a_size_that_is_no_product_is_not_read() -> None:

@@ -18,6 +18,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
+from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.enough_figures import figures_of
@@ -46,6 +47,7 @@ class AskedTelling:
         self._told: set[str] = set()
         self._named: set[str] = set()
         self.paths = PathTelling(vectors, phrases, self._once)
+        self.places = PlaceTelling(self.scene, phrases)
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
@@ -103,9 +105,16 @@ class AskedTelling:
                 values = self.phrases.in_units(answer.values[0], answer.unit, answer.energy)
                 yield Equation((line(Name(answer.name)), size, *values))
                 return
+        place = place_asked(answer)
+        if place is not None:
+            if shifted := self.places.shifted(answer, place):
+                yield from shifted
+                return
+            yield from self.places.heading(place)
         axes = ("x", "y") if len(answer.asked) == 2 else ("",)
         for i, (axis, expr) in enumerate(zip(axes, answer.asked, strict=True)):
             name = line(Name(answer.name), f", {axis}" if axis else self._sense(answer))
+            name = name if place is None else place_name(place, axis)
             sides: list[Any] = [name]
             values = (
                 [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)
