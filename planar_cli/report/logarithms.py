@@ -58,9 +58,11 @@ def _of_two(total: sp.Expr, ledger: Ledger) -> sp.Expr | None:
 
 
 def _turned(term: Any) -> Any:
-    """a ln(x/y) for -a ln(y/x), and for ln(-(y - x)/x) what it is without two signs."""
+    """a ln(x/y) for -a ln(y/x) and -a ln(1 - z/x), and for ln(-(y - x)/x) what it is without two signs."""
     (log, *more) = [f for f in term.args if isinstance(f, sp.log)]
     above, below = sp.fraction(log.args[0])
+    if below == 1 and above.is_Add and (term / log).could_extract_minus_sign():
+        above, below = sp.fraction(sp.together(above))
     if more or below == 1 or not any(f.is_Add for f in sp.Mul.make_args(above)):
         return term
     above, factor = sp.expand(above), term / log

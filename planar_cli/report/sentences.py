@@ -19,11 +19,14 @@ def sentences(system: System, bodies: Collection[str]) -> Iterator[Paragraph]:
         still = system.motion is not None and system.motion.velocities[body].angular == 0
         if skids and still and system.scene.rigid(body):
             yield Paragraph(line(f"{body} does not turn now: {ALL_OF_IT}"))
+    told: list[Paragraph] = []
     pressing = {(w.kind, w.name) for w in system.wrenches}
     for load in acting_loads(system.scene.problem):
         if load.brings_mass and getattr(load, "body", "") in bodies:
-            told = _stream(load, (load.kind, load.name) in pressing)
-            yield Paragraph(line(told))
+            own = Paragraph(line(_stream(load, (load.kind, load.name) in pressing)))
+            if own not in told:
+                told.append(own)
+    yield from told
 
 
 def _stream(load: Load, presses: bool) -> str:
@@ -35,9 +38,12 @@ def _stream(load: Load, presses: bool) -> str:
         return f"What {way} has no velocity relative to {body}: it does not push"
     if comes is not None and goes is not None:
         return (
-            f"The stream pushes {body} with its momentum per second: where it comes in its direction, where it leaves "
-            "against it"
+            f"Momentum of the stream per second: where it enters, it pushes {body} in its own direction; where it "
+            "leaves, in the opposite one"
         )
     if comes is not None:
         return f"What enters pushes {body} with its momentum per second, seen from {body}"
-    return f"Thrust: mass per second times the velocity relative to {body}, against what leaves"
+    return (
+        f"What leaves takes momentum with it. Thrust: mass per second times its velocity relative to {body}, in the "
+        "opposite direction"
+    )

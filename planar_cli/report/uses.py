@@ -47,6 +47,8 @@ class Uses:
     forces: bool = False
     inertial: bool = False
     """Are inertial forces drawn among the forces?"""
+    streams: bool = False
+    """Does a stream bring mass to a body, or take it?"""
     singles: set[str] = field(default_factory=set)
     """Equations of a whole scene, by their words."""
     at_rest: bool = False
@@ -172,6 +174,7 @@ def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]
             found.singles.add(w.words)
         else:
             found.forces = True
+            found.streams |= any(x.kind == "stream" and x.body in w.bodies for x in system.wrenches)
             found.inertial |= instant.instant.principle.inertia_as_force
             _add(found.groups, w.bodies if len(w.bodies) > 1 else None)
             if w.law == "moment":
