@@ -125,3 +125,15 @@ def test_a_rope_is_called_once(key: str, called: str) -> None:
     page = Terminal(width=110).render(narrate(solve_problem(problem)))
     assert f"  {called} keeps its length" in page
     assert "C = [2, 0] m\n" in page
+
+
+@pytest.mark.parametrize(
+    ("stem", "reason"),
+    [
+        ("friction/stone-in-a-rotating-drum", "other roots: -7.093 rad/s (given: w > 0)"),
+        ("friction/package-on-the-end-drum-of-a-conveyor", "(N_P = -5.367 N < 0)"),
+    ],
+)
+def test_a_root_is_ruled_out_by_what_is_false_of_it(stem: str, reason: str) -> None:
+    """Not by what is false of a root of another limit."""
+    assert reason in _page(stem)

@@ -42,6 +42,14 @@ def _objection(trial: Any, phrases: Phrases) -> Line:
     return line(f"this would not hold: {test.words}", _by_how_much(trial, test, phrases))
 
 
+def broken_by(trial: Any, phrases: Phrases) -> Line:
+    """With which value the first test of a trial fails: N = -2.9 N < 0; nothing where that has no number."""
+    test, value = trial.tests[0]
+    told = () if value is None else _by_how_much(trial, test, phrases)
+    compared = told[1:-1]
+    return line(*compared, " < 0") if compared and len(test.pushes) == 1 and test.constant == 0 else line(*compared)
+
+
 def _by_how_much(trial: Any, test: Any, phrases: Phrases) -> Line:
     """What the failed test compares: friction, or the couple of a normal force, with its limit; or the push that should
     press.

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
+from planar_cli.report.assumed import broken_by
 from planar_cli.report.blocks import Block, Line, Paragraph, line
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
@@ -14,6 +16,8 @@ from planar_cli.solve.solution import InstantSolution
 
 SIGNS = {">=": "≥", "<=": "≤"}
 """Inequalities in the notation of the page; all others as they are written."""
+SAME = Decimal("1e-20")
+"""Roots of one equation, found twice with sixty digits, agree to this part of them."""
 
 
 def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> list[Block]:
@@ -32,7 +36,7 @@ def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> li
     parts: list[Any] = ["other roots: "]
     for i, root in enumerate(left):
         parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
-    return [Paragraph(line(*parts, " (", _reason(instant, choice, phrases.figures), ")"))]
+    return [Paragraph(line(*parts, " (", _reason(instant, choice, phrases), ")"))]
 
 
 def _is_speed(instant: InstantSolution, x: SolvedLine) -> bool:
@@ -59,30 +63,43 @@ def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: 
     return [_opposite(phrases.math(left[0].expression), choice.roots[choice.taken].value > 0)]
 
 
-def _reason(instant: InstantSolution, choice: Any, figures: int) -> Line:
-    """What rules the other roots out, each by the branch that is like the one taken but for this root."""
+def _reason(instant: InstantSolution, choice: Any, phrases: Phrases) -> Line:
+    """What rules the other roots out, each by the branch that is like the one taken but for this root. The branches of
+    another limit, or of the same limit on the other side, have roots of their own.
+    """
     taken = {c.symbol: c.taken for c in instant.sought.branch.choices} if instant.sought is not None else {}
     nearest: dict[int, tuple[int, Line]] = {}
     for other in instant.left_out:
-        roots = {c.symbol: c.taken for c in other.branch.choices}
-        own = roots.get(choice.symbol)
-        apart = sum(roots[s] != taken.get(s) for s in roots)
+        roots = {c.symbol: c for c in other.branch.choices}
+        own = _same_root(choice, roots.get(choice.symbol))
+        apart = sum(c.taken != taken.get(s) for s, c in roots.items())
         if own is not None and own != choice.taken and (own not in nearest or apart < nearest[own][0]):
-            nearest[own] = (apart, _objection(other, figures))
+            nearest[own] = (apart, _objection(other, phrases))
     lost = {i for i in range(len(choice.roots)) if i != choice.taken} - nearest.keys()
     reasons = sorted({why for _, why in nearest.values()}, key=str)
     reasons += [line("with it the other equations have no solution")] * bool(lost)
     return line(*(part for i, why in enumerate(reasons) for part in ("; " if i else "", why)))
 
 
-def _objection(other: Any, figures: int) -> Line:
+def _same_root(choice: Any, other: Any) -> int | None:
+    """Which of the roots another branch takes; None: one of its own."""
+    if other is None:
+        return None
+    value = other.roots[other.taken].value
+    near = (abs(r.value - value) <= SAME * max(abs(r.value), abs(value)) for r in choice.roots)
+    return next((i for i, agrees in enumerate(near) if agrees), None)
+
+
+def _objection(other: Any, phrases: Phrases) -> Line:
     """Why a branch is left out; an inequality of the file in the notation of the page."""
     if not other.objection:
         return line("it holds as well; the smaller one is taken")
     broken = other.trial.broken
+    if other.trial.tests and other.objection == other.trial.objection:
+        return broken_by(other.trial, phrases) or line(other.objection)
     if broken is None or broken.words != other.objection:
         return line(other.objection)
-    left, right = said(broken.relation.left, figures), said(broken.relation.right, figures)
+    left, right = said(broken.relation.left, phrases.figures), said(broken.relation.right, phrases.figures)
     if left is None or right is None:
         return line(other.objection)
     return line("given: ", left, f" {SIGNS.get(broken.relation.operator, broken.relation.operator)} ", right)
