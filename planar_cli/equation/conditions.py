@@ -14,12 +14,13 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.jets import Jet, constant
+from planar_cli.equation.jets import Jet, constant, vector_jet
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import dotted, vector_equations
 from planar_cli.equation.quantities import LATER, Quantities
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.written_points import is_written
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import (
     Binary,
@@ -153,8 +154,19 @@ def stated(
         now = any(id(r) not in lasting for r in parts)
         text = TOGETHER.join(r.text for r in parts)
         mark, times = parts[0].mark, level - own
-        found.append(Condition("given", text, residual, mark=mark, sense=sense, now=now, times=times))
+        place = _written(item, quantities)
+        found.append(Condition("given", text, residual, mark=mark, sense=sense, now=now, times=times, place=place))
     return found
+
+
+def _written(item: Relation | VectorStatement, quantities: Quantities) -> str:
+    """The point written with coordinates of which a relation gives a component; "": it is something else."""
+    side = item.left if isinstance(item, Relation) else None
+    if not isinstance(side, Quantity) or len(side.things) != 1 or not side.parts:
+        return ""
+    scene, name = quantities.scene, side.things[0]
+    led = name in scene.points and is_written(scene, quantities.motion, name, scene.owner(name))
+    return name if led and side.word in ("v", "a") else ""
 
 
 def _residual(
@@ -261,8 +273,8 @@ def coordinate_conditions(
             reach = Vec(angle.through(sp.cos), angle.through(sp.sin)) * scene.evaluator.jet(place.distance)
             own = place.origin in scene.own_points
             formula = quantities.place(place.origin) + reach if own else scene.formulas[point.name]
-        moving = quantities.place(point.name)
-        difference = moving - formula
+        at, motion = scene.point(point.name), quantities.motion
+        difference = vector_jet(at, motion.velocity(at, owner), motion.acceleration(at, owner)) - formula
         pick = "rate" if level == VELOCITY else "second"
         residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
         found.append(

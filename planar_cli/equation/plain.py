@@ -110,7 +110,10 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
         return sp.Add(*(sp.Mul(*args[:i], rate, *args[i + 1 :]) for i, rate in rates if rate != 0))
     if expr.is_Pow and x not in letters(expr.exp):
         return expr * (derivative(expr.base, x) * expr.exp / expr.base)
-    if isinstance(expr, sp.sin | sp.cos | sp.tan | sp.exp | sp.log):
+    if isinstance(expr, sp.tan):
+        # As the course writes it; SymPy has 1 + tan².
+        return sp.cos(expr.args[0]) ** -2 * derivative(expr.args[0], x)
+    if isinstance(expr, sp.sin | sp.cos | sp.exp | sp.log):
         return expr.fdiff(1) * derivative(expr.args[0], x)
     if isinstance(expr, sp.sign):
         # It steps where its argument vanishes: there |s| has no second derivative, and beside it none but zero.

@@ -12,6 +12,7 @@ from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.turning import counted_angle
+from planar_cli.equation.written_points import is_written
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
@@ -131,7 +132,7 @@ class Quantities:
         scene = self.scene
         body = scene.owner(name) if name not in scene.bodies or name in scene.points else name
         at = scene.bodies[name].center if name in scene.bodies and name not in scene.points else scene.point(name)
-        if body == GROUND:
+        if body == GROUND or is_written(scene, self.motion, name, body):
             formula = scene.formulas.get(name)
             return formula if formula is not None else vector_jet(at, None, None)
         return vector_jet(at, self.motion.velocity(at, body), self.motion.acceleration(at, body))

@@ -27,6 +27,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
@@ -52,17 +53,21 @@ class AskedTelling:
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
         nothing = {z: sp.S.Zero for stage in self.instant.stages for z in stage.zero}
-        for one in found:
+        every = tuple(found)
+        for one in every:
             if one.kind not in ("number", "vector") or one.find is None:
                 continue
             raw = replace(one, asked=tuple(e.xreplace(nothing) for e in one.asked))
             if all(e.is_number for e in raw.asked) and not self._way(raw, "x"):
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
+            what = one.find.found.what
+            if isinstance(what, Quantity) and (chain := rate_in_turn(answer, what, every, self.instant, self.phrases)):
+                yield from chain
+                continue
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
                 yield from closed_letter(answer, self.instant, self.phrases)
                 continue
-            what = one.find.found.what
             if isinstance(what, Quantity) and what.word == "KE" and (told := kinetic_energy(answer, what, self)):
                 yield from told
             elif isinstance(what, Quantity) and self._has_vectors(answer, what):

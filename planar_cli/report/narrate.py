@@ -45,6 +45,7 @@ from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
+from planar_cli.report.sizes import with_signs
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.telling import Telling
@@ -139,6 +140,7 @@ def _letter_of(side: Inline | Line) -> str:
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
+    part, positive = with_signs(part)
     blocks: list[Block] = []
     figures = voice.figures
     steps = count = 0
@@ -149,7 +151,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if voice.effects:
             blocks += _effects(instant, told)
         if instant is part.instants[0]:
-            blocks += presumed_notes(part, phrases_of(instant, figures))
+            blocks += presumed_notes(part, phrases_of(instant, figures), positive)
         if not instant.quiet and (part.tale is None or not part.tale.whole):
             numbers = (steps, count) if part.motion is not None else (0, 0)
             told_here, steps, count = _instant_blocks(part, instant, voice, why, before, numbers)

@@ -16,11 +16,12 @@ from planar_cli.solve.solved_problem import PartSolution
 LONGEST = 30
 
 
-def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
-    """One line for each sign: the file may `assume` it, or the other. One for each corner, where a state `just after`
-    would be a blow.
+def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr, ...] = ()) -> Iterator[Note]:
+    """One line for each sign: the file may `assume` it, or the other; `positive`: the side on which the answers hold.
+    One for each corner, where a state `just after` would be a blow.
     """
-    signs = [e for instant in part.instants for e in instant.instant.scene.presumed()]
+    signs = list(positive)
+    signs += [e for instant in part.instants for e in instant.instant.scene.presumed()]
     signs += [e for instant in part.instants for e in instant.conditions]
     if part.motion is not None:
         signs += part.motion.presumed

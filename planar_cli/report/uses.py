@@ -22,6 +22,7 @@ from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionT
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Written
+from planar_cli.solve.passages import RATES
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -202,6 +203,8 @@ def _of_joint(found: Uses, instant: InstantSolution, mode: Mode) -> None:
 
 def _of_relation(found: Uses, w: Written) -> None:
     found.relations = True
+    if w.source in ("coordinate", "given") and w.place:
+        found.passages.add(RATES)
     if w.words.startswith("so that ") and w.words.endswith(" drops out"):
         _add(found.left_out, (w.place, w.words.removeprefix("so that ").removesuffix(" drops out")))
 

@@ -21,6 +21,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
@@ -61,6 +62,8 @@ class VectorTelling:
             shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
             divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
             return [Paragraph(line(*self._differentiated(w, level), *divided, ":"))]
+        if w.source == "given" and w.place and (told := self._stated(w)):
+            return [Paragraph(told)]
         joining = self._closure(w)
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
@@ -104,6 +107,15 @@ class VectorTelling:
         if not told:
             return line(f"The coordinates of {w.place} differentiated{times}")
         return line(*told, f" differentiated{times}")
+
+    def _stated(self, w: Written) -> Line:
+        """A place that is differentiated, of which the file gives the rate; empty where it gives no component."""
+        axis = next((a for a in ("x", "y") if f".{a}" in w.lead), "")
+        if not axis:
+            return ()
+        place = self.phrases.math(getattr(self.system.scene.formulas[w.place], axis).value)
+        given = spoken(w.lead, ())
+        return line(Name(f"{axis}_{w.place}"), " = ", place, " differentiated; given: ", *given, ":")
 
     def frame_of(self, w: Written) -> tuple[str, str] | None:
         """The point and the turning body along which it slides, of a relation that holds a Coriolis acceleration."""

@@ -64,6 +64,13 @@ class Tale:
     letters: Mapping[str, sp.Symbol] = field(default_factory=dict)
 
 
+def beside(passages: tuple[Passage, ...], whole: bool) -> tuple[Passage, ...]:
+    """The passages of a part; where its instants tell the answers by their equations, the derivatives of places say no
+    more.
+    """
+    return () if not whole and all(p.kind in (PLACES, RATES) for p in passages) else passages
+
+
 def told_function(function: Any) -> Row:
     """A coordinate as a function, with the words from where it comes."""
     return Row(function.words, sp.Eq(function.symbol, function.expr, evaluate=False))

@@ -38,7 +38,7 @@ from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
-from planar_cli.solve.passages import Passage, Tale, sides_of
+from planar_cli.solve.passages import Passage, Tale, beside, sides_of
 from planar_cli.solve.regimes.differentiated import differentiated, rates_put_in
 from planar_cli.solve.regimes.functions import Functions, directed, drawn_start
 from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, spans_of
@@ -93,7 +93,7 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
     for words in balanced([regime]):
         _checked(solution, words, BY_ENERGY)
     whole = not reader.kinetic and not reader.by_joints
-    return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
+    return PartSolution(case, (solution,), found, None, Tale(beside(reader.passages(), whole), whole))
 
 
 def _checked(solution: InstantSolution, words: str, told: str) -> None:
