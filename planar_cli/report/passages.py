@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
-from planar_cli.report.swallowed import with_unit
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
+from planar_cli.report.enough_figures import DEGREE
+from planar_cli.report.swallowed import with_its_number, with_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.passages import Row, Tale, sides_of
 from planar_cli.units import PURE
@@ -32,8 +33,9 @@ def _row(row: Row, phrases: Phrases) -> Equation:
     )
     sides = sides if whole is None else [*sides[:-1], whole]
     if row.value is not None:
+        counted, own = (formula, {}) if whole is None else with_its_number(formula)
         in_numbers = (
-            phrases.numbers(sides_of(row)[-1], row.sizes, turns=False)
+            phrases.numbers(counted, {**row.sizes, **own}, turns=False)
             if row.sizes and not sides_of(row)[-1].is_Symbol
             else None
         )
@@ -42,6 +44,8 @@ def _row(row: Row, phrases: Phrases) -> Equation:
         bare = last.is_number and (len(sides) == 2 or last.is_Rational)
         sides = sides[:-1] if bare else [*sides, *([in_numbers] if in_numbers else [])]
         sides.append(phrases.of_dimension(row.value, row.dimension, row.angle) if row.value else line("0"))
+        if row.angle and row.dimension == PURE and row.value and not last.is_Symbol:
+            sides.append(Value(row.value / DEGREE, "deg", phrases.figures))
     if row.way:
         terms = (piece for i, term in enumerate(row.way) for piece in ((" + ", Math(term)) if i else (Math(term),)))
         sides.insert(1, line(*terms))

@@ -8,7 +8,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
-from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
+from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING, SECOND_RATES
 
 CROSS, DOUBLED, CORIOLIS = " × ", " + 2 ", "a_cor"
 """The product in v = ω × r; what stands before that of a Coriolis acceleration, and its name."""
@@ -21,8 +21,6 @@ DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
 ROLLS = "Rolling without slipping: the points that touch have the same velocity."
 ROLLS_BY_ARC = "Rolling without slipping: the centre advances by the arc r φ (φ in radians)."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
-FIRST, SECOND = frozenset(("v", "omega", "dot")), frozenset(("a", "alpha", "ddot", "rho"))
-"""What is asked that rests on derivatives of places, and on second ones."""
 RADIAN = "rad"
 TURNING = "↺ "
 """The lead of a balance of moments or of angular momentum."""
@@ -127,8 +125,8 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
     if "e_n" in page.names or ALONG in uses.passages:
         yield "Path coordinates: a = v̇ e_t + v²/ρ e_n."
     if RATES in uses.passages:
-        twice = bool(uses.asked & SECOND) or not uses.asked & FIRST
-        yield f"Position vectors, differentiated: v = dr/dt{', a = dv/dt' if twice else ''}."
+        twice = ", a = dv/dt" if SECOND_RATES in uses.passages else ""
+        yield f"Position vectors, differentiated: v = dr/dt{twice}."
     elif PLACES in uses.passages:
         yield POSITIONS
     if CURVE in uses.passages:

@@ -35,3 +35,10 @@ def with_unit(expr: sp.Expr, dimension: Dimension, ledger: Ledger, figures: int)
     own = sp.Symbol(f"{NUMBER}unit", positive=True)
     text = f"{shown}{unit[1:]}" if unit.startswith("1/") else f"{shown} {unit}"
     return Math(sp.sign(factor) * own * rest, {own: text})
+
+
+def with_its_number(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
+    """A product with a letter for its number, and that number: 0.5/tan θ, not 1/(2 tan θ)."""
+    factor, rest = expr.as_coeff_Mul()
+    own = sp.Symbol(f"{NUMBER}unit", positive=True)
+    return sp.sign(factor) * own * rest, {own: Decimal(str(sp.N(abs(factor), 30)))}

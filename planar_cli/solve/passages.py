@@ -13,8 +13,9 @@ from planar_cli.records import record
 from planar_cli.units import PURE, Dimension
 
 PLACES, RATES, ALONG, RADIAL, CURVE, ROLLING = "places", "rates", "along", "radial", "curve", "rolling"
-"""Kinds of passages: places, their derivatives, components along a path and of polar coordinates, curves,
-and that a wheel rolls, which has no rows.
+SECOND_RATES = "second rates"
+"""Kinds of passages: places, their derivatives and those of these, components along a path and of polar coordinates,
+curves, and that a wheel rolls, which has no rows.
 """
 
 

@@ -11,6 +11,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
@@ -58,7 +59,7 @@ class ByCoordinates:
         for q, (dot, ddot) in self.driven.items():
             formula = self.functions[q]
             for n, symbol in enumerate((q, dot, ddot)):
-                yield q, symbol, formula, n
+                yield q, symbol, expanded(formula), n
                 formula = simplified(sp.diff(formula, self.time))
 
     @property

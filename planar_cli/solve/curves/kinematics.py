@@ -18,7 +18,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities, direction_angle
-from planar_cli.problem.scene import Find, Polar
+from planar_cli.problem.scene import Find, Polar, TwoFacts
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.curves.kinds_asked import (
@@ -34,7 +34,18 @@ from planar_cli.solve.curves.kinds_asked import (
 )
 from planar_cli.solve.curves.paths import with_article
 from planar_cli.solve.curves.rolled import rolled
-from planar_cli.solve.passages import ALONG, PLACES, RADIAL, RATES, ROLLING, Passage, Row, sides_of, told_function
+from planar_cli.solve.passages import (
+    ALONG,
+    PLACES,
+    RADIAL,
+    RATES,
+    ROLLING,
+    SECOND_RATES,
+    Passage,
+    Row,
+    sides_of,
+    told_function,
+)
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.units import LENGTH, PURE, TIME
@@ -94,7 +105,7 @@ class Story:
         passages = [Passage(GIVEN, tuple(self._given())), *rolling, Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates(bool(rows[2])))))
-        passages += [Passage(HEADINGS[n], tuple(rows[n]), RATES) for n in (1, 2)]
+        passages += [Passage(HEADINGS[n], tuple(rows[n]), (RATES, SECOND_RATES)[n - 1]) for n in (1, 2)]
         passages += [p for point in along_paths(asked, polar) for p in self._path_passages(point, asked)]
         return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
 
@@ -140,6 +151,25 @@ class Story:
         reach = sp.Mul(scene.value(place.distance), turned, evaluate=False)
         return (sp.Symbol(f"{axis}_{origin}", real=True), reach), (sp.Add(base, rest),)
 
+    def _on_line(self, name: str) -> tuple[sp.Expr, ...]:
+        """x_P = y_P/tan θ or y_P = x_P tan θ, r_P = y_P/sin θ or x_P/cos θ, where the file puts P at a height, or at a
+        distance to the side, on a line through the origin at θ.
+        """
+        axis, _, thing = name.partition("_")
+        scene = self.quantities.scene
+        place = next((p.place for p in scene.problem.points if p.name == thing), None)
+        if not isinstance(place, TwoFacts) or place.line is None or (place.x is None) == (place.y is None):
+            return ()
+        origin, angle = scene.point(place.line[0]), scene.value(place.line[1])
+        kept = "y" if place.x is None else "x"
+        if (origin.x, origin.y) != (0, 0) or not angle.free_symbols or axis == kept:
+            return ()
+        own = sp.Symbol(f"{kept}_{thing}", real=True)
+        across = (
+            {"r": sp.sin(angle), "x": sp.tan(angle)} if kept == "y" else {"r": sp.cos(angle), "y": 1 / sp.tan(angle)}
+        )
+        return (own / across[axis],)
+
     def _function(self, function: Function) -> Row:
         """A coordinate as a function, with its value."""
         row, unit = told_function(function), self.regime.general.instant.scene.ledger.units.get(function.symbol)
@@ -175,6 +205,7 @@ class Story:
                 return
             formula, symbol = self.clean(expr), sp.Symbol(f"{stem}{DOTS[n]}", real=True)
             way, between = self._from_origin(name, closed) if n == 0 else ((), self._by_chain(before, formula))
+            way = way or (self._on_line(name) if n == 0 else ())
             between = tuple(b for b in between if b != formula)
             line = (symbol, *between, formula) if between else sp.Eq(symbol, formula, evaluate=False)
             yield None if formula == symbol else replace(self._row(line, formula, n, angular), way=way)
@@ -198,8 +229,8 @@ class Story:
             place = self.quantities.place(thing)
             name = thing if thing in scene.points else scene.center_name(thing) or thing
             if any(j.rate is not None and j.rate != 0 for j in (place.x, place.y)):
-                yield f"x_{name}", self._jet(place.x)
-                yield f"y_{name}", self._jet(place.y)
+                jets = [(f"x_{name}", self._jet(place.x)), (f"y_{name}", self._jet(place.y))]
+                yield from reversed(jets) if self._on_line(f"x_{name}") else jets
 
     def _rates(self, twice: bool) -> Iterator[Row]:
         """q̇ = …, of the coordinates that stand in what is told and are no functions of time. `twice`: accelerations are
@@ -308,7 +339,9 @@ class Story:
             self.used.append(self.regime.closed(jet.value))
             if expr is not None:
                 symbol, formula = sp.Symbol(f"{name}_{point}{DOTS[n]}", real=True), self.clean(expr)
-                yield self._row(sp.Eq(symbol, formula, evaluate=False), formula, n, name == "theta")
+                row = self._row(sp.Eq(symbol, formula, evaluate=False), formula, n, name == "theta")
+                way = self._on_line(f"r_{point}") if name == "r" and n == 0 else ()
+                yield row if formula == symbol else replace(row, way=way)
 
     def _components(self, n: int, point: str, parts: tuple[sp.Expr, sp.Expr], jets: tuple[Jet, Jet]) -> Iterator[Row]:
         """component = formula in polar coordinates = value, of the velocity (n = 1) or the acceleration (n = 2)."""
