@@ -13,12 +13,16 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, lin
 from planar_cli.report.isolated import at_sight
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
+from planar_cli.report.steps import SINGLE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
+
+FEW = 3
+"""Of so many equations with one unknown each the solution stands at once below them."""
 
 
 class SolvingTelling:
@@ -38,6 +42,8 @@ class SolvingTelling:
         self.constants = constants
         self.instant, self.phrases, self.numeric, self.number = instant, phrases, numeric, number
         self.merged: set[tuple[int, int]] = set()
+        self.nil: set[tuple[int, int]] = set()
+        """Equations of forces that said at once that something is zero."""
         self._valued: set[sp.Symbol] = set()
         self._together: dict[sp.Symbol, tuple[int, ...]] = {}
         self._inserted: dict[sp.Symbol, tuple[int, ...]] = {}
@@ -75,19 +81,35 @@ class SolvingTelling:
 
     def count(self, stage: Stage) -> Line:
         """How many equations there are, and which unknowns."""
-        blocks = [b for b in stage.blocks if not is_given(b) and not is_told(b, stage)]
+        blocks = self._left(stage)
         named = self._named(stage, [w for b in blocks for w in b.equations])
         equations = sum(len(b.equations) for b in blocks) + len(named)
         unknowns = [*named, *(u for b in blocks for u in b.unknowns)]
-        parts: list[Any] = [
-            f"{equations} equation{'s' if equations != 1 else ''}, "
-            f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: ",
-        ]
+        head = f"{equations} equation{'s' if equations != 1 else ''}, "
+        head += f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "
+        alone = 1 < len(unknowns) <= FEW and not named and all(self._is_alone(b, unknowns) for b in blocks)
+        parts: list[Any] = [f"{SINGLE} each: " if alone else head]
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]
         for i, s in enumerate(self._carried(stage, blocks, unknowns)):
             parts += [", " if i else "; in terms of ", Math(s)]
         return line(*parts)
+
+    def _left(self, stage: Stage) -> list[SolvedBlock]:
+        """What is to be solved: more than what the file gives, and than what is zero at sight."""
+        return [
+            b
+            for b in stage.blocks
+            if not is_given(b)
+            and not is_told(b, stage)
+            and not all((id(stage.algebra), w.number) in self.nil for w in b.equations)
+        ]
+
+    @staticmethod
+    def _is_alone(block: SolvedBlock, unknowns: Sequence[sp.Symbol]) -> bool:
+        """Is it one equation with one unknown, whatever the others give?"""
+        held = {s for w in block.equations for s in w.residual.free_symbols}
+        return len(block.equations) == len(block.unknowns) == 1 and held & set(unknowns) == set(block.unknowns)
 
     def _carried(self, stage: Stage, blocks: Sequence[SolvedBlock], unknowns: Sequence[sp.Symbol]) -> list[sp.Symbol]:
         """What is sought of the file, stands in the equations, and is only found by what follows."""
@@ -104,12 +126,11 @@ class SolvingTelling:
 
     def is_needed(self, stage: Stage) -> bool:
         """Is there more to solve than what the file gives, and what is zero at sight?"""
-        return any(not is_given(b) and not is_told(b, stage) for b in stage.blocks)
+        return bool(self._left(stage))
 
     def blocks(self, stage: Stage) -> list[Block]:
         """The lines that give the unknowns of a stage, one after the other."""
-        left = (b for b in stage.blocks if not is_given(b) and not is_told(b, stage))
-        return [x for block in left for x in self._block(block, stage)]
+        return [x for block in self._left(stage) for x in self._block(block, stage)]
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -232,7 +233,13 @@ class Telling:
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def _equations(self, written: list[Written], stage: Stage) -> list[Block]:
-        return [block for w in written for block in self._equation(w, stage)]
+        blocks: list[Block] = []
+        for block in (b for w in written for b in self._equation(w, stage)):
+            # Sums over the same body stand below each other under its name.
+            last = next((b for b in reversed(blocks) if not isinstance(b, Equation)), None)
+            if not isinstance(block, Paragraph) or block != last:
+                blocks.append(block)
+        return blocks
 
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
@@ -257,10 +264,19 @@ class Telling:
                 Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"), note),
             ]
         lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
+        sides = self._with_zero(w, stage, sides)
         return [
             Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w), ":")),
             Equation(sides, number, lead, note),
         ]
+
+    def _with_zero(self, w: Written, stage: Stage, sides: tuple[Any, ...]) -> tuple[Any, ...]:
+        """0 = m a_x, so that a_x = 0: of a direction in which nothing acts this is all there is to solve."""
+        found = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
+        if found is None or found.formula != 0 or 0 not in (w.left, w.right) or found.letters:
+            return sides
+        self.solving.nil.add((id(stage.algebra), w.number))
+        return (sides[0], line(sides[1], ", so that ", self.phrases.math(found.symbol), " = 0"))
 
     def _way(self, w: Written) -> Line:
         """The direction along which forces are summed."""

@@ -12,9 +12,11 @@ from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.stages import acceleration_unknowns
+from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import InstantSolution
 
+AXES = ("x", "y")
 Asked = Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
 """By state, by the name of a find: its components in the unknowns of the general position."""
 
@@ -34,11 +36,12 @@ def wanted_of(
     names = _of_turnings(course, regime)
     if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
         names |= _rates(regime, regime.free)
-    own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
+    laws = [law for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws]
+    own = {id(law) for law in laws}
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        if e.law is not None and id(e.law) in own and e.law.f != 0:
+        if e.law is not None and id(e.law) in own and (e.law.f != 0 or _has_other(e.law, laws)):
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
             names |= set() if e.law.constant is None else {e.law.constant[0].name}
         if isinstance(e.source, StateBalance):
@@ -47,6 +50,13 @@ def wanted_of(
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
     return frozenset(names | every), frozenset(names | others)
+
+
+def _has_other(law: Law, laws: Iterable[Law]) -> bool:
+    """Along x of P nothing acts, along y of P something does: then both sums of forces are written."""
+    axis, _, thing = law.coordinate.words.partition(" of ")
+    others = (x.coordinate.words for x in laws if x.f != 0)
+    return axis in AXES and any(words == f"{other} of {thing}" for words in others for other in AXES)
 
 
 def asked_at(course: StatedMotion, finds: Iterable[AskedFind], instant: InstantSolution) -> Asked:
