@@ -237,7 +237,7 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec, named: 
         if _is_struck_anywhere(scene, other, normal):
             # A stop, or a wall from inside: only where the particle is drawn tells from which side it comes.
             places = other.corners if named is None else (named,)
-            signs = {sign((partner.center - place).dot(normal)) for place in places} - {0}
+            signs = {sign((partner.center - place).dot(normal)) for place in places}
             return signs.pop() * sense if len(signs) == 1 else 0
     # A surface may lie anywhere on the body that carries it: what strikes it tells first.
     for partner, _, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):

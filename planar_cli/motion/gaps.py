@@ -79,12 +79,21 @@ def gaps_of(
     # Along a rod its end is met, not its side.
     along = [gap for gap in found if scene.sign(gap.normal.dot(normal)) == 0]
     across = [gap for gap in found if gap not in along]
+    if across and all(_is_met_at_its_end(scene, gap, normal) for gap in found):
+        # The shapes leave the direction open, which the file tells.
+        return tuple(_ends(scene, ours, theirs, normal)) or tuple(across)
     turning = [gap for gap in along if later and not scene.vanishes(gap.normal.dot(normal))]
     if across or not turning:
         return tuple([*across, *turning] or _ends(scene, ours, theirs, normal))
     ends = _ends(scene, ours, theirs, normal) if all(gap.thin is not None for gap in turning) else []
     met = [_where(scene, gap, scene.graph.of(gap.normal.dot(normal)), 1) for gap in turning]
     return (*met, *(_where(scene, end, scene.graph.of(turning[0].normal.dot(normal)), -1) for end in ends))
+
+
+def _is_met_at_its_end(scene: Carried, gap: Gap, normal: Vec) -> bool:
+    """Is an edge drawn so that it is met at its end, and aslant?"""
+    aslant, touches = scene.sign(gap.normal.cross(normal)) != 0, scene.sign(gap.distance) == 0
+    return aslant and touches and any(scene.sign(w) == 0 for w in gap.within)
 
 
 def _named(scene: Carried, found: list[Boundary], named: Vec | None) -> list[Boundary]:
