@@ -160,7 +160,7 @@ def test_a_law_whose_numbers_hide_units_is_in_numbers() -> None:
 def test_what_a_blow_leaves_has_no_number_and_vectors_have_a_line() -> None:
     (first, *_) = motions("impact/ball-off-a-smooth-wall")
     lines = list(equations(told(first)))
-    kept = [e for e in lines if e.note == line("a blow takes no time")]
+    kept = [e for e in lines if e.note in (line("a blow takes no time"), line("nothing moves during a blow"))]
     assert kept
     assert not [e for e in kept if e.number is not None]
     assert "v_rebound" in [e.sides[0][0].name for e in lines if isinstance(e.sides[0], tuple)]

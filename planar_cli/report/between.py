@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Any
 
 import sympy as sp
@@ -25,7 +25,7 @@ from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
-from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
+from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
 
 LONGEST, MOST_NAMED = 60, 8
 SHORT, SOME, FEW = 36, 24, 16
@@ -115,7 +115,10 @@ class BetweenTelling:
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
         gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
         parts = [put for put in (self._put(b.before), *gains) if put != 0]
-        whole = self._put(b.before) + (sp.Add(*gains) if self.geometry else self._put(b.gain))
+        gain = self._put(b.gain)
+        # What is the same in all works is not taken out of their sum: each of them was told.
+        apart = bool(self.geometry) or (gain.is_Mul and bool(gain.free_symbols & set(self.unknowns)))
+        whole = self._put(b.before) + (sp.Add(*gains) if apart else gain)
         yield self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
 
     def _equation(
@@ -190,7 +193,19 @@ class BetweenTelling:
         if self.named is not None:
             left, right = self.named.left, self.named.right
         yield Paragraph(line(*self._head(e), ":"))
-        yield self._equation(left, right, number, self._lead(e))
+        told = self._equation(left, right, number, self._lead(e))
+        yield told if self.named is None or told.note else replace(told, note=self._arms(self.named))
+
+    def _arms(self, named: Named) -> Line:
+        """The lengths of arms that have their letters from their ends, where they come first."""
+        units = self.phrases.ledger.units
+        lengths = [s for s in named.sizes if units[s].dimension == LENGTH and s not in self.made]
+        self.made |= set(lengths)
+        values = [self.phrases.of_dimension(named.sizes[s], LENGTH) for s in lengths]
+        pieces = (
+            p for i, (s, v) in enumerate(zip(lengths, values, strict=True)) for p in (", " * bool(i), Math(s), " = ", v)
+        )
+        return line(*pieces)
 
     def solved(self, unknown: sp.Symbol, shown: Any) -> tuple[Any, ...]:
         """unknown = formula = numbers = value, by the letters of the equation told last; empty: it has none."""

@@ -6,12 +6,14 @@ T_1 + U = 32 - 23.5 = 8.5 J = T_2
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.ledger import Kind
+from planar_cli.report.alike import WEIGHT
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
@@ -29,6 +31,21 @@ def energy_check(motion: MotionTrace, phrases: Phrases) -> Line:
         return ()
     found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
     return next((told for b in motion.unused if (told := _told(b, found, phrases))), ())
+
+
+def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
+    """The first balance of which one of several roots was taken, with that put in; empty where there is none."""
+    if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
+        return ()
+    found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
+    for leg in motion.route.steps:
+        (e, *more), (r, *others) = leg.relations, leg.results
+        if not more and not others and len(r.roots) > 1 and isinstance(e.source, BalanceTrace) and e.source.law.letter:
+            weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
+            rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
+            if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases):
+                return told
+    return ()
 
 
 def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases) -> Line:

@@ -143,7 +143,7 @@ class EnergyPieces:
         clean = bool(expr.free_symbols) and (multiple or self._short(expr, LENGTH))
         if expr.free_symbols & set(self.unknowns):
             shown, formula = self._summed(expr, "m"), self.phrases.math(expr)
-            return (formula, *(s for s in shown if s != formula)) if clean else shown
+            return (formula,) if expr.is_Symbol else (formula, *(s for s in shown if s != formula)) if clean else shown
         value = self._value(expr, parse_unit("m"))
         if clean:
             return (self.phrases.math(expr), *self.phrases.substituted(expr, value), value)

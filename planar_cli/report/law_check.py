@@ -63,6 +63,7 @@ class _Ends:
         straight = law.order == 2 and law.speed is not None and law.factor == 1 and law.coordinate.extra == 0
         own = {(general, s.name.rpartition(STATE)[2]): s for s, general in motion.general.items()}
         found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
+        found |= {s for asked in motion.named.values() for s in asked.free_symbols}
         self.letters: dict[str, tuple[sp.Symbol, sp.Symbol]] = {}
         self.told: set[str] = set()
         """What has its values on the page."""

@@ -32,6 +32,9 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     """
     left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * SAME + TINY]
     others = [x.value for x in left]
+    if r.unknown in found.named:
+        yield from _of_asked(found, r, others)
+        return
     why = reason(found, r, others, told) if left else ()
     if not why:
         return
@@ -47,6 +50,14 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
             parts += [", " if i else ""]
             parts.append(phrases.math(root.expression) if letters else phrases.shown(r.unknown, root.value))
         yield Paragraph(line(*parts, ": ", *why))
+
+
+def _of_asked(found: MotionTrace, r: Result, others: list[Decimal]) -> Iterator[Block]:
+    """The root nought of what is asked as the change of a place is the place before; nothing of any other root."""
+    places = {found.ledger.roles[s].at for s in found.named[r.unknown].free_symbols if s in found.ledger.roles}
+    before = [s for s in found.states if s in places][:1]
+    if before and [v for v in others if abs(v) <= TINY] and all(v * r.value <= TINY for v in others):
+        yield Paragraph(line("not ", Math(r.unknown), " = 0: that is state ", before[0]))
 
 
 def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collection[sp.Symbol]) -> Line:

@@ -168,6 +168,7 @@ class MotionTelling:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
+        yield from self._named(leg)
         equations = leg.relations
         numbers = []
         single = len(equations) == 1
@@ -214,6 +215,12 @@ class MotionTelling:
                 yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
+
+    def _named(self, leg: RouteStep) -> Iterator[Block]:
+        """What is asked and is solved for, in letters of the states."""
+        for x in leg.unknowns:
+            if x in self.found.named:
+                yield Equation((self.phrases.math(x), self.phrases.math(self.found.named[x])), None, line("asked:"))
 
     def _in_numbers(self, leg: RouteStep, numbers: list[int], route: RouteTrace) -> Iterator[Block]:
         """The equations once more with their numbers, where a value follows from them without a formula."""
@@ -390,7 +397,7 @@ class MotionTelling:
 
     def _others(self, r: Result) -> Iterator[Block]:
         """Roots that do not belong to this motion, each with the reason."""
-        if r.unknown in self.general:
+        if r.unknown in self.general or r.unknown in self.found.named:
             phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
             told = {x for leg in needed_steps(self.found.route, self.wanted) for x in leg.unknowns}
             yield from rejected(self.found, r, phrases, told)

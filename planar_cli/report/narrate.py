@@ -34,7 +34,7 @@ from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
-from planar_cli.report.energy_check import energy_check
+from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
@@ -180,7 +180,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None and why is None:
-        others = (check(part.motion, settled) for check in (energy_check, blow_check, law_check))
+        others = (check(part.motion, settled) for check in (energy_check, blow_check, law_check, root_check))
         blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
     if why is None and (derived := tale_check(part, phrases)):
         blocks.append(Check(derived))

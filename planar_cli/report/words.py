@@ -185,7 +185,9 @@ class Phrases:
     def converted(self, symbol: sp.Symbol, value: Decimal) -> list[Value]:
         """The value of a constant that is sought in the unit in which the file asks for it: 2.083 ft = 25 in."""
         unit, role = self.ledger.units.get(symbol), self.ledger.roles.get(symbol)
-        if unit is None or role is None or role.kind is not Kind.SOUGHT or unit.angle or self.symbolic:
+        if unit is None or role is None or role.kind is not Kind.SOUGHT or self.symbolic:
+            return []
+        if unit.angle and unit.text != "rev":
             return []
         return self.in_units(value, unit)[1:] if value and value.is_finite() else []
 

@@ -14,6 +14,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
+from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
@@ -67,7 +68,7 @@ def motion_trace(
     lasting = lasting_letters(course.distinct_regimes(), course.given())
     teller = FindTeller(course, lasting, found.value.extended(lasting.numbers), level)
     requests = teller.requests(found.finds)
-    return MotionTrace(
+    made = MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
         ledger=course.ledger,
@@ -98,6 +99,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
+    return by_what_is_asked(made)
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:

@@ -6,6 +6,7 @@ Expressions are in the symbols of states (`x__2` of x in state 2), of the file, 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from decimal import Decimal
 
 import mpmath
@@ -371,6 +372,8 @@ class MotionTrace:
     """States at which a body passes over a corner, with its speed kept."""
     taken: Taken
     """For a motion that is followed anew."""
+    named: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Finds that are unknowns of the route, by letters of the states."""
 
     def regime(self, solution: InstantSolution) -> RegimeTrace:
         """The regime of a general position."""

@@ -163,7 +163,8 @@ class Blow:
         regime = self.after
         for letter in (regime.time, *(c.symbol for c in regime.coordinates)):
             residual = self.stop.letters[letter] - self.since.letters[letter]
-            yield Equation(residual, "link", "a blow takes no time", self.stop.name, self.since.name)
+            words = "a blow takes no time" if letter == regime.time else "nothing moves during a blow"
+            yield Equation(residual, "link", words, self.stop.name, self.since.name)
 
     def _planned(self, stage: Stage) -> Iterator[Equation]:
         for block in stage.blocks:
