@@ -56,7 +56,7 @@ def _of_asked(found: MotionTrace, r: Result, others: list[Decimal]) -> Iterator[
     """The root nought of what is asked as the change of a place is the place before; nothing of any other root."""
     places = {found.ledger.roles[s].at for s in found.named[r.unknown].free_symbols if s in found.ledger.roles}
     before = [s for s in found.states if s in places][:1]
-    if before and [v for v in others if abs(v) <= TINY] and all(v * r.value <= TINY for v in others):
+    if before and any(abs(v) <= TINY for v in others) and all(v * r.value <= TINY for v in others):
         yield Paragraph(line("not ", Math(r.unknown), " = 0: that is state ", before[0]))
 
 
