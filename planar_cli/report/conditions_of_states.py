@@ -46,6 +46,13 @@ def condition_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> It
     yield Equation(tuple(phrases.math(sp.sympify(side)) for side in sides))
 
 
+def asked_here(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """What is asked and is solved for, in letters of the states."""
+    for x in leg.unknowns:
+        if x in found.named:
+            yield Equation((phrases.math(x), phrases.math(found.named[x])), None, line("asked:"))
+
+
 def is_own_name(leg: RouteStep) -> bool:
     """Is a letter of a state only the constant of the file whose name it has in print: φ in state 0 and φ_0?"""
     (r, *more) = leg.results

@@ -18,7 +18,7 @@ from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.conditions_of_states import is_own_name
+from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
@@ -168,7 +168,7 @@ class MotionTelling:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
-        yield from self._named(leg)
+        yield from asked_here(leg, self.found, self.phrases)
         equations = leg.relations
         numbers = []
         single = len(equations) == 1
@@ -215,12 +215,6 @@ class MotionTelling:
                 yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
-
-    def _named(self, leg: RouteStep) -> Iterator[Block]:
-        """What is asked and is solved for, in letters of the states."""
-        for x in leg.unknowns:
-            if x in self.found.named:
-                yield Equation((self.phrases.math(x), self.phrases.math(self.found.named[x])), None, line("asked:"))
 
     def _in_numbers(self, leg: RouteStep, numbers: list[int], route: RouteTrace) -> Iterator[Block]:
         """The equations once more with their numbers, where a value follows from them without a formula."""
