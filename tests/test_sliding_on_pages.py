@@ -47,7 +47,7 @@ def test_a_kinetic_energy_by_its_parts() -> None:
     """Of each body the velocity of its mass centre and its moment of inertia stand on the page."""
     page = _page("textbook/ex-4-07")
     for told in (
-        "v_G,rod = v_O + ω_rod × r_G,rod/O = [0.5, -0.5] m/s",
+        "v_G,rod = v_O + ω_rod × r_G,rod/O = [1 - 0.10607 · 4.7140, -0.10607 · 4.7140] = [0.5, -0.5] m/s",
         "v_G,rod = √(0.5² + (-0.5)²) = 0.7071 m/s",
         "I_rod = 1/12 m l² = 1/12 · 0.5 · 0.3² = 0.00375 kg·m²",
         "T = 1/2 M v_O² + 1/2 I_disk ω_disk² + 1/2 m v_G,rod² + 1/2 I_rod ω_rod²",
@@ -57,5 +57,7 @@ def test_a_kinetic_energy_by_its_parts() -> None:
 
 def test_a_point_of_a_wheel_that_rolls() -> None:
     """Its velocity is ω × r about the point of contact, and is told before it is used."""
-    assert "v_G = ω × r_G/C = [0.7794, 0.45] m/s" in _page("kinematics/disk-in-circular-track")
+    assert "v_G = ω × r_G/C = [-0.1299 (-6), -0.075 (-6)] = [0.7794, 0.45] m/s" in _page(
+        "kinematics/disk-in-circular-track"
+    )
     assert "v_P = ω_wheel × r_P/C" in _page("kinematics/bar-driven-by-a-pin-on-a-rolling-wheel")

@@ -21,6 +21,7 @@ from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.component_sums import Turned, components_told
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.names import plain_name
@@ -31,7 +32,7 @@ from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.units import ACCELERATION, VELOCITY, Dimension
+from planar_cli.units import ACCELERATION, LENGTH, VELOCITY, Dimension
 
 MOVING = ("v", "a", "coriolis")
 AXES = ("x", "y", "along", "across")
@@ -237,7 +238,20 @@ class AskedTelling:
         motion = self.vectors.motion
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
         note = self.vectors.arm_once(place, edge, arm)
-        yield from self._once(f"{level} {place}", sides, vector, level, note)
+        told = () if self.phrases.symbolic else components_told(self._turned(body, arm, level), self.phrases.figures)
+        yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note)
+
+    def _turned(self, body: str, arm: Vec, level: str) -> Turned:
+        """What the components of a point of a body are made of, in numbers."""
+        motion, certain = self.vectors.motion, self.phrases.certain
+        velocity = motion.velocities[body]
+        own = velocity if level == "velocity" else motion.accelerations[body]
+        base = own.linear
+        spin = Decimal(0) if level == "velocity" else certain(velocity.angular)
+        dimension = VELOCITY if level == "velocity" else ACCELERATION
+        along, across = (self.phrases.of_dimension(certain(p), dimension).number for p in (base.x, base.y))
+        reach, rise = (self.phrases.of_dimension(certain(p), LENGTH).number for p in (arm.x, arm.y))
+        return Turned((along, across), certain(own.angular), (reach, rise), spin)
 
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
         if key not in self._told:

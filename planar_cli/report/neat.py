@@ -21,6 +21,7 @@ from planar_cli.report.divided import divided_out
 from planar_cli.report.durations import over_durations
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.notation import plain
+from planar_cli.report.pythagoras import of_one
 
 LONGEST = 90
 """A product of more operations stays as it is."""
@@ -38,7 +39,7 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
-        expr = divided_out(of_ratios(expr, self.ledger))
+        expr = of_one(divided_out(of_ratios(expr, self.ledger)))
         if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):
             expr = over_durations(expr, times)
         if not isinstance(expr, sp.Add | sp.Mul | sp.Pow | sp.Abs) or not self._promising(expr):
