@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
 
@@ -37,3 +40,40 @@ def test_a_normal_force_of_a_check_has_its_sum_of_forces() -> None:
 def test_a_limit_speaks_of_the_extreme_that_is_asked() -> None:
     page = _page("friction/heaviest-weight-before-a-box-slips")
     assert "At the largest W: friction at B reaches its limit, it is about to slip:" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "rows"),
+    [
+        # The ball starts at the lowest point to the right; the pole falls to the right.
+        ("energy/ball-that-just-rolls-round-a-loop", ["N_K ↖ at C,  F_K ↗ at C", "    (1)  ↖ ΣF:   N_K - m g"]),
+        ("energy/toppling-pole-that-stops-pressing", ["1/2 m l α ↖ at G,  1/2 m l ω² ↙ at G"]),
+    ],
+)
+def test_arrows_are_those_of_a_position_that_occurs(name: str, rows: list[str]) -> None:
+    page = _page(name)
+    assert all(row in page for row in rows)
+
+
+BOWL = """\
+title: Particle let go at a rim of a bowl
+plane: vertical
+given: {R: 0.8 m, m: 0.5 kg}
+points: {O: [0, 0], P: [%sR, 0]}
+surfaces: {bowl: {center: O, radius: R}}
+bodies: {P: {particle: P, mass: m}}
+joints: [{guide: {point: P, along: bowl}}]
+states:
+  1: [at rest]
+  2: ["y(P) = -R*sin(45 deg)"]
+find: {N: N(P) @ 2}
+"""
+
+
+@pytest.mark.parametrize(("side", "row"), [("", "↖"), ("-", "↗")])
+def test_the_side_on_which_a_body_slides_down_tells_the_arrows(tmp_path: Path, side: str, row: str) -> None:
+    file = tmp_path / "bowl.yaml"
+    file.write_text(BOWL % side)
+    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    assert f"P:  m g ↓,  N_P {row}   =   m a_Pt" in page
+    assert f"(1)  {row} ΣF:   m g sin φ_P + N_P = m v_P²/R" in page

@@ -164,7 +164,7 @@ def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
         x, y = (one_way(sp.sympify(p), phrases.ways).xreplace(dict(phrases.ways)) for p in (w.force.x, w.force.y))
         open_ = x.has(sp.Abs, sp.sign) or y.has(sp.Abs, sp.sign)
         return "against its velocity" if open_ or not phrases.ways else phrases.arrow(x, y)
-    reversed_sense = (phrases.value(sp.sympify(w.magnitude)) < 0) != back
+    reversed_sense = ((phrases.drawn or phrases.value)(sp.sympify(w.magnitude)) < 0) != back
     return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)
 
 

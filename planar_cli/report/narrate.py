@@ -45,6 +45,7 @@ from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
+from planar_cli.report.shown import place_drawn
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.tale_check import tale_check
@@ -214,7 +215,7 @@ def _instant_blocks(
 
     phrases = phrases_of(instant, voice.figures)
     if part.motion is not None:
-        phrases = replace(phrases, ways=part.motion.regime(instant).ways)
+        phrases = replace(phrases, ways=part.motion.regime(instant).ways, drawn=place_drawn(part.motion, instant))
     wanted = _needed(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
 
@@ -45,6 +45,8 @@ class Phrases:
     """Symbols that stand for letters without a number, or rest on one: no number is put in for them."""
     ways: Mapping[sp.Symbol, int] = field(default_factory=dict)
     """The signs of speeds, where these are known all the time."""
+    drawn: Valuation | None = None
+    """The position of a motion in which arrows are drawn; None: the one of `value`."""
 
     @property
     def letters(self) -> bool:
@@ -193,7 +195,8 @@ class Phrases:
 
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""
-        return vector_arrow(self.certain(x), self.certain(y))
+        place = self if self.drawn is None else replace(self, value=self.drawn)
+        return vector_arrow(place.certain(x), place.certain(y))
 
     def along(self, direction: tuple[Any, Any] | None) -> str:
         """The sense in which forces or momenta count as positive."""
