@@ -26,6 +26,7 @@ from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Meeting, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.headings import heading
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.scene import GROUND
 
@@ -61,7 +62,7 @@ class StruckScene(Scene):
 
     def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark, at: str = "") -> Meeting:
         """Where two bodies strike each other. `at`: the point that the file names."""
-        return meeting_of(self, between, None if normal is None else self.unit(normal), mark, at)
+        return meeting_of(self, between, None if normal is None else heading(self, normal), mark, at)
 
     def distance(self, between: tuple[str, ...], value: Valuation) -> Decimal | None:
         """How far apart two bodies are, in m; None where their shapes do not tell."""
@@ -84,9 +85,9 @@ class StruckScene(Scene):
             text = f"{words} do not touch at {joint.at}"
             raise refuse(joint.mark, "PL536", text, "leave `at` out, or correct the places")
         if joint.normal is not None:
-            turned = doubtful_normal(self, joint.between, struck, self.unit(joint.normal), value, near)
+            turned = doubtful_normal(self, joint.between, struck, heading(self, joint.normal), value, near)
             if turned is not None:
-                text = f"the common normal of {words} is at {turned:.6g} deg"
+                text = f"the common normal of {words} is at {float(round(turned, 6)):.6g} deg"
                 raise refuse(joint.mark, "PL536", text, "leave `normal` out, or correct the places")
 
     def unknown(self, name: str, unit: str) -> sp.Symbol:

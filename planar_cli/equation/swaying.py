@@ -10,6 +10,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.facts import Facts, Joining, Mode
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.headings import heading
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 
@@ -44,7 +45,7 @@ def _strikes_aside(scene: Scene, member: Any, body: str) -> bool:
     if getattr(member, "mu", None) is not None:
         return True
     said: Side | None = getattr(member, "normal", None)
-    normal = meeting_of(scene, between, None if said is None else scene.unit(said), member.mark).normal
+    normal = meeting_of(scene, between, None if said is None else heading(scene, said), member.mark).normal
     return not scene.is_zero(normal.x)
 
 

@@ -26,13 +26,14 @@ class Impact(Joint):
         Places that a motion or the state itself tells, and bodies that are drawn with their sizes, must touch; a
         particle may be drawn beside what it strikes. They meet where a particle is, where a round rim touches, or with
         the end of a rod or the corner of a plate that is nearest; `at` is checked. `normal` is the direction of the
-        common normal, where the shapes leave it open (particles at one place, corners), and is checked where they do
-        not. A fixed edge is a particle that is welded to the ground. `restitution` is the ratio of the speeds of
-        separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
-        `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
-        with its own restitution: planar explain blows. After a plastic impact (`restitution: 0`) the bodies stay in
-        contact as long as they press on each other; a `weld` that begins with the impact keeps them together for good.
-        Two particles that would then slide along each other need it, for points have no faces.
+        common normal, an angle or one that is counted from that of a body, `theta(rod) + 90 deg`; it stands where the
+        shapes leave it open (particles at one place, corners), and is checked where they do not. A fixed edge is a
+        particle that is welded to the ground. `restitution` is the ratio of the speeds of separation and approach along
+        it; left out, it is unknown, and something is stated of the velocities after it. `mu` adds a friction impulse;
+        without it the impact is smooth. Several impacts in one blow happen at once, each with its own restitution:
+        planar explain blows. After a plastic impact (`restitution: 0`) the bodies stay in contact as long as they press
+        on each other; a `weld` that begins with the impact keeps them together for good. Two particles that would then
+        slide along each other need it, for points have no faces.
 
     YAML
         title: Two balls collide head on
@@ -69,7 +70,7 @@ class Impact(Joint):
 
     between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")
     at: str = key(PointKey(), "the point where they touch; left out where the shapes tell it", default="")
-    normal: Side | None = key(SideKey("deg", angle=True), "direction of the common normal", default=None)
+    normal: Side | None = key(SideKey("deg", angle=True, turns=True), "direction of the common normal", default=None)
     restitution: Side | None = key(SideKey("1"), "coefficient of restitution, 0 to 1; left out: unknown", default=None)
     mu: Side | None = key(SideKey("1"), "coefficient of friction during the impact", default=None)
 

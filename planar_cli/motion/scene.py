@@ -31,6 +31,7 @@ from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.headings import heading
 from planar_cli.problem.keys import Table
 from planar_cli.problem.masses import placed
 from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
@@ -276,7 +277,7 @@ class MovingScene(Carried):
         later = joint.during is None or not self.problem.holds_at_first(joint.during)
         at = getattr(joint, "at", "")
         named = self.point(at) if at and self.owner(at) in {self.carrier(p) for p in between} else None
-        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal), later, named)
+        found = gaps_of(self, self.feet, between, None if normal is None else heading(self, normal), later, named)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
         return tuple(self.facings.both_sides(g) for g in found)

@@ -17,8 +17,10 @@ from planar_cli.problem.expression import (
     Name,
     PointPair,
     Quantity,
+    Side,
 )
 from planar_cli.problem.formulas import Formula, formulas
+from planar_cli.problem.headings import off_body
 from planar_cli.problem.masses import PLACES
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import GROUND
@@ -136,10 +138,13 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
 
 def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Diagnostic]:
     place = quantity.word in PLACES and quantity.at is None
-    if not formula.quantities and not (formula.places and place):
+    turned = formula.turns and isinstance(formula.tree, Side) and off_body(formula.tree) is not None
+    if not formula.quantities and not turned and not (formula.places and place):
         hint = "quantities may stand in `motion`, `instant`, `states`, `find`, magnitudes of loads and streams"
         if formula.places:
             hint = "a mass may use `t`, coordinates, and the places `x(P)`, `y(P)`, `theta(b)`"
+        elif formula.turns and quantity.word == "theta":
+            hint = "a direction that turns with a body is counted from its angle: `theta(b)`, `theta(b) + 90 deg`"
         elif formula.angle and quantity.word == "theta":
             hint = "a direction that turns with a body is written with the coordinate by which the body is placed: "
             hint += "`B: {from: A, distance: l, angle: phi}` with `coordinates: {phi: deg}`, and here `phi + 90 deg`"

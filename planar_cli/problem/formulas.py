@@ -39,7 +39,7 @@ class Formula:
     """One formula: `what` it is in words, the `unit` whose dimension it must have (None: any), whether it is an angle.
 
     `time`: may it use `t`? `quantities`: may it use `v(P)` and the like, `places`: `x(P)`, `y(P)`, `theta(b)`?
-    `locals`: variables of a curve.
+    `turns`: may it be counted from `theta(b)`? `locals`: variables of a curve.
     """
 
     tree: Side | Statement
@@ -50,6 +50,7 @@ class Formula:
     time: bool = False
     quantities: bool = False
     places: bool = False
+    turns: bool = False
     locals: frozenset[str] = frozenset()
 
 
@@ -188,8 +189,8 @@ def _of_key(value: object, spec: KeySpec, what: str) -> Iterator[Formula]:
                 yield Formula(number, what, number.mark, unit)
         case MagnitudeKey(unit=unit), _ if isinstance(value, Side):
             yield Formula(value, what, value.mark, unit, time=True, quantities=True)
-        case SideKey(unit=unit, angle=angle), _ if isinstance(value, Side):
-            yield Formula(value, what, value.mark, unit, angle=angle)
+        case SideKey(unit=unit, angle=angle, turns=turns), _ if isinstance(value, Side):
+            yield Formula(value, what, value.mark, unit, angle=angle, turns=turns)
         case DirectionKey(), _ if isinstance(value, Side):
             yield Formula(value, what, value.mark, "deg", angle=True)
         case StatementsKey(), tuple():

@@ -43,10 +43,13 @@ class PartnersKey:
 
 @record
 class SideKey:
-    """One line of mathematics of the given unit's dimension, as Side. `angle`: an angle (a bare number is refused)."""
+    """One line of mathematics of the given unit's dimension, as Side. `angle`: an angle (a bare number is refused).
+    `turns`: an angle that may be counted from that of a body, `theta(rod) + 90 deg`.
+    """
 
     unit: str
     angle: bool = False
+    turns: bool = False
 
 
 @record

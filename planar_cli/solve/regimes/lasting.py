@@ -17,6 +17,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import JustAfter, Side
 from planar_cli.problem.facts import Facts, Joining, Law, Mode, Path, Push, Row, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.headings import heading
 from planar_cli.problem.known_values import KnownValues
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.scene import GROUND, Line, Particle, Problem, State
@@ -70,7 +71,7 @@ class LastingContact(Joint):
 
     def _place(self, scene: Scene) -> tuple[str, str, Vec, Vec]:
         """Who slides on whom, where, and the unit vector that pushes the first away from the second."""
-        normal = None if self.normal is None else scene.unit(self.normal)
+        normal = None if self.normal is None else heading(scene, self.normal)
         meeting = meeting_of(scene, self.between, normal, self.mark)
         first, second = (partner_of(scene, name) for name in self.between)
         if first.particle and not (second.particle and first.body == GROUND):
