@@ -323,19 +323,19 @@ class _Search:
     # --- solving -----------------------------------------------------------------------------------------------------
 
     def _newton(self, equations: Sequence[Equation], numbers: range, guesses: bool = False) -> None:
-        """Make all equations zero; NoSolution where they contradict each other."""
-        tries = self._guesses(numbers) if guesses else [self.zeros.state]
+        """Make all equations zero; NoSolution where they contradict each other, or an inequality that is given."""
+        tries, problem = self._guesses(numbers) if guesses else [self.zeros.state], self.model.scene.problem
         for state in tries:
             self.zeros.state = list(state)
             if self.zeros.solved(equations, numbers) and (not guesses or self._true()):
                 if guesses and not self.model.scene.speeds:
-                    problem = self.model.scene.problem
                     demand_one_start(self.zeros, self.layout, equations, numbers, tries, self._true, problem)
                 return
         self.zeros.state = list(tries[0])
-        self.zeros.solved(equations, numbers)
+        if self.zeros.solved(equations, numbers):
+            self._fulfilled()
         off = max(equations, key=lambda e: abs(self.zeros.values([e])[0]) / e.size)
-        laws = [law.statement for law in self.model.scene.problem.motion]
+        laws = [law.statement for law in problem.motion]
         known = [*(r.mark for r in laws if r.text == off.text), off.mark, *(e.mark for e in equations)]
         mark = next((m for m in (*known, *(r.mark for r in laws)) if m != NOWHERE), NOWHERE)
         text = f"no start fulfils everything that the file says: “{off.text}” remains off"
