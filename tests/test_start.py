@@ -29,6 +29,23 @@ bodies: {b: {particle: C, mass: 2 kg}}
 joints:
   - contact: {between: [b, slope], at: C, mu: 0.3}
 """
+SPUN = """
+title: Ball drawn at an angle
+plane: vertical
+given: {phi: 30 deg}
+points: {P: [1 m, 1 m * sin(phi)]}
+bodies: {P: {particle: P, mass: 1 kg}}
+find: {v: v(P) @ 2}
+"""
+CAUGHT = """
+title: Rods and plates that a hook catches
+plane: vertical
+points: {A: [0, 1 m], B: [1 m, 1 m], K: PLACE}
+bodies: {b: BODY}
+joints:
+  - pin: {at: K, between: [ground, b], during: 2->3}
+states: {1: [t = 0, at rest], 2: [y(b) = 0.5 m], 3: [theta(b) = -90 deg]}
+"""
 
 
 def model_of(folder: Path, text: str) -> Model:
@@ -126,9 +143,36 @@ def test_what_is_drawn_is_not_moved(tmp_path: Path, said: str) -> None:
         (FOUR_BAR, "velocity of AB, BC, CD"),
         (BALL + "instant: [x(P) = 2 m, at rest]\n", "where P is"),
         (BLOCK + "instant: [v(b).x = 1 m/s, v(b).y > 0.7 m/s]\n", "contradicts"),
+        (SPUN + "states: {1: [t = 0, at rest, phi > 60 deg], 2: [y(P) = 0]}\n", "contradicts “phi > 60 deg”"),
+        (SPUN + "states: {1: [t = 0, v(P).x = 1 m/s, v(P).y = 0, phi > 60 deg], 2: [y(P) = 0]}\n", "phi > 60 deg"),
     ],
 )
 def test_what_is_wrong_is_told(tmp_path: Path, text: str, words: str) -> None:
     with pytest.raises(PlanarError, match=words) as caught:
         begun(tmp_path, text)
     assert {d.code for d in caught.value.diagnostics} == {"PL704"}
+
+
+@pytest.mark.parametrize(
+    ("body", "place", "caught"),
+    [
+        ("{rod: [A, B], mass: 1 kg}", "[0.3 m, 1 m]", True),
+        ("{rod: [A, B], mass: 1 kg}", "[1.2 m, 1 m]", False),
+        ("{rod: [A, B], mass: 1 kg}", "[-0.2 m, 1 m]", False),
+        ("{rod: [A, B], mass: 1 kg}", "[0.3 m, 0.5 m]", False),
+        ("{plate: A, width: 1 m, height: 0.4 m, angle: 90 deg, mass: 1 kg}", "[0.1 m, 1.4 m]", True),
+        ("{plate: A, width: 1 m, height: 0.4 m, angle: 90 deg, mass: 1 kg}", "[0.4 m, 1.1 m]", False),
+        ("{disk: A, radius: 0.3 m, mass: 1 kg}", "[0.3 m, 1 m]", True),
+        ("{disk: A, radius: 0.3 m, mass: 1 kg}", "[0.3 m, 0.7 m]", False),
+        ("{disk: A, radius: 0.3 m, mass: 1 kg, points: [K]}", "[0.3 m, 0.7 m]", True),
+    ],
+)
+def test_what_is_caught_later_is_drawn_on_the_body(tmp_path: Path, body: str, place: str, caught: bool) -> None:
+    """A fixed place beside the body, to which it comes, does not tell which of its points is there by then."""
+    text = CAUGHT.replace("PLACE", place).replace("BODY", body)
+    if caught:
+        model_of(tmp_path, text)
+        return
+    with pytest.raises(PlanarError, match="takes hold of b at 2") as told:
+        model_of(tmp_path, text)
+    assert [d.code for d in told.value.diagnostics] == ["PL537"]

@@ -21,6 +21,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.places import AsDrawn, Jets
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark, refuse
+from planar_cli.problem.caught import demand_caught
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
@@ -82,6 +83,7 @@ class Scene(Decided):
         self.arms = Arms(self)
         self._valuations = None
         self.owners = self._owners()
+        demand_caught(self)
         if displacement is not None:
             self._displace(displacement)
         for body in problem.bodies:

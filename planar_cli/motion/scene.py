@@ -28,6 +28,7 @@ from planar_cli.motion.skids import Skids
 from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import ROUNDING, Term, evaluate
 from planar_cli.problem.acting import acting_loads
+from planar_cli.problem.caught import demand_caught
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
@@ -69,6 +70,7 @@ class MovingScene(Carried):
         self.placed = placed(problem)
         """Bodies whose mass goes with places."""
         self._load()
+        demand_caught(self)
 
     def _coordinates(self) -> tuple[dict[str, tuple[Term, Term]], tuple[Tie, ...]]:
         """Each coordinate of the file with its rate, and what points keep that are written with them."""

@@ -82,6 +82,12 @@ _SCENE = {
         "particle, an upright plate, or what touches it with the point `at`. Anything else needs a surface of its own: "
         "`surfaces: {wall: {through: B, angle: 90 deg}}`."
     ),
+    "PL537": (
+        "A pin or weld to the ground with `during` from a later state holds the point of the body that is drawn at its "
+        "place. Where the body, drawn as it is at the first state, has nothing there, a place was meant to which it "
+        "comes: which of its points is there by then must be told. Begin with the state in which it takes hold, or "
+        "name the point that is caught among the `points` of the body."
+    ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": (
         "The ends of a spring, damper, link or part of a rope, or the centres of the disks of a belt, are at the same "
