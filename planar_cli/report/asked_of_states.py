@@ -19,6 +19,7 @@ from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.oscillation import by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, SpanIntegral
 from planar_cli.units import Unit
@@ -113,7 +114,8 @@ class AskedTelling:
             spans = [self._span(p) for p in asked.parts]
             parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
             became = any(
-                p.is_Symbol and not (raw.is_Symbol or raw.is_number) for p, raw in zip(parts, asked.parts, strict=True)
+                p.is_Symbol and (untold(p, self.found) is not None or not (raw.is_Symbol or raw.is_number))
+                for p, raw in zip(parts, asked.parts, strict=True)
             )
             formulas = (became or any(map(self._is_formula, parts))) and all(
                 p.is_Symbol or self._is_formula(p) for p in parts
@@ -173,7 +175,9 @@ class AskedTelling:
         if formula.is_number or (span is not None and formula == span.symbol):
             return []
         if formula.is_Symbol:
-            return [self.phrases.math(formula)] if span is None else []
+            own = untold(formula, self.found)
+            made = [] if own is None or own.is_number else [own]
+            return [self.phrases.math(e) for e in (formula, *made)] if span is None else []
         if span is None and (frequency := by_frequency(formula, self.found, phrases)):
             return frequency
         if values and (longer(formula, FEW) or not self._is_clean(formula, unit)):
@@ -183,7 +187,9 @@ class AskedTelling:
                 return found
         if self._is_long(formula):
             return []
-        return [self.phrases.math(formula), *(phrases.substituted(formula, values[0]) if values else [])]
+        short = closed_value(formula, self.found)
+        shown = [formula] if short is None else [formula, short]
+        return [*map(self.phrases.math, shown), *(phrases.substituted(shown[-1], values[0]) if values else [])]
 
     def _is_clean(self, formula: sp.Expr, unit: Unit | None) -> bool:
         """Do its letters make the unit that is asked for?"""

@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import Kind
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.turning_values import other_kind
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 
@@ -34,6 +35,9 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     others = [x.value for x in left]
     if r.unknown in found.named:
         yield from _of_asked(found, r, others)
+        return
+    if (said := other_kind(found, r, left, phrases)) is not None:
+        yield said
         return
     why = reason(found, r, others, told) if left else ()
     if not why:

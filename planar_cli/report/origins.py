@@ -14,6 +14,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Res
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
+from planar_cli.report.turning_values import DERIVATIVE, over_time
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
 from planar_cli.solve.between.trace import (
@@ -50,6 +51,7 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
+    words += f", {DERIVATIVE}" if over_time(e) else ""
     return spoken(f"{place}{words}:", names)
 
 

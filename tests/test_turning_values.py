@@ -1,0 +1,27 @@
+"""A largest value over time: the condition, the roots at which it is smallest, and the value in letters."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_the_condition_of_a_largest_value_is_said() -> None:
+    page = page_of_file("follower-with-cycloidal-lift")
+    told = "a_follower,y is largest, so that its derivative with respect to the time is zero: (3) cos(2 π t_a/T) = 0"
+    assert told in page
+
+
+def test_the_other_roots_are_the_smallest_values() -> None:
+    page = page_of_file("follower-with-cycloidal-lift")
+    assert "not 3 T/4: there it is smallest" in page
+    assert "the first such time" not in page
+
+
+def test_the_value_is_told_in_letters_of_the_file() -> None:
+    page = page_of_file("follower-with-cycloidal-lift")
+    assert "a_max = 2 π h sin(2 π t_a/T)/T² = 2 π h/T² = 2 π · 0.03 / 0.2² = 4.712 m/s²" in page
+    assert "v_max = h (1 - cos(2 π t_v/T)) / T = 2 h/T = 2 · 0.03 / 0.2 = 0.3 m/s" in page
+
+
+def test_a_place_that_the_file_gives_over_time_has_a_line() -> None:
+    assert "lift = y_follower,end = h = 0.03 m = 30 mm" in page_of_file("follower-with-cycloidal-lift")
