@@ -1,4 +1,4 @@
-"""What was taken for granted: signs of letters as in the scene that was drawn, corners that are rounded."""
+"""What was taken for granted: signs of letters as drawn, rounded corners, joints that take hold in a blow."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
+from planar_cli.problem.expression import JustAfter
+from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solved_problem import PartSolution
@@ -28,8 +30,21 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST):
             yield Note("Assume", line(phrases.math(_above_zero(expr))))
-    for state in () if part.motion is None else part.motion.corners:
+    if part.motion is None:
+        return
+    for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
+    for told in _taking_hold(part.motion.problem):
+        yield Note("Assume", line(told))
+
+
+def _taking_hold(problem: Problem) -> Iterator[str]:
+    """Joints that the file lets act from just after a blow on: what makes parts move alike takes part in the blow."""
+    blows = {s.name: r.state for s in problem.states for r in s.relations if isinstance(r, JustAfter)}
+    for joint in problem.joints:
+        if joint.during is not None and not joint.strikes and (before := blows.get(joint.during[0])) is not None:
+            where = f"at {place}" if (place := getattr(joint, "at", "")) else joint.name
+            yield f"The {joint.kind} {where} takes hold in the blow, so that it acts from {before} on."
 
 
 def _above_zero(expr: Any) -> sp.Expr:
