@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -60,3 +61,16 @@ def _length(phrases: Phrases, expr: sp.Expr) -> Math | Value:
     if clean or phrases.letters or not expr.free_symbols <= set(ledger.values):
         return phrases.math(expr)
     return phrases.of_dimension(phrases.value(expr), LENGTH)
+
+
+def onward(w: Written) -> Written:
+    """A sum of forces along a slanting line in the sense in which its terms are positive, where all have the other."""
+    terms = [t for side in (w.left, w.right) for t in sp.Add.make_args(side) if t != 0]
+    if w.law != "force" or w.lead or w.along is None or not all(t.could_extract_minus_sign() for t in terms):
+        return w
+    return replace(
+        w,
+        left=sp.Add(*(-t for t in sp.Add.make_args(w.left))),
+        right=sp.Add(*(-t for t in sp.Add.make_args(w.right))),
+        along=(-w.along[0], -w.along[1]),
+    )

@@ -20,8 +20,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
 from planar_cli.units import LENGTH
 
-LONGEST = 40
-"""A longer formula is told by its value."""
+LONGEST, FEW = 40, 6
+"""A longer formula is told by its value; and in the letters of the file not at all."""
 
 
 def with_inertias(
@@ -131,8 +131,10 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
     `settled`; empty where its formula already has letters for them.
     """
     made = _of_body(symbol, scene) or _shifted(symbol, scene)
-    if made is None or not made.mass.is_Symbol or not made.square.is_number or made.square == 0:
+    if made is None or not made.mass.is_Symbol or made.square == 0:
         return []
+    if not made.square.is_number:
+        return [] if settled else _by_distance(made, scene.ledger)
     length = sp.Symbol(made.letter, positive=True)
     formula = sp.Mul(made.factor, made.mass, length**2, evaluate=False)
     formula = formula if made.own == 0 else sp.Add(made.own, formula, evaluate=False)
@@ -142,6 +144,17 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
         texts = {s: _text(phrases.shown(s)) for s in (made.mass, made.own) if s != 0}
         told.append(line(Math(formula, {length: _text(size), **texts})))
     return told
+
+
+def _by_distance(made: _Made, ledger: Ledger) -> list[Line]:
+    """I + m (L/4)² = 7/48 m L², where the distance of both points is a multiple of one length."""
+    distance = sp.sqrt(simplified(made.square))
+    if made.own == 0 or not made.own.is_Symbol or not distance.as_coeff_Mul()[1].is_Symbol:
+        return []
+    shift = sp.Mul(made.mass, sp.Pow(distance, 2, evaluate=False), evaluate=False)
+    whole = simplified(ledger.behind(made.own) + made.mass * made.square)
+    told = [sp.Add(made.own, shift, evaluate=False), *([] if longer(whole, FEW) else [whole])]
+    return [line(Math(e)) for e in told]
 
 
 def alike_together(lines: Sequence[Equation]) -> list[Equation]:

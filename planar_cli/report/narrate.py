@@ -223,6 +223,7 @@ def _instant_blocks(
     if part.motion is None:
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
         told = [_said(b) for b in blocks if isinstance(b, Equation)]
+        told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
         asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
         return [*blocks, *asked], telling.steps, telling.count
     stretches = _stretches(part, instant)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
@@ -72,6 +73,8 @@ class SolvingTelling:
             sides += [value, *(self.phrases.converted(symbol, number) if number is not None else ())]
         elif expr.is_number:
             sides.append(self.phrases.math(expr))
+        elif self.constants is None and (closed := in_letters(expr, self.instant)) is not None:
+            sides.append(self.phrases.math(closed))
         return tuple(sides)
 
     def _is_constant(self, symbol: sp.Symbol) -> bool:
@@ -247,11 +250,14 @@ class SolvingTelling:
 
     def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
         """The values of named accelerations that are put into a formula, those that were not told before."""
-        if self.phrases.symbolic or len(sides) < 3:
+        if len(sides) < 3:
             return
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
-            yield Equation(self.chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
+            value = None if self.phrases.symbolic else self.phrases.shown(symbol)
+            chain = self.chain(symbol, stage.algebra.explicit[symbol], value)
+            if len(chain) > 2 or not self.phrases.symbolic:
+                yield Equation(chain)
 
 
 def is_given(block: SolvedBlock) -> bool:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer
-from planar_cli.report.actions import moment_words, perpendicular
+from planar_cli.report.actions import moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
@@ -31,6 +31,7 @@ from planar_cli.report.spoken import spoken
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
+from planar_cli.report.zero_reactions import zero_reactions
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.seeker import at_the_limit
 from planar_cli.solve.instant.stages import Stage
@@ -106,11 +107,13 @@ class Telling:
         if kinetic and last is not None:
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
-            blocks += [*rows, *sentences(self.system, [row.body for row in rows])]
+            bodies = [row.body for row in rows]
+            blocks += [*rows, *sentences(self.system, bodies)]
             blocks += self._definitions("kg")
             written = [w for b in last.blocks for w in b.equations]
             blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)
             blocks += self._equations([w for w in written if w.law != "relation"], last)
+            blocks += zero_reactions(self.instant, last, self.phrases, bodies)
             blocks += self._equations([w for w in written if w.source == "extreme"], last)
         if last is not None and self.solving.is_needed(last):
             blocks.append(self._step(SOLVING, self.solving.count(last)))
@@ -275,8 +278,9 @@ class Telling:
         found = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if found is None or found.formula != 0 or 0 not in (w.left, w.right) or found.letters:
             return sides
+        letter = self.phrases.math(found.symbol)
         self.solving.nil.add((id(stage.algebra), w.number))
-        return (sides[0], line(sides[1], ", so that ", self.phrases.math(found.symbol), " = 0"))
+        return sides if letter in sides else (sides[0], line(sides[1], ", so that ", letter, " = 0"))
 
     def _way(self, w: Written) -> Line:
         """The direction along which forces are summed."""
@@ -377,19 +381,6 @@ class Telling:
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
-
-
-def onward(w: Written) -> Written:
-    """A sum of forces along a slanting line in the sense in which its terms are positive, where all have the other."""
-    terms = [t for side in (w.left, w.right) for t in sp.Add.make_args(side) if t != 0]
-    if w.law != "force" or w.lead or w.along is None or not all(t.could_extract_minus_sign() for t in terms):
-        return w
-    return replace(
-        w,
-        left=sp.Add(*(-t for t in sp.Add.make_args(w.left))),
-        right=sp.Add(*(-t for t in sp.Add.make_args(w.right))),
-        along=(-w.along[0], -w.along[1]),
-    )
 
 
 def _begun(words: str) -> str:

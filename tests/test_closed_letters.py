@@ -1,0 +1,39 @@
+"""Results of an instant in the letters of the file in one chain, and reactions that nothing calls for."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-4-06", ["I_A = m (L/4)² + I = 7/48 m L²", "(2): α = m g L/(4 I_A) = 12 g/(7 L)", "a_G = -1/4 L α = -3 g/7",
+                 "(3): A_y = m (g + a_G) = 4/7 m g Answer"]),
+    ("ex-4-04", ["α = m g L / (8 (1/32 m L² + I)) = 12 g/(11 L) (2): T_cable", "= 4 √2/11 m g Answer"]),
+    ("ring-on-a-pin", ["I_O = m R² + I_G = 2 m R²", "α = -m g R/I_O = -g/(2 R)"]),
+])  # fmt: skip
+def test_a_result_in_letters_is_one_chain(stem: str, lines: list[str]) -> None:
+    told = page(stem)
+    assert [line for line in lines if line not in told] == []
+
+
+def test_a_long_formula_is_not_told_twice() -> None:
+    """Of five links the letters of the file make large fractions; only what is asked is told by them."""
+    assert "0.5035" not in page("chain-5-symbols")
+
+
+def test_a_reaction_along_which_nothing_acts_is_zero() -> None:
+    assert "→ ΣF_x: A_x = 0 STEP 3" in page("ex-4-06")
+    assert "load: → ΣF_x: E_x = 0" in page("block-on-a-table-and-a-moving-pulley")
+    assert page("ring-on-a-pin").count("O_x = 0") == 1
