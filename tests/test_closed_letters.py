@@ -36,4 +36,4 @@ def test_a_long_formula_is_not_told_twice() -> None:
 def test_a_reaction_along_which_nothing_acts_is_zero() -> None:
     assert "→ ΣF_x: A_x = 0 STEP 3" in page("ex-4-06")
     assert "load: → ΣF_x: E_x = 0" in page("block-on-a-table-and-a-moving-pulley")
-    assert page("ring-on-a-pin").count("O_x = 0") == 1
+    assert "so that" not in page("ring-on-a-pin")
