@@ -29,6 +29,7 @@ from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.rates_in_turn import rate_in_turn
+from planar_cli.report.swallowed import swallowed
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
@@ -53,7 +54,8 @@ class AskedTelling:
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
-        nothing = {z: sp.S.Zero for stage in self.instant.stages for z in stage.zero}
+        still = (z for stage in self.instant.stages for z in stage.zero)
+        nothing = dict.fromkeys((*self.vectors.zero, *still), sp.S.Zero)
         every = tuple(found)
         for one in every:
             if one.kind not in ("number", "vector") or one.find is None:
@@ -128,15 +130,21 @@ class AskedTelling:
             if way := self._way(answer, axis):
                 sides.append(way)
             if self._readable(expr, answer.unit.dimension) and not expr.is_number:
-                sides.append(self.phrases.math(expr))
+                whole = self._with_unit(answer, expr)
+                sides.append(whole or self.phrases.math(expr))
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
                 sides += self.phrases.substituted(expr, values[0])
             sides += values
             if not values and answer.expressions and answer.expressions[i] not in (expr, answer.asked[i]):
                 closed = answer.expressions[i]
-                sides += [] if longer(closed, LONGEST) else [self.phrases.math(closed)]
+                whole = self._with_unit(answer, closed)
+                sides += [] if longer(closed, LONGEST) else [whole or self.phrases.math(closed)]
             if len(sides) > 1:
                 yield Equation(tuple(sides))
+
+    def _with_unit(self, answer: Found, expr: sp.Expr) -> Math | None:
+        """A formula whose number holds a unit, with that."""
+        return swallowed(expr, answer, self.phrases.ledger, self.phrases.figures) if self.phrases.symbolic else None
 
     def _way(self, answer: Found, axis: str) -> Line:
         """How the file leads to the place that is asked; of two points the difference."""

@@ -10,6 +10,7 @@ from planar_cli.report.answer_letters import asked_symbol
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text
 from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
+from planar_cli.report.swallowed import swallowed
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
@@ -38,8 +39,9 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
             lines = [i for i, block in enumerate(found) if _left(block) in own]
             # A numbered line may be an equation that a letter stands in, rather than what gives it.
             given = [i for i in lines if not _is_numbered(found[i])] or lines
+            shown = swallowed(expr, answer, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))
             if given and not longer(expr, LONGEST):
-                found[given[-1]] = _ended(found[given[-1]], Math(phrases.neat(expr)))
+                found[given[-1]] = _ended(found[given[-1]], shown)
     return found
 
 
@@ -73,6 +75,6 @@ def _word(piece: Inline) -> str:
 def _ended(block: Block, closed: Math) -> Block:
     """An equation that ends with a formula, once."""
     assert isinstance(block, Equation)
-    text = plain(closed.expr)
+    text = plain(closed.expr, closed.values)
     said = [plain(s.expr, s.values) for s in block.sides if isinstance(s, Math)]
     return block if text in said else replace(block, sides=(*block.sides, closed))

@@ -34,7 +34,7 @@ class DataTelling:
         """letter = value, with the reason where the file says it otherwise."""
         stated = stated_in(self.scene.problem, self.state, w.lead)
         letter, value = self.phrases.math(w.left), self._value(w)
-        if w.times and w.right == 0 and (lower := _lower(w.left.name)):
+        if w.times and w.right == 0 and (lower := lower_name(w.left.name)):
             return [Equation((letter, value), number, line(Name(lower), " constant:"))]
         if w.times:
             return self._differentiated(w, stated, Equation((letter, value), number))
@@ -71,6 +71,6 @@ class DataTelling:
         return [Paragraph(line("Given: ", law, often)), equation]
 
 
-def _lower(name: str) -> str:
+def lower_name(name: str) -> str:
     """The name of the speed whose rate a letter is; "": it is none."""
     return next((rule.sub(to, name) for rule, to in LOWER if rule.search(name)), "")

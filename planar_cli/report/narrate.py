@@ -39,6 +39,7 @@ from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
 from planar_cli.report.laws import without_given
+from planar_cli.report.letter_vectors import normal_check
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -183,7 +184,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if part.motion is not None and why is None:
         others = (check(part.motion, settled) for check in (energy_check, blow_check, law_check, root_check))
         blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
-    if why is None and (derived := tale_check(part, phrases)):
+    if why is None and (derived := tale_check(part, phrases) or normal_check(part, phrases)):
         blocks.append(Check(derived))
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())

@@ -8,6 +8,7 @@ Of a rigid body only the point that is joined to the curve moves so; its others 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -24,11 +25,14 @@ from planar_cli.problem.scene import Curve
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
+from planar_cli.report.swallowed import with_unit
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, PURE, Dimension
 
+SHORT = 6
+"""y′ and y″ of more operations are told by their values."""
 LONGEST = 40
 """A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
 SLOPE, BEND = sp.symbols("y′ y″", real=True)
@@ -52,17 +56,34 @@ class PathTelling:
         if not self._on_curve(body, at):
             return
         tangent = line(Name("e_t"), " = ", *vector_of(path.tangent, PURE, self.phrases))
-        parts, radius, note = line(self.phrases.math(edge.slide_rate), " ", Name("e_t")), list[Block](), tangent
+        steady = edge.slide_rate in self.vectors.zero
+        parts = () if steady else line(self.phrases.math(edge.slide_rate), " ", Name("e_t"))
+        radius, note = list[Block](), tangent
         if edge.slide not in self.vectors.zero and self.phrases.value.known(edge.slide) != 0:
             bends = path.tangent.turned()
             normal = bends if self.phrases.value(path.curvature) > 0 else -bends
             note = line(*tangent, ", ", Name("e_n"), " = ", *vector_of(normal, PURE, self.phrases))
-            parts = line(*parts, " + ", self.phrases.math(edge.slide**2), "/ρ ", Name("e_n"))
+            parts = line(*parts, *([" + "] if parts else []), self.phrases.math(edge.slide**2), "/ρ ", Name("e_n"))
             radius = list(self._radius(path, place, body, note))
-        yield from radius
+            if len(radius) > 1:
+                yield from (replace(b, note=()) if isinstance(b, Equation) and b.note == note else b for b in radius)
+                yield from self._unit_vectors(path.tangent, normal)
+                note, radius = (), [radius[-1]]
+            else:
+                yield from radius
         vector = self.vectors.motion.acceleration(at, body)
+        if steady:
+            vector = Vec(*(p.xreplace({edge.slide_rate: sp.S.Zero}) for p in (vector.x, vector.y)))
         sides = (line(Name(f"a_{index_of(place)}")), parts)
         yield from self.once(f"acceleration {place}", sides, vector, "acceleration", () if radius else note)
+
+    def _unit_vectors(self, tangent: Vec, normal: Vec) -> Iterator[Block]:
+        """e_t by the slope y′, and e_n at right angles to it."""
+        back = "-" if self.phrases.value(tangent.x) < 0 else ""
+        along = line(f"{back}[1, ", Math(SLOPE), "]/", Math(sp.sqrt(1 + SLOPE**2)))
+        yield Equation((line(Name("e_t")), along, vector_of(tangent, PURE, self.phrases)))
+        words = line("at right angles to ", Name("e_t"), ", to the hollow side")
+        yield Equation((line(Name("e_n")), vector_of(normal, PURE, self.phrases)), None, (), words)
 
     def _on_curve(self, body: str, at: Vec) -> bool:
         """Does this point of a body move along the curve, as a particle does and what does not turn?"""
@@ -83,8 +104,8 @@ class PathTelling:
             return None
         return None if self.phrases.value.known(path.curvature) is None else path
 
-    def _bends(self, body: str) -> tuple[sp.Expr, sp.Expr] | None:
-        """y′ and y″ of a fixed curve y = f(x) where a body is on it; None: it moves along no such curve."""
+    def _bends(self, body: str) -> tuple[tuple[sp.Expr, sp.Expr], ...] | None:
+        """y′ and y″ of a fixed curve y = f(x) where a body is on it, and as functions of x; None: there is none."""
         joining = self.vectors.edges[body].joining
         joint = next((j for j in self.scene.problem.joints if joining is not None and j.name == joining.joint), None)
         named = (getattr(joint, "along", ""), *getattr(joint, "between", ()))
@@ -94,16 +115,21 @@ class PathTelling:
         if surface.shape.kind != "y":
             return None
         x, formula = curve_formula(self.scene, surface.shape)
-        slope, bend = (simplified(sp.diff(formula, x, n).xreplace({x: joining.point.x})) for n in (1, 2))
+        general = [simplified(sp.diff(formula, x, n)) for n in (1, 2)]
+        slope, bend = (simplified(e.xreplace({x: joining.point.x})) for e in general)
         plain = not slope.has(sp.Piecewise) and not longer(slope, LONGEST) and not longer(bend, LONGEST)
-        return (slope, bend) if plain and bend != 0 else None
+        return ((slope, general[0]), (bend, general[1])) if plain and bend != 0 else None
 
-    def _of_curve(self, slope: sp.Expr, bend: sp.Expr, note: Line) -> Iterator[Block]:
-        """y′, y″, and ρ = (1 + y′²)^(3/2)/|y″|."""
-        phrases = self.phrases
+    def _of_curve(self, bends: tuple[tuple[sp.Expr, sp.Expr], ...], note: Line) -> Iterator[Block]:
+        """y′ and y″ as functions of x with their values, and ρ = (1 + y′²)^(3/2)/|y″|."""
+        phrases, ((slope, _), (bend, _)) = self.phrases, bends
         sizes: dict[sp.Symbol, Decimal] = {}
-        for symbol, expr, dimension in ((SLOPE, slope, PURE), (BEND, bend, PURE / LENGTH)):
+        for symbol, (expr, general), dimension in zip((SLOPE, BEND), bends, (PURE, PURE / LENGTH), strict=True):
             sides: list[Any] = [Math(symbol)]
+            # Only numbers and x: with lengths in the unit of the page.
+            bare = general.free_symbols and not expr.free_symbols and not longer(general, SHORT)
+            bare = bool(bare) and not phrases.ledger.us
+            sides += [Math(general)] if bare else []
             clean = bool(expr.free_symbols) and (
                 phrases.symbolic or is_clean(phrases.ledger, expr, dimension=dimension)
             )
@@ -111,8 +137,9 @@ class PathTelling:
             if not (phrases.symbolic and expr.free_symbols):
                 value = phrases.of_dimension(phrases.certain(expr), dimension)
                 sizes[symbol] = value.number
-                sides += [*(phrases.substituted(expr, value) if clean else ()), value]
-            yield Equation(tuple(sides))
+                shown = value if dimension == PURE else line(replace(value, unit="1"), value.unit[1:])
+                sides += [*(phrases.substituted(expr, value) if clean else ()), shown]
+            yield Equation(tuple(sides), None, (), line("lengths in m") if bare and symbol == SLOPE else ())
         size = -BEND if phrases.value(bend) < 0 else BEND
         formula, radius = (1 + SLOPE**2) ** sp.Rational(3, 2) / size, (1 + slope**2) ** sp.Rational(3, 2) / abs(bend)
         if len(sizes) < 2:
@@ -135,7 +162,7 @@ class PathTelling:
         if radius.is_Symbol and plain_name(radius.name) == "ρ":
             return
         if bends := self._bends(body):
-            yield from self._of_curve(*bends, note)
+            yield from self._of_curve(bends, note)
             return
         clean = self.phrases.symbolic or (bool(radius.free_symbols) and is_clean(self.phrases.ledger, radius))
         shown = (self.phrases.math(radius),) if clean and not longer(radius, LONGEST) else ()
@@ -164,5 +191,6 @@ def vector_of(vector: Vec, dimension: Dimension, phrases: Phrases) -> Line:
         return phrases.vector(phrases.certain(vector.x), phrases.certain(vector.y), dimension)
     if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
         return ()
-    shown: list[Any] = [phrases.math(factored(sp.sympify(p))) for p in (vector.x, vector.y)]
+    plain = [factored(sp.sympify(p)) for p in (vector.x, vector.y)]
+    shown: list[Any] = [with_unit(p, dimension, phrases.ledger, phrases.figures) or phrases.math(p) for p in plain]
     return line("[", shown[0], ", ", shown[1], "]")

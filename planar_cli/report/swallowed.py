@@ -7,15 +7,32 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.expression import Name, Quantity
 from planar_cli.report.blocks import Math
 from planar_cli.report.clean import Mixed, dimension_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, PURE, TIME, Dimension, pretty_unit
 
 MISSING = (LENGTH, PURE / LENGTH, TIME, PURE / TIME, TIME / LENGTH, LENGTH / TIME)
 """Units that a number of a file may hold; a formula that lacks another one is no such product."""
+
+
+ASKED = {"r": LENGTH, "x": LENGTH, "y": LENGTH, "rho": LENGTH, "v": LENGTH / TIME, "a": LENGTH / TIME**2, "t": TIME}
+ANGLE = ("angle", "theta")
+"""Parts of a vector that may be an angle."""
+
+
+def asked_dimension(found: Found) -> Dimension | None:
+    """Of a place, a velocity, an acceleration or a time that is asked in letters; None: it is another thing."""
+    what = found.find.found.what if found.find is not None else None
+    if isinstance(what, Name):
+        return ASKED.get(what.name) if what.name == "t" else None
+    if not isinstance(what, Quantity) or any(p.kind in ANGLE for p in what.parts):
+        return None
+    return ASKED.get(what.word)
 
 
 def with_unit(expr: sp.Expr, dimension: Dimension, ledger: Ledger, figures: int) -> Math | None:
@@ -28,17 +45,28 @@ def with_unit(expr: sp.Expr, dimension: Dimension, ledger: Ledger, figures: int)
         return None
     if missing not in MISSING:
         return None
-    factor, rest = expr.as_coeff_Mul()
+    factor, rest = expr.as_independent(*expr.free_symbols, as_Add=False)
+    own = sp.Symbol(f"{NUMBER}unit", positive=True)
+    if missing == TIME / LENGTH:
+        # D/(50 m/s), the speed that the file gives, rather than 0.02 s/m.
+        speed = significant(Decimal(str(sp.N(abs(1 / factor), 30))), figures)
+        text = f"{speed} {pretty_unit(coherent_unit(LENGTH / TIME).text)}"
+        return Math(sp.sign(factor) * rest / own, {own: text})
     # The number itself, as the file gives it: 2 in the denominator of 1/(2 tan θ) is 0.5 m.
     shown = significant(Decimal(str(sp.N(abs(factor), 30))), figures)
     unit = pretty_unit(coherent_unit(missing).text)
-    own = sp.Symbol(f"{NUMBER}unit", positive=True)
     text = f"{shown}{unit[1:]}" if unit.startswith("1/") else f"{shown} {unit}"
     return Math(sp.sign(factor) * own * rest, {own: text})
 
 
 def with_its_number(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
     """A product with a letter for its number, and that number: 0.5/tan θ, not 1/(2 tan θ)."""
-    factor, rest = expr.as_coeff_Mul()
+    factor, rest = expr.as_independent(*expr.free_symbols, as_Add=False)
     own = sp.Symbol(f"{NUMBER}unit", positive=True)
     return sp.sign(factor) * own * rest, {own: Decimal(str(sp.N(abs(factor), 30)))}
+
+
+def swallowed(expr: sp.Expr, found: Found, ledger: Ledger, figures: int) -> Math | None:
+    """An answer in letters whose number holds a unit, with that; None: its letters make the unit."""
+    dimension = asked_dimension(found)
+    return None if dimension is None else with_unit(expr, dimension, ledger, figures)

@@ -19,6 +19,7 @@ from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, measured, places
+from planar_cli.report.given_speeds import speed_told
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
@@ -289,6 +290,11 @@ class Telling:
 
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
         """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
+        moving = frozenset(self.system.tree.velocity_unknowns())
+        if speed := speed_told(w, stage, self.phrases, number, moving):
+            self.solving.nil.add((id(stage.algebra), w.number))
+            self.vectors.zero |= {speed[1].symbol} if speed[1].formula == 0 else set()
+            return [speed[0]]
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)

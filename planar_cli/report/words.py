@@ -26,6 +26,7 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula
+from planar_cli.report.swallowed import swallowed
 from planar_cli.solve.passages import squared_radius
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, TIME, Dimension, Unit
@@ -250,7 +251,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
             return (Text(f"more than {PRINTABLE} operations as one formula; the lines give it step by step"),)
         parts: list[Any] = []
         for i, expr in enumerate(found.expressions or ()):
-            parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(phrases.neat(expr))]
+            formula = swallowed(expr, found, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))
+            parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), formula]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
         sense = sense_of_formula(found)
         return (

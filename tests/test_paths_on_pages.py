@@ -1,0 +1,49 @@
+"""What moves along a fixed curve: a constant speed, y′ and y″ by x, unit vectors by the slope, numbers with their unit."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def _page(name: str) -> str:
+    return " ".join(Terminal(200).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0])).split())
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "constant speed: v_P = v (2) v_P constant: a_Pt = 0",
+        "y′ = x = 2 lengths in m y″ = 1/m",
+        "e_t = [1, y′]/√(1 + y′²) = [√5/5, 2 √5/5]",
+        "at right angles to e_t, to the hollow side",
+        "a_P = v_P²/ρ e_n = [-(0.08/m) v_P², (0.04/m) v_P²]",
+        "that is (0.08944/m) v² at 26.6° above -x",
+        "Check v²/ρ = v²/(11.18 m) = (0.08944/m) v², the size of a",
+    ],
+)
+def test_a_constant_speed_along_a_parabola(words: str) -> None:
+    page = _page("textbook/ex-1-13")
+    assert words in page
+    assert "other root" not in page
+    assert "unknowns" not in page
+
+
+def test_a_time_in_letters_has_the_speed_in_it() -> None:
+    assert "t_collide = t_meet = D/(50 m/s)" in _page("textbook/ex-1-15")
+
+
+def test_a_curve_in_letters_keeps_its_formulas() -> None:
+    page = _page("particles/skier-in-a-parabolic-dip")
+    assert "y″ = 2 c = 2 · 0.00625 = 0.0125/ft" in page
+    assert "a_P = a_Pt e_t + v_P²/ρ e_n" in page
+
+
+def test_a_speed_that_counts_against_its_path_keeps_its_square() -> None:
+    """The positive root is the other motion."""
+    page = _page("kinematics/cars-on-a-road-and-in-a-bend")
+    assert "v_taxi² = 100" in page
