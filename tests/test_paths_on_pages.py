@@ -1,4 +1,4 @@
-"""What moves along a fixed curve: a constant speed, y′ and y″ by x, unit vectors by the slope, numbers with their unit."""
+"""What moves along a fixed curve: a constant speed, y′ and y″ by x, unit vectors, numbers with their unit."""
 
 from __future__ import annotations
 
@@ -33,8 +33,13 @@ def test_a_constant_speed_along_a_parabola(words: str) -> None:
     assert "unknowns" not in page
 
 
-def test_a_time_in_letters_has_the_speed_in_it() -> None:
-    assert "t_collide = t_meet = D/(50 m/s)" in _page("textbook/ex-1-15")
+def test_an_angle_is_eliminated_by_its_squares() -> None:
+    page = _page("textbook/ex-1-15")
+    assert "t_collide = t_meet = D/(50 m/s)" in page
+    assert "squared and added, since cos² + sin² = 1: (x_A,start + v_Ax,start t_meet)²" in page
+    assert "D² = 50 D t_meet so that, as t_meet ≠ 0: t_meet = D/(50 m/s)" in page
+    assert "cos β = (x_A,start + v_Ax,start t_meet)/(50 t_meet) = 0" in page
+    assert "g cancels" in page
 
 
 def test_a_curve_in_letters_keeps_its_formulas() -> None:

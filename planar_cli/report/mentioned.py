@@ -9,6 +9,7 @@ from planar_cli.records import record
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Text, Value
 from planar_cli.report.blocks import Relation as Related
+from planar_cli.report.ordering import HELD
 
 
 @record
@@ -51,7 +52,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                     energies |= name.startswith(("T_", "E_k_"))
                 case Math(expr):
                     letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
-                    counted |= {s.name for s in piece.values or ()}
+                    counted |= {s.name for s in piece.values or () if s.name != HELD}
     words = frozenset(found | letters)
     return Mentioned(
         words=words,

@@ -17,6 +17,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
 from planar_cli.report.origins import used_elsewhere
 from planar_cli.report.results import numbered
+from planar_cli.report.squared import squared
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 
@@ -98,6 +99,10 @@ class Reduced:
     """What is used besides, with the equation that gives each."""
     settled: frozenset[sp.Symbol]
     """Unknowns that rest on no letter without a number."""
+    known: Mapping[sp.Symbol, sp.Expr]
+    """Formulas of what was found before."""
+    cancelled: tuple[sp.Symbol, ...]
+    """Letters of the file that stand in what is put in, and no longer in what is left."""
 
 
 def _of_two(leg: RouteStep, found: MotionTrace, made: tuple[list[sp.Expr], Formulas, list[int]]) -> Reduced | None:
@@ -116,10 +121,13 @@ def _of_two(leg: RouteStep, found: MotionTrace, made: tuple[list[sp.Expr], Formu
     if found.symbolic and (unknowns - settled - asked or elsewhere - unknowns):
         return None
     results = [r for r in leg.results if r.unknown in unknowns]
+    inside, kept = (set().union(*(e.free_symbols for e in group)) for group in (residuals, whole))
+    gone = tuple(by_name((inside - kept) & {*found.ledger.letters, *found.ledger.values} - set(found.general)))
+    known = {s: f for s, f in found.route.formulas.items() if s not in leg.unknowns}
     rest = _told(formulas, elsewhere, leg)
     put = tuple(sorted(i for i, _ in formulas.values()))
     order = sorted(range(2), key=lambda k: left[k])
-    return Reduced(put, tuple(sorted(left)), tuple(whole[k] for k in order), tuple(results), rest, settled)
+    return Reduced(put, tuple(sorted(left)), tuple(whole[k] for k in order), tuple(results), rest, settled, known, gone)
 
 
 def _is_fixed(r: Result, found: MotionTrace) -> bool:
@@ -142,8 +150,12 @@ def _told_reduced(
     """(3) to (8) in (9), (10): two equations, and what they give together."""
     put, into = (numbered([numbers[i] for i in group]) for group in (found.put, found.into))
     for k, residual in enumerate(found.residuals):
-        yield Equation(_sides(residual, phrases), None, line(f"{put} in {into}:") if k == 0 else ())
-    for k, result in enumerate(found.results):
+        gone = [piece for s in found.cancelled for piece in (", ", Math(s))][1:]
+        note = line(*gone, " cancels" if len(found.cancelled) == 1 else " cancel") if gone and k == 0 else ()
+        yield Equation(_sides(residual, phrases), None, line(f"{put} in {into}:") if k == 0 else (), note)
+    if lines := squared(found.residuals, found.results, found.known, phrases):
+        yield from lines
+    for k, result in enumerate(found.results if not lines else ()):
         # What has letters gets its closed formula with the answers.
         open_yet = phrases.symbolic and result.unknown not in found.settled
         shown = () if open_yet else (phrases.shown(result.unknown, result.value),)

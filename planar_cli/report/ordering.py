@@ -32,6 +32,8 @@ _FUNCTIONS = len(_GROUPS)
 _NUMBERS = -1
 NUMBER = "#"
 """With this the name of a symbol begins that stands for a number as it is printed."""
+HELD = f"{NUMBER}unit"
+"""The name of a number that holds a unit, among letters."""
 
 Key = tuple[float, bool, str, str, float]
 

@@ -11,7 +11,7 @@ from planar_cli.problem.expression import Name, Quantity
 from planar_cli.report.blocks import Math
 from planar_cli.report.clean import Mixed, dimension_of
 from planar_cli.report.numbers import significant
-from planar_cli.report.ordering import NUMBER
+from planar_cli.report.ordering import HELD
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, PURE, TIME, Dimension, pretty_unit
@@ -46,7 +46,7 @@ def with_unit(expr: sp.Expr, dimension: Dimension, ledger: Ledger, figures: int)
     if missing not in MISSING:
         return None
     factor, rest = expr.as_independent(*expr.free_symbols, as_Add=False)
-    own = sp.Symbol(f"{NUMBER}unit", positive=True)
+    own = sp.Symbol(HELD, positive=True)
     if missing == TIME / LENGTH:
         # D/(50 m/s), the speed that the file gives, rather than 0.02 s/m.
         speed = significant(Decimal(str(sp.N(abs(1 / factor), 30))), figures)
@@ -62,7 +62,7 @@ def with_unit(expr: sp.Expr, dimension: Dimension, ledger: Ledger, figures: int)
 def with_its_number(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
     """A product with a letter for its number, and that number: 0.5/tan θ, not 1/(2 tan θ)."""
     factor, rest = expr.as_independent(*expr.free_symbols, as_Add=False)
-    own = sp.Symbol(f"{NUMBER}unit", positive=True)
+    own = sp.Symbol(HELD, positive=True)
     return sp.sign(factor) * own * rest, {own: Decimal(str(sp.N(abs(factor), 30)))}
 
 
