@@ -76,3 +76,15 @@ def test_the_side_on_which_a_body_slides_down_tells_the_arrows(tmp_path: Path, s
     page = Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
     assert f"P:  m g ↓,  N_P {row}   =   m a_Pt" in page
     assert f"(1)  {row} ΣF:   m g sin φ_P + N_P = m v_P²/R" in page
+
+
+def test_a_rope_that_keeps_its_end_at_rest() -> None:
+    """Why the end has no acceleration at all, the vector once, and a check by moments about the mass centre."""
+    page = _page("rigid-bodies/beam-on-two-ropes")
+    assert "no force acts across the rope A, and A has no acceleration along it:" in page
+    assert "a_B along y" not in page
+    assert "Check       beam: ↺ ΣM_G = -44.145 N·m, I α = -44.145 N·m · " in page
+
+
+def test_a_check_by_moments_needs_no_force_through_the_centre() -> None:
+    assert "spool: ↺ ΣM_G = -30 + 17.63 = -12.37 N·m, I_G α = -12.37 N·m" in _page("textbook/ex-4-05")

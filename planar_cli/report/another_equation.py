@@ -11,7 +11,6 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.plain import longer
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
@@ -22,8 +21,8 @@ from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ENERGY, FORCE, Dimension, default_unit
 
-LEAST, MOST = 2, 6
-"""Terms of a sum that is worth a check, and that still fits a line."""
+LEAST, MOST, TINY = 2, 6, Decimal("1e-30")
+"""Terms of a sum that is worth a check, and that still fits a line; what is no part of a force."""
 LONGEST = 24
 """Operations in what it amounts to."""
 
@@ -52,7 +51,8 @@ def another_equation(instant: InstantSolution, phrases: Phrases) -> Line:
         for found in _left(instant, body, used, phrases):
             terms = counting(found.terms)
             known = phrases.value.known(found.inertia) is not None
-            if known and LEAST <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
+            least = 1 if known and found.dimension == ENERGY and not phrases.value.is_zero(found.inertia) else LEAST
+            if known and least <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
                 return _told(body, found, terms, phrases)
     return ()
 
@@ -61,39 +61,57 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
     """The sums of one body about its mass centre, along x and along y that stand in no equation of the solution."""
     scene, motion = instant.instant.scene, instant.trial.system.motion
     model = scene.bodies[body]
-    try:
-        acting = list(_acting(instant, body, phrases))
-        still = instant.trial.system.balanced(body)
-        if model.rigid and not any(w.law == "moment" and w.lead == model.center_name for w in used):
-            turned = [_number(point - model.center, force, phrases) + couple for point, force, couple in acting]
-            alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
-            name = model.center_name if model.center_name and model.center_name != body else "G"
-            yield _Sum(line("↺ ", Name(f"ΣM_{name}")), tuple(turned), ENERGY, alpha)
-        for axis, arrow in (("x", "→"), ("y", "↑")):
-            if any(w.law == "force" and w.lead == axis and w.bodies == (body,) for w in used):
-                continue
-            parts = tuple(getattr(force, axis) for _, force, _ in acting if force is not None)
-            a = None if still or motion is None else motion.acceleration(model.center, body)
-            inertia = sp.S.Zero if a is None else model.mass * getattr(a, axis)
-            yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), parts, FORCE, inertia)
-    except Unvalued:
-        return
+    acting = list(_acting(instant, body, phrases))
+    still = instant.trial.system.balanced(body)
+    if model.rigid and not any(w.law == "moment" and w.lead == model.center_name for w in used):
+        turned = [_product(_number(a.point - model.center, a.force, phrases) + a.couple, a.size) for a in acting]
+        alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
+        name = model.center_name if model.center_name and model.center_name != body else "G"
+        if None not in turned:
+            yield _Sum(line("↺ ", Name(f"ΣM_{name}")), tuple(t for t in turned if t is not None), ENERGY, alpha)
+    for axis, arrow in (("x", "→"), ("y", "↑")):
+        if any(w.law == "force" and w.lead == axis and w.bodies == (body,) for w in used):
+            continue
+        parts = [_product(getattr(a.force, axis), a.size) for a in acting if a.force is not None]
+        moved = None if still or motion is None else motion.acceleration(model.center, body)
+        inertia = sp.S.Zero if moved is None else model.mass * getattr(moved, axis)
+        if None not in parts:
+            yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), tuple(p for p in parts if p is not None), FORCE, inertia)
 
 
-def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[tuple[Vec, Any, Decimal]]:
-    """What acts on a body: where, the force in numbers (None: a couple alone), and the couple."""
+@record
+class _Acting:
+    """What acts on a body for a size of one; `size`: None where no line of the page tells it."""
+
+    point: Vec
+    force: Any
+    couple: Decimal
+    size: Decimal | None
+
+
+def _product(part: Decimal, size: Decimal | None) -> Decimal | None:
+    """What it contributes to a sum; nothing, whatever its size, where it has no part in it. None: that is not known."""
+    if abs(part) < TINY:
+        return Decimal(0)
+    return None if size is None else part * size
+
+
+def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[_Acting]:
+    """What acts on a body; of a load its numbers, of a reaction its direction and its size."""
     system, value = instant.trial.system, phrases.value
     assert system.reactions is not None
     for w in system.wrenches:
         if w.body == body:
-            force = None if w.force is None else Vec(value(w.force.x), value(w.force.y))
-            yield w.point, force, value(sp.sympify(w.couple))
+            numbers = (None, None) if w.force is None else (value.known(w.force.x), value.known(w.force.y))
+            couple = value.known(sp.sympify(w.couple))
+            told = couple is not None and (w.force is None or None not in numbers)
+            force = None if w.force is None else Vec(*numbers) if told else Vec(Decimal(1), Decimal(1))
+            yield _Acting(w.point, force, couple or Decimal(0), Decimal(1) if told else None)
     for push, expr in system.reactions.pushes:
         for a in push.actions:
             if a.body == body:
-                size = value(expr)
-                force = None if a.force is None else Vec(value(a.force.x) * size, value(a.force.y) * size)
-                yield a.point, force, value(sp.sympify(a.couple)) * size
+                force = None if a.force is None else Vec(value(a.force.x), value(a.force.y))
+                yield _Acting(a.point, force, value(sp.sympify(a.couple)), value.known(expr))
 
 
 def _number(arm: Vec, force: Any, phrases: Phrases) -> Decimal:

@@ -328,6 +328,9 @@ class AskedTelling:
         texts, names = {s: significant(x, figures) for s, x in zip(symbols, counted, strict=True)}, symbols[:2]
         cosines = [s for s in texts if s not in names]
         told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
+        if not own and 0 in vector and any(abs(c) == 1 for c in axis):
+            # The vector that stands before has no other part.
+            return
         sides: list[Any] = [*own] or [line(Name(name), f" {told}")]
         if all(abs(c) not in (0, 1) for c in axis):
             parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]

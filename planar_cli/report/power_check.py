@@ -99,7 +99,7 @@ def _from_rest(work: list[Decimal], change: list[Decimal], phrases: Phrases) -> 
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
     works, energies = ([t / 2 for t in terms] for terms in (work, change))
     return line(
-        "soon after the start, with s = a t²/2 and v = a t: U/t² = ",
+        "work and energy soon after the start, with s = a t²/2 and v = a t: U/t² = ",
         *chain(works, unit, phrases, "J/s^2"),
         ", T/t² = ",
         *chain(energies, unit, phrases, "J/s^2"),

@@ -183,12 +183,12 @@ class Writer:
         if expr.is_Symbol or (-expr).is_Symbol:
             return expr
         scene = self.system.scene
-        centre = centre_of(scene, body)
-        stem = f"a_{body if '_' in centre else centre}"
+        at = centre_of(scene, body)
+        stem = f"a_{body if '_' in at else at}"
         form = self.numbers.form(expr)
         expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
         symbol = scene.ledger.once(stem + axis, "m/s^2", expr)
-        self.lines.append(Explicit(self.number(), symbol, expr, acceleration_words(self.system, body, centre, axis)))
+        self.lines.append(Explicit(self.number(), symbol, expr, acceleration_words(self.system, body, at, axis, expr)))
         return symbol
 
     @property
