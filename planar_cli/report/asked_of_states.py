@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragrap
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
+from planar_cli.report.nil_impulses import nil_of_blow
 from planar_cli.report.oscillation import by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
@@ -57,7 +58,7 @@ class AskedTelling:
         asked = list(self._asked())
         own = {s.symbol for _, _, s in asked if s is not None}
         for span in self.found.spans:
-            if span.symbol not in own:
+            if span.symbol not in own and nil_of_blow(span) is None:
                 yield from self.spans.blocks(span)
         decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from planar_cli.equation.plain import longer
 from planar_cli.report.answer_letters import asked_symbol
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text
+from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
 from planar_cli.report.swallowed import swallowed
@@ -15,15 +18,17 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
-LONGEST = 40
-"""A longer formula stands in the answer alone."""
+LONGEST, SHORT, PLAIN = 40, 8, 24
+"""A longer formula stands in the answer alone; of a page of numbers, beside the line that gives the answer; the largest
+number in such a one.
+"""
 
 
 def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
     """The blocks of a part, with the formulas of its answers behind the lines that give them in other letters."""
     found = list(blocks)
     if not phrases.letters:
-        return found
+        return _in_data(found, part, phrases)
     for answer in part.found:
         if (
             answer.values is not None
@@ -43,6 +48,48 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
             if given and not longer(expr, LONGEST):
                 found[given[-1]] = _ended(found[given[-1]], shown)
     return found
+
+
+def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
+    """The blocks of a page of numbers: where a line gives an answer by other results, its short formula in the data."""
+    for answer in part.found:
+        closed = _short_formula(answer, phrases)
+        own = asked_symbol(answer, part)
+        called = plain_name(own.name) if own is not None else plain_name(answer.name)
+        if closed is None or (own is None and any(plain_name(s.name) == called for s in phrases.ledger.units)):
+            # A letter of that name may be its opposite.
+            continue
+        lines = [i for i, block in enumerate(blocks) if _left(block) == called]
+        block = blocks[lines[-1]] if lines else None
+        if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
+            head = block.sides[0] if isinstance(block.sides[0], tuple) else (block.sides[0],)
+            told = (Text("in letters: "), *head, Text(" = "), Math(phrases.neat(closed)))
+            blocks[lines[-1]] = replace(block, note=told)
+    return blocks
+
+
+def _short_formula(answer: Found, phrases: Phrases) -> sp.Expr | None:
+    """The formula of an answer that has a number, in letters that the file gives; None: it is long, or has others."""
+    closed = (answer.expressions or (None,))[0]
+    if answer.kind != "number" or answer.word or answer.values is None or closed is None or answer.curve is not None:
+        return None
+    given = all(phrases.ledger.values.get(s) is not None for s in closed.free_symbols)
+    if not closed.free_symbols or not given or longer(closed, SHORT):
+        return None
+    plain = all(max(abs(n.p), n.q) <= PLAIN for n in closed.atoms(sp.Rational))
+    return closed if plain and is_clean(phrases.ledger, closed, dimension=answer.unit.dimension) else None
+
+
+def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
+    """Does a line give its letter by letters that the closed formula does without, and by no fewer?"""
+    if not isinstance(block, Equation) or len(block.sides) < 3:
+        return False
+    side = block.sides[1]
+    formula = side.expr if isinstance(side, Math) else None
+    if formula is None or formula.is_number or formula == closed:
+        return False
+    more = formula.free_symbols - closed.free_symbols
+    return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
 
 
 def _names(answer: Found, part: PartSolution) -> Collection[str]:

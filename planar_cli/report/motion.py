@@ -26,6 +26,7 @@ from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
+from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     head,
@@ -95,7 +96,8 @@ class MotionTelling:
             return []
         route = self.found.route
         timed = any(e.law is not None for leg in route.steps for e in leg.relations)
-        title = "Motion over time" if timed or self.found.spans or self.found.passing else self._principle()
+        spans = [s for s in self.found.spans if not in_blow(s)]
+        title = "Motion over time" if timed or spans or self.found.passing else self._principle()
         if body[0] == HENCE:
             body = body[1:]
         return [Heading(f"STEP {step}", title, self._states()), *body]
@@ -118,6 +120,7 @@ class MotionTelling:
     def _body(self) -> Iterator[Block]:
         yield from times_given(self.found, self.phrases)
         yield from turning_blocks(self.found, self.phrases)
+        yield from nil_impulses(self.found, self.phrases)
         yield from self._route(self.found.route)
         periods = periods_told(self.found)
         for swing in self.found.oscillations:

@@ -1,0 +1,33 @@
+"""Impulses of a blow that the file says are zero, as a line before the equations that do without them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, SpanIntegral
+
+
+def in_blow(found: SpanIntegral) -> bool:
+    """Is it all of one blow, so that no time runs?"""
+    return bool(found.pieces) and all(p.how == "blow" for p in found.pieces)
+
+
+def nil_of_blow(found: SpanIntegral) -> sp.Symbol | None:
+    """The impulse of a blow that the file says is zero; None: it says something else."""
+    (piece, *more) = found.pieces or (None,)
+    if piece is None or more or not in_blow(found) or found.number != 0:
+        return None
+    return piece.integrand if piece.integrand.is_Symbol else None
+
+
+def nil_impulses(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """What the file says of a blow: the hands feel none, so that the impulse at the grip is zero."""
+    asked = {p for r in found.requests for p in r.parts}
+    for span in found.spans:
+        if (impulse := nil_of_blow(span)) is not None and span.symbol not in asked:
+            lead = line(f"no impulse in the blow from {span.pieces[0].since} to {span.pieces[0].until}, as given:")
+            yield Equation((phrases.math(impulse), line("0")), None, lead)

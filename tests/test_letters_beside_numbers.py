@@ -1,0 +1,39 @@
+"""Short formulas in the letters of the data beside lines of numbers; what is given of a blow before its equations."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def _page(name: str) -> str:
+    return Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("friction/heaviest-weight-before-a-box-slips", "a_A = μ_s g"),
+        ("friction/heaviest-weight-before-a-box-slips", "W = μ_s (W_A + W_B) / (1 - μ_s)"),
+        ("rigid-bodies/beam-on-two-ropes", "T_rope,A = 1/4 m g"),
+        ("impact/where-a-bat-meets-the-ball", "d = k²/b + b"),
+    ],
+)
+def test_what_an_answer_is_in_the_data(name: str, formula: str) -> None:
+    assert f"in letters: {formula}\n" in _page(name)
+
+
+@pytest.mark.parametrize("name", ["kinematics/wheel-on-conveyor", "motion/block-force-table"])
+def test_no_formula_with_numbers_that_hide_units(name: str) -> None:
+    assert "in letters" not in _page(name)
+
+
+def test_a_grip_that_feels_no_blow() -> None:
+    page = _page("impact/where-a-bat-meets-the-ball")
+    assert "STEP 1  Impulse and momentum" in page
+    assert page.index("as given:      J_Ay = 0\n") < page.index("momentum along y")
+    assert "The impulse of A from" not in page
