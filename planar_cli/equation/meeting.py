@@ -7,6 +7,7 @@ rim, a rod or a plate with the end or corner that is nearest. (An Introduction t
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -38,7 +39,7 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
     """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open. `at`:
     the point that the file names, "": none.
     """
-    a, b = (partner_of(scene, name) for name in between)
+    a, b = partners_of(scene, between, at)
     point = _point(scene, a, b)
     if point is None and normal is not None:
         point = a.center or b.center
@@ -52,6 +53,32 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
     named = scene.point(at) if at and at not in between and scene.owner(at) in (a.body, b.body) else None
     side = _side(scene, a, b, across, point, named)
     return Meeting(point, across * side if side else across, bool(side))
+
+
+def partners_of(scene: Scene, between: tuple[str, ...], at: str = "") -> tuple[Partner, Partner]:
+    """Both, with the corners that may strike: of one that meets a straight surface the one that the file names (`at`),
+    else those that do not lie on it already, as another contact of the same two says.
+    """
+    a, b = (partner_of(scene, name) for name in between)
+    return _with_free_corners(scene, a, b, at), _with_free_corners(scene, b, a, at)
+
+
+def _with_free_corners(scene: Scene, one: Partner, other: Partner, at: str) -> Partner:
+    if len(one.corners) < 2 or other.line is None or other.corners:
+        return one
+    names = {one.name, other.name}
+    contacts = (j for j in scene.problem.joints if j.unilateral and not j.strikes)
+    held = [getattr(j, "at", "") for j in contacts if {*getattr(j, "between", ())} == names]
+    said = [p for p in one.corners if at and _is_at(scene, p, at)]
+    free = [p for p in one.corners if not any(_is_at(scene, p, name) for name in held if name)]
+    return replace(one, corners=tuple(said or free or one.corners))
+
+
+def _is_at(scene: Scene, corner: Vec, name: str) -> bool:
+    if name not in scene.points:
+        return False
+    gap = corner - scene.point(name)
+    return scene.is_zero(gap.dot(gap))
 
 
 def partner_of(scene: Scene, name: str) -> Partner:
@@ -240,11 +267,13 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec, named: 
             signs = {sign((partner.center - place).dot(normal)) for place in places}
             return signs.pop() * sense if len(signs) == 1 else 0
     # A surface may lie anywhere on the body that carries it: what strikes it tells first.
-    for partner, _, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):
+    for partner, other, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):
         if partner.body == GROUND:
             continue
         center = partner.center or scene.center(partner.body)
-        side = sign((center - point).dot(normal)) * sense
+        # A rod may be drawn with the end up that comes down on a floor: its mass centre is above that.
+        place = other.line[0] if other.line is not None and not other.corners else point
+        side = sign((center - place).dot(normal)) * sense
         if side:
             return side
     return 0

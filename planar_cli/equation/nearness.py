@@ -7,7 +7,7 @@ from decimal import Decimal
 from itertools import product
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.meeting import Partner, partner_of
+from planar_cli.equation.meeting import Partner, partner_of, partners_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.geometry import Vec
 
@@ -15,9 +15,11 @@ ALIGNED = Decimal("1e-6")
 """Two directions are the same within this angle, in rad."""
 
 
-def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decimal | None:
-    """The distance in m with these numbers, as centres, radii, straight edges and corners tell it; None: unknown."""
-    a, b = (partner_of(scene, name) for name in between)
+def distance(scene: Scene, between: tuple[str, ...], value: Valuation, at: str = "") -> Decimal | None:
+    """The distance in m with these numbers, as centres, radii, straight edges and corners tell it; None: unknown. `at`:
+    the point with which the file says that they meet.
+    """
+    a, b = partners_of(scene, between, at)
     found = [d for one, other in ((a, b), (b, a)) for d in _from_edge(one, other, value)]
     if a.center is not None and b.center is not None:
         found.append(_between_rims(a, b, value))
@@ -26,11 +28,13 @@ def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decima
     return min(found, default=None)
 
 
-def doubtful_corner(scene: Scene, between: tuple[str, ...], struck: Vec, value: Valuation, near: Decimal) -> str:
+def doubtful_corner(
+    scene: Scene, between: tuple[str, ...], struck: Vec, value: Valuation, near: Decimal, at: str = ""
+) -> str:
     """What is wrong with the corner that is taken to strike an edge: two come at once, or another does; "" if nothing.
-    `near`: a smaller difference is none, in m.
+    `near`: a smaller difference is none, in m. `at`: the corner that the file names.
     """
-    a, b = (partner_of(scene, name) for name in between)
+    a, b = partners_of(scene, between, at)
     for one, other in ((a, b), (b, a)):
         if one.center is not None or other.line is None or len(one.corners) < 2 or other.corners:
             continue

@@ -64,21 +64,21 @@ class StruckScene(Scene):
         """Where two bodies strike each other. `at`: the point that the file names."""
         return meeting_of(self, between, None if normal is None else heading(self, normal), mark, at)
 
-    def distance(self, between: tuple[str, ...], value: Valuation) -> Decimal | None:
-        """How far apart two bodies are, in m; None where their shapes do not tell."""
-        return distance(self, between, value)
+    def distance(self, joint: Any, value: Valuation) -> Decimal | None:
+        """How far apart the two bodies of an impact are, in m; None where their shapes do not tell."""
+        return distance(self, getattr(joint, "between", ()), value, getattr(joint, "at", ""))
 
     def doubtful(self, joint: Any, value: Valuation, near: Decimal) -> str:
         """What is wrong with the point at which an impact is taken to happen, with these numbers; "" if nothing is."""
-        struck = self.meeting(joint.between, joint.normal, joint.mark).point
-        return doubtful_corner(self, joint.between, struck, value, near)
+        struck = self.meeting(joint.between, joint.normal, joint.mark, joint.at).point
+        return doubtful_corner(self, joint.between, struck, value, near, joint.at)
 
     def demand_as_said(self, joint: Any, value: Valuation, near: Decimal) -> None:
         """FileProblem where an impact says another point or another normal than the shapes have, with these numbers.
         Nothing is said against a particle that is drawn beside what it strikes.
         """
-        struck, words = self.meeting(joint.between, joint.normal, joint.mark).point, " and ".join(joint.between)
-        gap = self.distance(joint.between, value)
+        struck = self.meeting(joint.between, joint.normal, joint.mark, joint.at).point
+        words, gap = " and ".join(joint.between), self.distance(joint, value)
         if gap is not None and gap > near:
             return
         if joint.at and doubtful_place(struck, self.point(joint.at), value, near):

@@ -34,3 +34,12 @@ def demand_above(base: Outline, normal: Vec, between: tuple[str, ...], at: str, 
         wall = f"`surfaces: {{wall: {{through: {at}, angle: 90 deg}}}}` and `between: [{body}, wall]`"
         hint = f"declare what it touches: {wall}"
         raise scene.refuse(mark, "PL535", text, hint)
+
+
+def beyond_the_line(base: Outline, place: Vec, center: Vec, left: Vec, scene: Setting) -> Vec:
+    """From a straight surface to the mass centre of what touches it, where the contact is drawn off that surface: what
+    comes down on it later may be drawn with this end up. Elsewhere nothing.
+    """
+    if base.on_line is None or scene.is_zero((place - base.on_line).dot(left)):
+        return Vec(0, 0)
+    return center - base.on_line

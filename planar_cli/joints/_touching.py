@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import Mark
-from planar_cli.joints._tangency import demand_above, demand_common_tangent
+from planar_cli.joints._tangency import beyond_the_line, demand_above, demand_common_tangent
 from planar_cli.problem.facts import (
     Facts,
     Joining,
@@ -146,7 +146,8 @@ class Touching:
         scene, place = self.scene, self.place
         shapes, center = away(self.mover, self.base, place, scene), scene.center(self.mover.body) - place
         inward = self.base.center - place if self.either_side and self.base.center is not None else Vec(0, 0)
-        for towards in (shapes, center, self._away_from_base(), Vec(0, 1), inward, scene.middle() - place):
+        later = beyond_the_line(self.base, place, scene.center(self.mover.body), left, scene)
+        for towards in (later, shapes, center, self._away_from_base(), Vec(0, 1), inward, scene.middle() - place):
             side = scene.sign(towards.dot(left))
             if side:
                 return side

@@ -6,15 +6,17 @@ Every way in which their outlines may meet is a contact of its own, with the res
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
-from planar_cli.motion.gaps import Gap
+from planar_cli.motion.boundaries import Corner, boundaries
+from planar_cli.motion.gaps import NEAR, Gap
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Facts, Law, Mode, Push, Row, Test, opposed, relative
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
@@ -102,21 +104,39 @@ class Encounter(Joint):
 
 
 def encounters_of(
-    scene: MovingScene, joints: Sequence[Joint], over: Collection[str] = ()
+    scene: MovingScene, joints: Sequence[Joint], stands: Callable[[Joint, Gap], bool], over: Collection[str] = ()
 ) -> dict[str, tuple[Encounter, ...]]:
-    """The encounters of every impact among the joints, by its name. `over`: of these the states they act between are
-    behind.
+    """The encounters of every impact among the joints, by its name. `stands`: another joint stands for this way of
+    touching. `over`: of these the states they act between are behind.
     """
     found: dict[str, tuple[Encounter, ...]] = {}
     for joint in joints:
-        if not joint.strikes:
+        gaps = [gap for gap in scene.gaps(joint) if not stands(joint, gap)] if joint.strikes else []
+        if not gaps:
             continue
-        gaps = scene.gaps(joint)
         one = [_encounter(scene, joint, gap, joint.name in over) for gap in gaps]
         if len(one) > 1:
             one = [replace(e, name=f"{joint.name}_{k + 1}") for k, e in enumerate(one)]
         found[joint.name] = tuple(one)
     return found
+
+
+def at_another_corner(scene: MovingScene, place: Vec, contact: Joint) -> bool:
+    """Is a place a corner of one of the partners of a contact, which is at another corner of it?"""
+    at = getattr(contact, "at", "")
+    if not at:
+        return False
+    corners = [b.place for p in getattr(contact, "between", ()) for b in boundaries(scene, p) if isinstance(b, Corner)]
+    own, others = (
+        next((i for i, c in enumerate(corners) if _one(scene, c, p)), None) for p in (place, scene.point(at))
+    )
+    return own is not None and others is not None and own != others
+
+
+def _one(scene: MovingScene, a: Vec, b: Vec) -> bool:
+    """Are two places drawn as one?"""
+    gap = a - b
+    return math.hypot(scene.graph.of(gap.x).value, scene.graph.of(gap.y).value) <= NEAR * scene.extent
 
 
 def restitution_of(scene: MovingScene, joint: Joint) -> Term:

@@ -12,7 +12,8 @@ from dataclasses import replace
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
 from planar_cli.motion.drives import constraints_of
-from planar_cli.motion.encounters import Encounter, encounters_of
+from planar_cli.motion.encounters import Encounter, at_another_corner, encounters_of
+from planar_cli.motion.gaps import Gap
 from planar_cli.motion.guards import AGAIN, Measured, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.model import Member, Model, always
@@ -57,12 +58,12 @@ class HybridModel(Model):
         self.joints = [j for j in self.joints if not j.strikes]
         for impact in self.impacts:
             del self.modes[impact.name]
-        joined = {frozenset(_partners(j)) for j in (*self.joints, *self.impacts) if j.name not in over}
-        contacts = {frozenset(_partners(j)) for j in self.joints if any(m.parted for m in self.modes[j.name])}
-        apart = [j for j in self.impacts if frozenset(_partners(j)) not in (joined if j.name in over else contacts)]
-        self.impacts = [j for j in self.impacts if j.name not in over]
-        self.encounters = encounters_of(scene, apart, over)
+        standing = {j.name: self._standing(j, over) for j in self.impacts}
+        self.encounters = encounters_of(
+            scene, self.impacts, lambda j, gap: any(self._is_there(c, gap) for c in standing[j.name]), over
+        )
         """The contacts that impacts make, where no joint is one already, by the impact's name."""
+        self.impacts = [j for j in self.impacts if j.name not in over]
         every = [e for found in self.encounters.values() for e in found]
         self.over = [e for e in every if e.over]
         """Those that are behind."""
@@ -72,6 +73,19 @@ class HybridModel(Model):
             self.joints.append(encounter)
             self.modes[encounter.name] = encounter.modes(scene)
         self.choices = {name: modes for name, modes in self.modes.items() if len(modes) > 1}
+
+    def _standing(self, impact: Joint, over: Collection[str]) -> list[Joint]:
+        """The joints that are contacts of its partners already; of an impact that is over whatever joins them."""
+        same = [j for j in self.joints if frozenset(_partners(j)) == frozenset(_partners(impact))]
+        if impact.name not in over:
+            return [j for j in same if any(m.parted for m in self.modes[j.name])]
+        others = [j for j in self.impacts if j.name not in over]
+        return same + [j for j in others if frozenset(_partners(j)) == frozenset(_partners(impact))]
+
+    def _is_there(self, joint: Joint, gap: Gap) -> bool:
+        """Does a joint of both partners hold them where they would touch? A face holds all its corners."""
+        face = any(m.name == "tip" for m in self.modes.get(joint.name, ()))
+        return face or not at_another_corner(self.scene, gap.point, joint)
 
     def gap(self, joint: Joint, mode: Mode) -> Term:
         """How far apart the partners are."""

@@ -15,7 +15,7 @@ from planar_cli.integrators.base import OUTSIDE
 from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
-from planar_cli.motion.encounters import Encounter, friction_of, restitution_of
+from planar_cli.motion.encounters import Encounter, at_another_corner, friction_of, restitution_of
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Bond, Struck, StruckContact
 from planar_cli.motion.layout import Column
@@ -231,12 +231,18 @@ def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Dire
     """A contact between the partners of an impact has its restitution, and its friction if that has one."""
     partners = set(getattr(joint, "between", ()))
     for impact in model.impacts:
-        if partners and set(getattr(impact, "between", ())) == partners:
+        if partners and set(getattr(impact, "between", ())) == partners and not _elsewhere(model, impact, joint):
             restitution = restitution_of(model.scene, impact)
             found = replace(direction, restitution=restitution, forced=impact.during is not None, meets=True)
             mu = friction_of(model.scene, impact)
             return replace(found, mu=mu) if direction.tangent is not None and mu.value else found
     return direction
+
+
+def _elsewhere(model: HybridModel, impact: Joint, contact: Joint) -> bool:
+    """Does the file let them strike at another corner than that on which they stand?"""
+    at = getattr(impact, "at", "")
+    return bool(at) and at_another_corner(model.scene, model.scene.point(at), contact)
 
 
 def _direction(model: HybridModel, joint: Joint, modes: Sequence[Mode], pressing: Sequence[Mode]) -> Direction:

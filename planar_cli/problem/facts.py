@@ -264,7 +264,8 @@ class Outline:
     None otherwise. `body`: who carries it.
     `curve`: the surface whose curve y(x) or r(theta) it is.
     `drift`: the belt's surface velocity or None. `extent`: for a straight edge the distances of its ends from the
-    point, behind and ahead. `floor`: what touches it stands on it, and does not hang below.
+    point, behind and ahead. `floor`: what touches it stands on it, and does not hang below. `on_line`: a point of a
+    straight surface.
     """
 
     kind: str
@@ -278,6 +279,7 @@ class Outline:
     curve: str = ""
     sharpening: Any = 0
     floor: bool = False
+    on_line: Vec | None = None
 
 
 @record

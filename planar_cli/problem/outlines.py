@@ -129,7 +129,8 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
         _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, f"let the line go `through:` it; {LATER}")
-        return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent), floor=surface.inferred)
+        drift, through = _drift(scene, surface, tangent), scene.carried(body, shape.through)
+        return Outline("straight", body, tangent, drift=drift, floor=surface.inferred, on_line=through)
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
         out = point - center

@@ -56,7 +56,7 @@ def _between(joint: Joint) -> tuple[str, ...]:
 
 def _gaps(blow: Blow, here: Valuation, near: float) -> list[tuple[Joint, Decimal]]:
     """The impacts of a blow whose bodies are apart, and how far."""
-    pairs = [(j, blow.scene.distance(_between(j), here)) for j in _impacts(blow)]
+    pairs = [(j, blow.scene.distance(j, here)) for j in _impacts(blow)]
     return [(j, gap) for j, gap in pairs if gap is not None and float(gap) > near]
 
 

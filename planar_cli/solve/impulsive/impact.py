@@ -290,7 +290,7 @@ class Blow:
         makes this a blow, the file only draws them so.
         """
         free = [j for j in self.struck.joints if j.strikes and j.during is None]
-        gaps = {j.name: self.scene.distance(getattr(j, "between", ()), here) for j in free}
+        gaps = {j.name: self.scene.distance(j, here) for j in free}
         far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > near)
         return far if len(far) < len(free) or self.otherwise else frozenset()
 
