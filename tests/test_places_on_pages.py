@@ -36,3 +36,26 @@ def test_no_coordinate_that_the_page_does_not_tell() -> None:
     page = _page("quick-return")
     assert "r_D/C = [0.2320, 0.6604] m" in page
     assert "x_D" not in page
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-4-07", ["r_E/O = [-√2 l/2, √2 l/2]", "-r ω_disk = √2/2 l ω_rod"]),
+    ("pendulum-tension", ["S_hanger = m (√3 g/2 + v_P²/l)", "a_Pt = -g/2"]),
+    ("plate-on-parallel-links", ["a_Ct = g/2"]),
+])  # fmt: skip
+def test_coordinates_of_few_lengths_have_no_names(stem: str, lines: list[str]) -> None:
+    told = _page(stem)
+    assert [line for line in lines if line not in told] == []
+
+
+def test_energies_of_bodies_have_lines() -> None:
+    told = _page("ex-4-07")
+    assert "T of disk = 1/2 M v_O² + 1/2 I_disk ω_disk² = 1/2 · 1 · 1² + 1/2 · 0.005 (-10)² = 0.75 J" in told
+    assert "T = 0.75 + 0.1667 = 0.9167 J" in told
+
+
+def test_motions_alone_tell_no_forces() -> None:
+    """Nothing says what drives a disk whose speed is given, and with it how a rod presses on the wall."""
+    told = _page("ex-4-07")
+    assert "N_E" not in told
+    assert "v_O/IO = 1/0.21213 = 4.714 rad/s, v_E/IE = 1/0.21213 = 4.714 rad/s" in told

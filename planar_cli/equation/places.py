@@ -20,6 +20,14 @@ from planar_cli.records import record
 from planar_cli.units import parse_unit
 
 HALF = sp.Rational(1, 2)
+MOST = 2
+"""So many terms, each a length with a factor, are shorter than a name for them."""
+
+
+def is_plain(value: sp.Expr) -> bool:
+    """Is it r + √2 l/2 or -√3 l/2: lengths of the file with numbers for factors, which cancel against others?"""
+    terms = [t.as_independent(*t.free_symbols, as_Add=False) for t in sp.Add.make_args(value)]
+    return len(terms) <= MOST and all(length.is_Symbol for _, length in terms)
 
 
 @record

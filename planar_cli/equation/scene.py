@@ -18,7 +18,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.places import AsDrawn, Jets
+from planar_cli.equation.places import AsDrawn, Jets, is_plain
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.caught import demand_caught
@@ -158,7 +158,7 @@ class Scene(Decided):
 
     def _named(self, value: sp.Expr, name: str) -> sp.Expr:
         """A long coordinate gets a name, unless letters must stay visible in the answer."""
-        if self.ledger.symbolic or not longer(value, WORDY) or self.rests_on_sought(value):
+        if self.ledger.symbolic or not longer(value, WORDY) or is_plain(value) or self.rests_on_sought(value):
             return value
         return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
 

@@ -11,14 +11,16 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
+from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.inertias import alike_together, inertia_line
+from planar_cli.report.sums import added
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import VELOCITY, Dimension
 
-ALL = "all"
+ALL, HALF = "all", sp.Rational(1, 2)
 
 
 class Telling(Protocol):
@@ -35,47 +37,80 @@ class Telling(Protocol):
     def size(self, vector: list[Decimal], dimension: Dimension) -> Math: ...
 
 
+@record
+class _Energy:
+    """The kinetic energy of one body. `sizes`: the speed of its mass centre, in base units."""
+
+    body: str
+    formula: sp.Expr
+    sizes: dict[sp.Symbol, Decimal]
+
+
 def kinetic_energy(answer: Found, q: Quantity, telling: Telling) -> list[Block]:
-    """v of each mass centre, then T = ½ m v² + ½ I ω² + …; empty where no vector equation leads to a velocity."""
-    phrases, scene, motion = telling.phrases, telling.scene, telling.vectors.motion
+    """v of each mass centre, then T = ½ m v² + ½ I ω² of each body, and their sum; empty where no vector equation
+    leads to a velocity.
+    """
+    phrases, scene = telling.phrases, telling.scene
     if phrases.symbolic or answer.values is None:
         return []
     blocks: list[Block] = []
-    parts: list[sp.Expr] = []
-    sizes: dict[sp.Symbol, Decimal] = {}
+    energies: list[_Energy] = []
     for name, body in scene.bodies.items():
         if body.mass == 0 or (name not in q.things and ALL not in q.things):
             continue
-        v = motion.velocity(body.center, name)
-        x, y = phrases.certain(v.x), phrases.certain(v.y)
-        omega = motion.velocities[name].angular if body.rigid else sp.S.Zero
-        if x or y:
-            told = list(telling.absolute(name, "v"))
-            own = centre_of(scene, name)
-            if not told:
-                return []
-            blocks += [*told, *_size(index_of(own), (x, y), telling)]
-            speed = sp.Symbol(f"v_{index_of(own)}", positive=True)
-            sizes[speed] = phrases.of_dimension((x * x + y * y).sqrt(), VELOCITY).number
-            parts.append(sp.Mul(sp.Rational(1, 2), body.mass, speed**2, evaluate=False))
-        if omega != 0 and body.inertia != 0:
-            parts.append(sp.Mul(sp.Rational(1, 2), body.inertia, omega**2, evaluate=False))
-    if not parts:
+        found = _of_body(name, telling)
+        if found is None:
+            return []
+        blocks += found[0]
+        energies += found[1]
+    if not energies:
         return []
-    whole = sp.Add(*parts, evaluate=False)
+    whole = sp.Add(*(e.formula for e in energies))
     inside = (s for b in scene.bodies.values() for s in sp.sympify(b.inertia).free_symbols & whole.free_symbols)
     made = {s: scene.ledger.definitions[s] for s in inside if s in scene.ledger.definitions}
     new = [inertia_line(s, e, scene, phrases) for s, e in made.items() if s not in telling.vectors.named]
-    numbers = phrases.numbers(whole, sizes, turns=False)
-    values = phrases.in_units(answer.values[0], answer.unit, answer.energy)
-    put = () if numbers is None else (numbers,)
     head = Paragraph(line("Kinetic energy, of each body by its mass centre and its turning:"))
-    return [
-        head,
-        *blocks,
-        *alike_together(new),
-        Equation((line(Name(answer.name)), phrases.math(whole), *put, *values)),
-    ]
+    return [head, *blocks, *alike_together(new), *_summed(answer, energies, phrases)]
+
+
+def _of_body(name: str, telling: Telling) -> tuple[list[Block], list[_Energy]] | None:
+    """The lines of the speed of a mass centre, and the energy that it makes with turning; None: nothing tells it."""
+    scene, motion, certain = telling.scene, telling.vectors.motion, telling.phrases.certain
+    body = scene.bodies[name]
+    v = motion.velocity(body.center, name)
+    x, y = certain(v.x), certain(v.y)
+    omega = motion.velocities[name].angular if body.rigid else sp.S.Zero
+    blocks: list[Block] = []
+    parts, sizes = [], {}
+    if x or y:
+        told = list(telling.absolute(name, "v"))
+        own = index_of(centre_of(scene, name))
+        if not told:
+            return None
+        blocks = [*told, *_size(own, (x, y), telling)]
+        speed = sp.Symbol(f"v_{own}", positive=True)
+        sizes[speed] = (x * x + y * y).sqrt()
+        parts.append(sp.Mul(HALF, body.mass, speed**2, evaluate=False))
+    if omega != 0 and body.inertia != 0:
+        parts.append(sp.Mul(HALF, body.inertia, omega**2, evaluate=False))
+    return blocks, [_Energy(name, sp.Add(*parts, evaluate=False), sizes)] if parts else []
+
+
+def _summed(answer: Found, energies: list[_Energy], phrases: Phrases) -> Iterator[Equation]:
+    """The energy of each body with its numbers, and what all of them have."""
+    assert answer.values is not None
+    values = phrases.in_units(answer.values[0], answer.unit, answer.energy)
+    told = line(Name(answer.name))
+    amounts = [phrases.value.extended(e.sizes)(e.formula) for e in energies]
+    for e, amount in zip(energies, amounts, strict=True):
+        sizes = {s: phrases.of_dimension(v, VELOCITY).number for s, v in e.sizes.items()}
+        numbers = phrases.numbers(e.formula, sizes, turns=False)
+        put = () if numbers is None else (numbers,)
+        alone = len(energies) == 1
+        own = values if alone else phrases.in_units(amount, answer.unit, answer.energy)[:1]
+        yield Equation((told if alone else line(*told, f" of {e.body}"), phrases.math(e.formula), *put, *own))
+    if len(energies) > 1:
+        yield Equation((told, line(*added(amounts, phrases.page_unit(answer.unit), phrases)), *values))
 
 
 def _size(index: str, parts: tuple[Decimal, Decimal], telling: Telling) -> Iterator[Block]:

@@ -39,7 +39,11 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     heavy = bool(instant.trial.outcomes) and not phrases.symbolic and any(b.mass != 0 for b in bodies)
     # What the page does not tell may rest on letters without a number.
     sure = not phrases.lettered
-    presses, limits = (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure else ([], [])
+    # Of motions alone nothing on the page says what drives them, and with it how the contacts press.
+    forces = any(w.law != "relation" for s in instant.stages for b in s.blocks for w in b.equations)
+    presses, limits = (
+        (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure and forces else ([], [])
+    )
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
     if single and sure and not limits:
         others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check))

@@ -4,8 +4,9 @@
     across CD: (v_D - v_C)/CD = (-0.6 - 1.2)/0.06 = -30 rad/s
     v_P = ω OP = 0.5 m/s, √(v_rel² + (ω CP)²) = √(0.3² + 0.4²) = 0.5 m/s           polar coordinates about C
 
-The velocity of a point that is joined to a body on a fixed pin is ω × r from that pin, of a point in a fixed guide it
-is along the guide: neither is how the velocities of the body itself were found.
+The velocity of a point that is joined to a body on a fixed pin, or to one that rolls, is ω × r from that pin or from
+the point of contact, of a point in a fixed guide it is along the guide: neither is
+how the velocities of the body itself were found.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ class _Scene:
         self.pins: dict[str, tuple[str, Vec]] = {}
         for j in self.joinings:
             for body, other in ((j.mover, j.base), (j.base, j.mover)):
-                if other == GROUND and j.path is None and j.rolling is None and j.drift is None:
+                # A body that rolls on the ground turns about the point of contact, as about a pin.
+                if other == GROUND and j.drift is None and (j.path is None or j.rolling is not None):
                     self.pins.setdefault(body, (j.place, self.numbers(j.point)))
 
     def numbers(self, v: Vec) -> Vec:
