@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from math import pi, sin
+from pathlib import Path
 
 import pytest
 import sympy as sp
 from answered import assert_close, first, solve
 
 from planar_cli.errors import NoSolution
+from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.report.narrate import narrate
 
 THROW = """
 title: Longest throw along a slope
@@ -157,3 +161,40 @@ def test_of_several_turns_the_file_must_choose() -> None:
     """That the motion passes all states with some number makes nothing largest: no trial stands for the extreme."""
     with pytest.raises(NoSolution, match=r"is largest` in several ways: t_1 = 0.01261 s; t_1 = 0.515\d s"):
         solve(PEBBLE.format(assume=""))
+
+
+PIVOT = """
+title: Rod hung up where it swings fastest
+plane: vertical
+{given}
+unknowns: {{e: m}}
+assume: [e > 0]
+points: {{O: [0, 0], A: [e - l/2, 0], B: [e + l/2, 0]}}
+bodies: {{rod: {{rod: [A, B], mass: any, points: [O]}}}}
+joints: [{{pin: {{at: O, between: [ground, rod]}}}}]
+states:
+  1: [at rest]
+  2: [theta(rod) = -90 deg, {extreme}]
+find: {{x: e, omega: omega(rod) @ 2}}
+"""
+
+
+@pytest.mark.parametrize("given", ["given: {l: 1.2 m}", "symbols: {l: m}"])
+def test_a_speed_that_energy_tells_as_a_function_of_a_constant(tmp_path: Path, given: str) -> None:
+    """ω² = 24 g e / (12 e² + l²), largest at e = l/√12."""
+    file = tmp_path / "pivot.yaml"
+    file.write_text(PIVOT.format(given=given, extreme="omega(rod) is smallest"))
+    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    lines = [" ".join(row.split()) for row in page.splitlines()]
+    assert "(1): ω_2² = 24 e g / (12 e² + l²)" in lines
+    assert lines.index("(2) l² = 12 e²") > lines.index("(1): ω_2² = 24 e g / (12 e² + l²)")
+    assert any(row.startswith("(2): e = √3 l/6") for row in lines)
+    assert "numerical" not in page
+
+
+def test_a_speed_of_a_point_that_energy_tells() -> None:
+    """v_A² = (l/2 - e)² ω², largest where 48 e⁴ - 8 l³ e + l⁴ = 0."""
+    found = solve(PIVOT.format(given="given: {l: 1.2 m}", extreme="v(A).mag is largest"))
+    e = first(found["x"])
+    assert 48 * e**4 - 8 * 1.2**3 * e + 1.2**4 == pytest.approx(0, abs=1e-9)
+    assert e < 0.6

@@ -18,7 +18,8 @@ from planar_cli.equation.ledger import display
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.motion import MotionTelling, motion_phrases
+from planar_cli.report.motion import MotionTelling
+from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.narrate import narrate
 from planar_cli.report.notation import plain
 from planar_cli.solve.between.trace import MotionTrace

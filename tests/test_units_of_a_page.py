@@ -17,7 +17,8 @@ from planar_cli.homework.checking import solve_and_compare
 from planar_cli.problem.customary import ATOM, NEUTRAL_ATOMS, US_ATOMS
 from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math, Text, Value
-from planar_cli.report.motion import MotionTelling, motion_phrases
+from planar_cli.report.motion import MotionTelling
+from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.narrate import Voice, narrate
 from planar_cli.report.notation import plain
 from planar_cli.solve.solved_problem import Solution

@@ -10,7 +10,8 @@ from worked import worked
 
 from planar_cli.calculus.vibrations import Vibration
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.motion import MotionTelling, motion_phrases
+from planar_cli.report.motion import MotionTelling
+from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.narrate import narrate
 
 FILES = (

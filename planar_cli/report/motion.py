@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Sample
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
@@ -20,12 +18,14 @@ from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Parag
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
+from planar_cli.report.extremes import aim_blocks
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
+from planar_cli.report.motion_phrases import settled_phrases
 from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
@@ -64,17 +64,6 @@ FEW, MOST_SHOWN = 20, 60
 """Of more operations a balance of energies is solved in numbers; an equation in numbers is told in letters alone."""
 
 
-def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
-    """The phrases in which a motion speaks: with numbers unless letters of the file remain."""
-    return Phrases(found.ledger, found.value, figures, found.symbolic)
-
-
-def settled_phrases(found: MotionTrace, phrases: Phrases) -> Phrases:
-    """For what rests on no letter without a number, though letters stand in the equations: a mass that cancels."""
-    drawn = found.value.drawn if isinstance(found.value, Sample) else frozenset()
-    return replace(phrases, symbolic=False, lettered=drawn | (found.unknowns - found.route.settled))
-
-
 class MotionTelling:
     """Tells the way to what is asked. `first`: the number of its first equation; `wanted`: names of letters whose
     derivation is told (None: all).
@@ -88,6 +77,8 @@ class MotionTelling:
         self._open: set[sp.Symbol] = set()
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
+        self._aims: list[tuple[BalanceTrace, int]] = []
+        """Balances that were told before their turn, with their numbers."""
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
@@ -176,6 +167,12 @@ class MotionTelling:
         numbers = []
         single = len(equations) == 1
         for e in equations:
+            if e.aim is not None:
+                self._aims.append((e.aim.law, self.next))
+                yield from aim_blocks(e.aim, leg, self.found, self.between, self._number())
+            if told := [number for law, number in self._aims if law == e.source]:
+                numbers += told
+                continue
             if single and e.kind == "link" and self._is_handed_on(leg.results[0]):
                 yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words))
                 return

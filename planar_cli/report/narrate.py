@@ -161,7 +161,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     phrases = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
-        from planar_cli.report.motion import motion_phrases, settled_phrases
+        from planar_cli.report.motion_phrases import motion_phrases, settled_phrases
 
         phrases = motion_phrases(part.motion, figures)
     whole = _tale(part, phrases, steps + 1, whole=True)
@@ -249,7 +249,8 @@ def _motion_blocks(
 ) -> Iterator[Block]:
     """The way from state to state, then what is asked of forces at single states."""
     from planar_cli.report.at_state import state_blocks
-    from planar_cli.report.motion import MotionTelling, motion_phrases
+    from planar_cli.report.motion import MotionTelling
+    from planar_cli.report.motion_phrases import motion_phrases
 
     telling = MotionTelling(motion, motion_phrases(motion, voice.figures), count + 1, _letters(part, why))
     yield from telling.blocks(steps + 1)

@@ -2,15 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.instant.stationary_point import eliminated, unchanged
-from planar_cli.solve.regimes.equations import Equation
+from planar_cli.equation.common_factors import together
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import simplified
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.records import record
+from planar_cli.solve.instant.stationary_point import eliminated, proper, unchanged
+from planar_cli.solve.regimes.equations import COSTS, Equation
 
 PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "handed", "q(t)", "v(t)")
+
+
+@record
+class Aim:
+    """What is largest or smallest, as a function of the constant that is sought."""
+
+    quantity: sp.Expr
+    """A letter of a state, or its square, or what has such a one."""
+    formula: sp.Expr
+    """It as a formula of constants."""
+    law: Equation
+    """The balance from which that follows."""
 
 
 def stationary(
@@ -25,14 +42,83 @@ def stationary(
     condition that the objective is stationary; each as an equation of the motion. `sought`: constants of the file.
     """
     plain = [e.residual for e in equations if e.kind in PLAIN]
-    related, aim, letters, condition = eliminated(plain, objective, unknowns, kept, sought)
-    if not related and aim in (letters[0], letters[0] ** 2) and "__" not in letters[0].name:
+    try:
+        related, aim, letters, condition = eliminated(plain, objective, unknowns, kept, sought)
+    except Undecided:
+        if by_balance := _by_a_balance(equations, objective, unknowns, kept, like, sought):
+            return by_balance
+        raise
+    if not related and aim in (letters[0], letters[0] ** 2):
+        if "__" in letters[0].name:
+            return _by_a_balance(equations, objective, unknowns, kept, like, sought)
         text = f"{like.words}: no equation bounds it, only inequalities may"
         hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives; "
         hint += "or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is smallest]`, "
         hint += "and give it in this one: `given: {mu: limit.mu}`"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
-    free = [x.name for x in letters if x in kept and "__" not in x.name]
-    words = f"{like.words}, so {unchanged(free, objective)}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
-    return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]
+    return [*found, _condition(condition, [x for x in letters if x in kept], objective, like)]
+
+
+def with_aims(equations: Sequence[Equation]) -> list[Equation]:
+    """The same equations; a balance by which something is largest is written anyway, and costs nothing."""
+    aims = [e.source.law for e in equations if isinstance(e.source, Aim)]
+    return [replace(e, surcharge=0.0) if e in aims else e for e in equations]
+
+
+def _by_a_balance(
+    equations: Sequence[Equation],
+    objective: sp.Expr,
+    unknowns: frozenset[sp.Symbol],
+    kept: frozenset[sp.Symbol],
+    like: Equation,
+    sought: frozenset[sp.Symbol],
+) -> list[Equation]:
+    """The condition of a speed that only a balance between states tells, as one formula of the constant; empty: none
+    tells it so.
+    """
+    plain = [e.residual for e in equations if e.kind in PLAIN]
+    for law in _balances(equations, like.stop):
+        try:
+            related, aim, letters, _ = eliminated([*plain, law.residual], objective, unknowns, kept, sought)
+        except Undecided:
+            continue
+        free, own = [x for x in letters if x in sought], [x for x in letters if x not in sought]
+        if len(related) != 1 or len(own) != 1 or len(free) != 1:
+            continue
+        told = _solved(related[0], own[0])
+        # The square of a speed has its extremes in the same places.
+        aim = told[0] if told is not None and aim == own[0] else aim
+        formula = aim if told is None else simplified(expanded(aim).subs(*told))
+        if own[0] in formula.free_symbols:
+            continue
+        rate = proper(simplified(sp.fraction(together(sp.diff(formula, free[0])))[0]), unknowns)
+        return [_condition(rate, free, objective, like, Aim(aim, formula, law))]
+    return []
+
+
+def _balances(equations: Sequence[Equation], stop: str) -> Iterator[Equation]:
+    """Balances between two states that end in this one: their kind is the word of their principle."""
+    for e in equations:
+        if e.stop == stop and e.kind not in COSTS and not e.residual.has(sp.Integral):
+            yield e
+
+
+def _solved(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """x² or x by a formula without it; None: the equation does not give it so."""
+    if not residual.is_polynomial(x):
+        return None
+    parts = sp.Poly(residual, x).as_dict()
+    powers = {power for (power,) in parts if power}
+    if len(powers) != 1 or not powers <= {1, 2}:
+        return None
+    (power,) = powers
+    return x**power, simplified(-parts.get((0,), sp.S.Zero) / parts[(power,)])
+
+
+def _condition(
+    residual: sp.Expr, free: Sequence[sp.Symbol], objective: sp.Expr, like: Equation, aim: Aim | None = None
+) -> Equation:
+    names = [x.name for x in free if "__" not in x.name]
+    words = f"{like.words}, so {unchanged(names, objective)}"
+    return Equation(residual, "extreme", words, like.stop, mark=like.mark, source=aim)

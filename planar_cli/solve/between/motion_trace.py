@@ -18,6 +18,7 @@ from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
+from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
@@ -27,6 +28,7 @@ from planar_cli.solve.between.taken import taken_of
 from planar_cli.solve.between.told_finds import FindTeller
 from planar_cli.solve.between.told_vibrations import VibrationTracer
 from planar_cli.solve.between.trace import (
+    AimTrace,
     BalanceTrace,
     Centre,
     Impact,
@@ -202,8 +204,12 @@ class _Tracer:
         return RouteStep(relations, d.unknowns, d.needs, self.vibrations.results(relations, step.results), step.datum)
 
     def _relation(self, e: Equation) -> Relation:
-        source = self._source(e.source)
-        return Relation(e.residual, e.kind, e.words, e.stop, e.since, e.kind in DATA, e.span, e.law, source, e.offered)
+        aim = e.source if isinstance(e.source, Aim) else None
+        source = self._source(None if aim is not None else e.source)
+        law = None if aim is None else self._source(aim.law.source)
+        told = AimTrace(aim.quantity, aim.formula, law) if aim is not None and isinstance(law, BalanceTrace) else None
+        data = e.kind in DATA
+        return Relation(e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told)
 
     def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:
         if source is None:

@@ -23,6 +23,7 @@ from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
+from planar_cli.solve.between.extremes import with_aims
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.substitution import linear_step, same_as, square
 from planar_cli.solve.between.trace import Result
@@ -62,7 +63,7 @@ class Router:
         self.followed, self.natural = followed, natural or {}
         self.plain = self._plain(equations)
         self._residuals: dict[sp.Expr, sp.Expr] = {}
-        equations = [without_factors(e, value) for e in equations]
+        equations = [without_factors(e, value) for e in with_aims(equations)]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
         self._zeros: dict[sp.Symbol, sp.Expr] = {}
         self._same: dict[sp.Symbol, sp.Expr] = {}

@@ -106,6 +106,17 @@ class ImpactEquation:
 
 
 @record
+class AimTrace:
+    """What is largest or smallest over a constant that is sought: in a letter of a state, as a formula of constants,
+    and the balance from which that follows.
+    """
+
+    quantity: sp.Expr
+    formula: sp.Expr
+    law: BalanceTrace
+
+
+@record
 class Relation:
     """One equation between states: `residual` vanishes."""
 
@@ -129,6 +140,8 @@ class Relation:
     """What it was planned from, where that is written out."""
     offered: frozenset[str] = frozenset()
     """The principles of which it is a law, by their words; none for data, geometry and blows."""
+    aim: AimTrace | None = None
+    """What is largest or smallest by it."""
 
 
 # --- the route -------------------------------------------------------------------------------------------------------

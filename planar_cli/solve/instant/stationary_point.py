@@ -63,7 +63,7 @@ def eliminated(
     if len(letters) != len(related) + 1 or len(letters) > MOST:
         raise Undecided("what is largest or smallest here depends on several unknowns at once")
     rows = [[sp.diff(p, x) for x in letters] for p in (*related, objective)]
-    condition = _proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
+    condition = proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
     return related, objective, letters, condition
 
 
@@ -104,10 +104,10 @@ def _without_data(
                 objective = _put(objective, x, formula)
                 changed = True
                 break
-    return [_proper(p, unknowns) for p in pool], objective
+    return [proper(p, unknowns) for p in pool], objective
 
 
-def _proper(residual: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
+def proper(residual: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
     """The factor of an equation that really relates unknowns: t (a t - b) = 0 at a later time."""
     numerator = sp.fraction(together(residual))[0]
     factors = [f for f in sp.Mul.make_args(factor_terms(factored(numerator))) if f.free_symbols & unknowns]
