@@ -14,7 +14,7 @@ from planar_cli.solve.between.trace import MotionTrace, Relation, Result
 from planar_cli.solve.instant.roots import Root
 
 LARGEST, SMALLEST = " is largest", " is smallest"
-DERIVATIVE = "so that its derivative with respect to the time is zero"
+DERIVATIVE = "where its derivative is zero"
 
 
 def over_time(e: Relation) -> bool:

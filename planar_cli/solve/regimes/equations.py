@@ -24,16 +24,15 @@ from planar_cli.problem.expression import Name
 from planar_cli.records import record
 from planar_cli.solve.law import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of
+from planar_cli.solve.regimes.effort import effort
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
 COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3}
-PER_EQUATION, OVER_TIME, NO_MASS = 0.2, 0.3, 0.5
-"""What a law of motion costs for each equation of kinetics behind it, and where a force grows with time; and what a law
-of energy or momentum costs where the file gives no mass.
-"""
+NO_MASS = 0.5
+"""What a law of energy or momentum costs where the file gives no mass."""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
 
 LONGEST = 150
@@ -189,7 +188,7 @@ def _second_order(
     roles = regime.general.instant.scene.ledger.roles
     if any(roles[s].kind is Kind.ACCELERATION for s in letters(f) if s in roles):
         return None
-    return Law(c, 2, f, v, u, factor, _effort(regime, f))
+    return Law(c, 2, f, v, u, factor, effort(regime, f))
 
 
 def _timed(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
@@ -206,13 +205,6 @@ def _timed(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
         if place.free_symbols & varying <= {regime.time}:
             found[symbol] = place
     return found
-
-
-def _effort(regime: Regime, f: sp.Expr) -> float:
-    """The equations of kinetics behind a law, and whether a force grows with time."""
-    written = [w for stage in regime.general.stages for b in stage.blocks for w in b.equations]
-    kinetic = sum(w.law in ("force", "moment") for w in written)
-    return PER_EQUATION * kinetic + (OVER_TIME if kinetic and regime.time in letters(f) else 0.0)
 
 
 # --- equations -------------------------------------------------------------------------------------------------------
