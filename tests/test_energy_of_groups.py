@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
+from answered import solve
 from conftest import PROBLEMS
 from worked import worked
 
+from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
 
@@ -43,3 +46,39 @@ def test_nothing_that_does_work_leaves_it_to_momentum() -> None:
 def test_what_a_cord_joins_is_one_group() -> None:
     page = _page("cylinder-down-a-slope-and-on-along-a-floor")
     assert "From 1 to 2, work and kinetic energy" in page
+
+
+TURNS_OVER = """
+title: Ball that strikes a hanging rod at its end; least speed for which the rod turns over
+plane: vertical
+symbols: {m: kg, M: kg, L: m, e: 1}
+unknowns: {v_0: m/s}
+points: {O: [0, 0], B: [0, -L]}
+bodies: {rod: {rod: [O, B], mass: M}, ball: {particle: B, mass: m}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - impact: {between: [ball, rod], at: B, normal: 0 deg, restitution: e, during: 1->2}
+states:
+  1: [rod at rest, v(ball).x = v_0, v(ball).y = 0]
+  2: [just after 1]
+  3: [theta(rod) = 90 deg, omega(rod) = 0]
+find: {v_0: v_0, omega_2: omega(rod) @ 2}
+"""
+
+
+def test_one_group_comes_to_a_top_while_the_other_flies_off() -> None:
+    """ω² = 6 g/L; about the pin m v_0 (1 + e) = (M/3 + m) L ω. It takes endless time, so that nobody can say where the
+    ball is then.
+    """
+    found = solve(TURNS_OVER)
+    m, rod, length, e, g = sp.symbols("m M L e g", positive=True)
+    asked = {"v_0": sp.sqrt(6 * g * length) * (rod + 3 * m) / (3 * m * (1 + e)), "omega_2": sp.sqrt(6 * g / length)}
+    for name, right in asked.items():
+        (told,) = found[name].expressions
+        plain = told.subs({s: sp.Symbol(s.name, positive=True) for s in told.free_symbols})
+        assert sp.simplify(plain / right) == 1
+
+
+def test_where_the_other_is_asked_nothing_is_left_out() -> None:
+    with pytest.raises(NoSolution):
+        solve(TURNS_OVER.replace("omega_2: omega(rod) @ 2", "x: x(ball) @ 3"))

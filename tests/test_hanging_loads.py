@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+import sympy as sp
 from answered import solve
 
 from planar_cli.errors import Undecided
@@ -180,3 +181,32 @@ def test_what_lies_on_the_floor_in_the_end_does_not_sway_before() -> None:
     v = math.sqrt(2 * energy / (10 + 6 / 4))
     assert found["v"] == pytest.approx(v)
     assert found["way"] == pytest.approx(1 + v**2 / (2 * 0.2 * 9.81))
+
+
+STRUCK = """
+title: Bullet that stays in a bob on a string, least speed for which the bob gets to the top
+plane: vertical
+symbols: {m: kg, M: kg, l: m}
+unknowns: {v_0: m/s}
+points: {O: [0, 0], P: [0, -l]}
+bodies: {bob: {particle: P, mass: M}, bullet: {particle: [0, -l], mass: m}}
+joints:
+  - rope: {path: [O, P], name: string}
+  - weld: {at: P, between: [bob, bullet], during: 1->3}
+states:
+  1: [bob at rest, v(bullet).x = v_0, v(bullet).y = 0]
+  2: [just after 1]
+  3: [y(bob) = l, tension(string) = 0]
+find: {v_0: v_0, T: tension(string) @ 2}
+"""
+
+
+def test_what_catches_something_that_comes_from_the_side_sways() -> None:
+    """At the top v² = g l, at the bottom 5 g l; T = (M + m) (g + 5 g)."""
+    found = solve(STRUCK)
+    m, mass, length, g = sp.symbols("m M l g", positive=True)
+    asked = {"v_0": (mass + m) / m * sp.sqrt(5 * g * length), "T": 6 * (mass + m) * g}
+    for name, right in asked.items():
+        (told,) = found[name].expressions
+        plain = told.subs({s: sp.Symbol(s.name, positive=True) for s in told.free_symbols})
+        assert sp.simplify(plain / right) == 1

@@ -62,23 +62,32 @@ def _directions(facts: list[Facts], ties: list[Joining], body: str) -> list[Vec]
 
 
 def sent_aside(scene: Scene, body: str, tied: bool) -> bool:
-    """Does a state give a body a velocity sideways, or a later one another place? `tied`: to a fixed point, so that it
-    can only sway.
+    """Does a state give a body, or what it catches, a velocity sideways, or a later one another place? `tied`: to a
+    fixed point, so that it can only sway.
     """
+    concerned = {body, *_caught(scene, body)}
     for i, state in enumerate(scene.problem.states):
         for relation in state.relations:
             if not isinstance(relation, Relation) or relation.operator != "=":
                 continue
             for q, other in _quantities(relation):
-                if q.things[:1] and body not in (q.things[0], scene.owner(q.things[0])):
+                if q.things[:1] and not concerned & {q.things[0], scene.owner(q.things[0])}:
                     continue
                 parts = [p.kind for p in q.parts]
                 aside = any(kind in ASIDE for kind in parts) or q.word == "x" or tied
                 if q.word == "v" and aside and not _is_zero(scene, other):
                     return True
-                if q.word in ("x", "r") and i and aside and not has_quantity(other):
+                if q.word in ("x", "y", "r") and i and aside and not has_quantity(other):
                     return True
     return False
+
+
+def _caught(scene: Scene, body: str) -> Iterator[str]:
+    """The bodies to which a joint ties it from some state on."""
+    for joint in scene.problem.joints:
+        between: tuple[str, ...] = getattr(joint, "between", ())
+        if joint.during is not None and not joint.touches and body in between:
+            yield from (b for b in between if b in scene.bodies)
 
 
 def _quantities(relation: Relation) -> Iterator[tuple[Quantity, Side]]:

@@ -9,11 +9,16 @@ LEAVE_OUT = "leave one of them out, or declare what they hold under `unknowns`"
 
 
 def what_to_write(problem: Problem, state: str) -> str:
-    """The hint for a statement of this state that contradicts others."""
-    relations = next((s.relations for s in problem.states if s.name == state), ())
-    before = next((r.state for r in relations if isinstance(r, JustAfter)), None)
-    held = [j for j in problem.joints if not j.strikes and before is not None and j.during == (before, state)]
-    if not held:
-        return LEAVE_OUT
-    write = "leave it out" if before == problem.states[0].name else f"let its `during` end at {before}"
-    return f"{held[0].name} holds in the blow from {before} to {state} itself: where it lets go in it, {write}"
+    """The hint for a statement of this state that contradicts others: a joint that acts for a blow alone holds in it,
+    and what comes of that may be denied by any state from there on.
+    """
+    for known in problem.states:
+        before = next((r.state for r in known.relations if isinstance(r, JustAfter)), None)
+        held = [j for j in problem.joints if not j.strikes and before is not None and j.during == (before, known.name)]
+        if held:
+            write = "leave it out" if before == problem.states[0].name else f"let its `during` end at {before}"
+            blow = f"the blow from {before} to {known.name}"
+            return f"{held[0].name} holds in {blow} itself: where it lets go in it, {write}"
+        if known.name == state:
+            break
+    return LEAVE_OUT

@@ -11,6 +11,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
+from planar_cli.solve.between.departed import apart
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.motions import as_drawn
 from planar_cli.solve.following.gaps import changes_sides
@@ -141,12 +142,16 @@ class ModeChoice:
 
 
 def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
-    """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
+    """Is the last state one of rest in equilibrium, for all of which it tells where it is then? A motion that just
+    reaches it takes longer and longer.
+    """
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
-    rates = [*regime.rates.values(), *regime.accelerations.values()]
-    here = [e.xreplace(stop.letters) for e in rates]
+    own = {s: stop.letters[s] for s in regime.letters if s in stop.letters}
+    told = [g for g in apart(regime) if any(value.known(own[s]) is not None for s in g if s in own)]
+    rates = {**regime.rates, **regime.accelerations}
+    here = [rates[s].xreplace(stop.letters) for g in told for s in g if s in rates]
     numbers = [(value.known(e), e) for e in here]
-    return all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
+    return bool(told) and all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
 
 
 def assumed(course: RegimeSequence, value: Valuation) -> bool:

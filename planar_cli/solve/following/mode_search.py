@@ -19,6 +19,7 @@ from planar_cli.solve.between.alternatives import one_of
 from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.between.branch_order import candidates
 from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.departed import without_departed
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.masses import demand_mass
 from planar_cli.solve.between.matching import onward, same_motion
@@ -300,6 +301,9 @@ class ModeSearch(ModeChoice):
     ) -> SolvedMotion | ModeSequence:
         seen = Seen(far=dict(known.followed.far))
         branches, guessed = known.after(course, candidates(course))
+        if not branches and (rest := without_departed(course, asked_letters(finds))) is not None:
+            branches, guessed = known.after(rest, candidates(rest))
+            course = rest if branches else course
         for branch in branches:
             if branch.left or not set(course.first.letters.values()) <= set(branch.values) or untold(course):
                 found = self._led(course, finds, branches)
