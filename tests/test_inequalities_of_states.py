@@ -35,7 +35,7 @@ def solved(folder: Path, first: str = "", second: str = "") -> None:
     ("first", "said"),
     [
         ("N(P) > 100 N", "does not hold"),
-        ("t > 0", "does not hold at 1: the sides are 0 s and 0 s"),
+        ("t > 0", "state 1: `t > 0` does not hold: the sides are equal"),
         ("v(crate).x > 7 m/s", "state 1: `v(crate).x > 7 m/s` does not hold: the sides differ by 2 m/s"),
         ("x(crate) > 1 m", "state 1: `x(crate) > 1 m` does not hold: the sides differ by 1 m"),
         ("a(crate).x > 0", "does not hold at 1: the sides are -2.943 m/s^2 and 0 m/s^2"),

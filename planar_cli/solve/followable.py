@@ -10,7 +10,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.unused import used_names
 from planar_cli.problem.walk import is_endless, walk
 from planar_cli.simulate.answers import NOT_FOLLOWED
-from planar_cli.solve.following.dated import dated, is_told_by_a_span
+from planar_cli.solve.following.dated import begun, dated, is_told_by_a_span
 from planar_cli.solve.following.traced import BEYOND, SEARCHED_STEPS
 from planar_cli.solve.taken import Taken
 
@@ -33,7 +33,8 @@ def not_followed(problem: Problem, taken: Taken) -> str:
 
 def closed(problem: Problem, taken: Taken) -> Problem:
     """The file with the constants that joints leave open and a blow has told, and with times that spans have told."""
-    return dated(replace(problem, joints=tuple(j.told(taken.opened) for j in problem.joints)), taken.times)
+    told = replace(problem, joints=tuple(j.told(taken.opened) for j in problem.joints))
+    return begun(dated(told, taken.times), taken.times)
 
 
 def end_of(problem: Problem, taken: Taken) -> float | None:

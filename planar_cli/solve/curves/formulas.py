@@ -354,7 +354,8 @@ def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passag
     statements = problem.states[0].relations if problem.states else problem.instant or ()
     stated = [s for s in statements if isinstance(s, Relation)]
     several = problem.states and (problem.states[1:] or not _is_date(stated) or len(statements) > 1)
-    if several or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
+    dated = solved.value.known(list(solved.course.stops.values())[-1].t) is not None
+    if several or not dated or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
         return None
     reader = FormulaReader(problem, {}, regimes[0], _values_in(solved, regimes[0]))
     if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
@@ -385,7 +386,7 @@ def _at_instant(solved: SolvedMotion, regime: Regime) -> Valuation:
 
 def _is_date(stated: Sequence[Relation]) -> bool:
     """Is the time of an instant all that is stated of it?"""
-    return len(stated) == 1 and isinstance(stated[0].left, Name) and stated[0].left.name == "t"
+    return [(s.operator, getattr(s.left, "name", "")) for s in stated] == [("=", "t")]
 
 
 def _values_in(solved: SolvedMotion, regime: Regime) -> Callable[[sp.Expr], Decimal | None]:

@@ -20,9 +20,8 @@ TINY = Decimal("1e-30")
 
 def false_inequality(course: MotionEquations, equations: Sequence[Equation]) -> NoSolution | None:
     """The first inequality that is false where the equations hold; None: these have no root without them either."""
-    bare = {name: tuple(d for d in demands if d.kind != "inequality") for name, demands in course.demands.items()}
     try:
-        branch = next(replace(course, demands=bare).chain().branches(equations), None)
+        branch = next(without_inequalities(course).chain().branches(equations), None)
     except (Undecided, NoValue, Unvalued):
         return None
     if branch is None:
@@ -31,9 +30,16 @@ def false_inequality(course: MotionEquations, equations: Sequence[Equation]) -> 
     for state in course.states:
         for d in course.demands[state.name]:
             number = value.known(d.residual) if d.kind == "inequality" else None
-            if number is not None and number < TINY * value.size(d.residual):
+            slack = Decimal(0) if number is None else TINY * value.size(d.residual)
+            if number is not None and (number < -slack or (d.sign and number <= slack)):
                 return _told(course, d, number)
     return None
+
+
+def without_inequalities(course: MotionEquations) -> MotionEquations:
+    """The same where any root may be taken."""
+    bare = {name: tuple(d for d in demands if d.kind != "inequality") for name, demands in course.demands.items()}
+    return replace(course, demands=bare)
 
 
 def _told(course: MotionEquations, demand: Demand, number: Decimal) -> NoSolution:
@@ -43,6 +49,7 @@ def _told(course: MotionEquations, demand: Demand, number: Decimal) -> NoSolutio
     # Forces are those of modes that were tried last, not of what happens.
     if relation is not None and not course.symbolic and not of_forces(relation):
         unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
-        apart = f": the sides differ by {in_unit(abs(number), unit, course.ledger.us)}"
+        off = f"differ by {in_unit(abs(number), unit, course.ledger.us)}" if number else "are equal"
+        apart = f": the sides {off}"
     text = f"state {demand.state}: `{demand.text}` does not hold{apart}"
     return NoSolution([Diagnostic(demand.mark, "PL617", text, "leave it out, or change what its sides rest on")])

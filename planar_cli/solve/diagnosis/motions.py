@@ -29,7 +29,7 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
-from planar_cli.solve.diagnosis.false_inequalities import false_inequality
+from planar_cli.solve.diagnosis.false_inequalities import false_inequality, without_inequalities
 from planar_cli.solve.diagnosis.held_in_blows import what_to_write
 from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, listed, unit_of
@@ -170,16 +170,14 @@ def _mark_of(course: RegimeSequence, sought: sp.Symbol) -> Mark:
 def _title(course: RegimeSequence, stop: Stop, own: sp.Symbol) -> str:
     """A letter of a state in words."""
     general = next(k for k, v in stop.letters.items() if v == own)
+    where = f" in state {stop.name}" if stop.name else ""
     for regime in course.distinct_regimes():
         if general == regime.time:
-            return f"the time of state {stop.name}"
+            return f"the time of state {stop.name}" if stop.name else "the time"
         for c in regime.coordinates:
-            words = c.words or c.symbol.name
-            if general == c.symbol:
-                return f"{words} in state {stop.name}"
-            if general == c.speed:
-                return f"the rate of {words} in state {stop.name}"
-    return f"{general.name} in state {stop.name}"
+            if general in (c.symbol, c.speed):
+                return f"{'the rate of ' if general == c.speed else ''}{c.words or c.symbol.name}{where}"
+    return f"{general.name}{where}"
 
 
 def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | None:
@@ -258,10 +256,10 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     stated = [
         e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}
     ]
-    found = []
+    found, bare = [], without_inequalities(course)
     for e in stated:
         try:
-            free = any(course.chain().branches([x for x in equations if x is not e]))
+            free = any(bare.chain().branches([x for x in equations if x is not e]))
         except (Undecided, NoValue, Unvalued):
             continue
         if free:

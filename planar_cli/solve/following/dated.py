@@ -1,4 +1,6 @@
-"""States that no following finds by themselves, put at their times: those told by a quantity over a span."""
+"""States that no following finds by themselves, put at their times: those told by a quantity over a span, and a first
+state that is not at t = 0.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +11,7 @@ from fractions import Fraction
 from planar_cli.problem.expression import JustAfter, Name, Number, Quantity, Relation
 from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.walk import walk
+from planar_cli.solve.regimes.mode_sequence import fixed_time
 
 
 def is_told_by_a_span(state: State) -> bool:
@@ -23,6 +26,15 @@ def dated(problem: Problem, times: Mapping[str, float]) -> Problem:
     """The problem with such states at their times [s], where these are known."""
     states = tuple(_at(s, times[s.name]) if s.name in times and is_told_by_a_span(s) else s for s in problem.states)
     return replace(problem, states=states)
+
+
+def begun(problem: Problem, times: Mapping[str, float]) -> Problem:
+    """The problem with its first state at its time [s], where what moves it in time has told that."""
+    if not problem.states or not times.get(problem.states[0].name) or fixed_time(problem.states[0].relations):
+        return problem
+    first, *others = problem.states
+    dated = replace(first, relations=(*first.relations, *_at(first, times[first.name]).relations))
+    return replace(problem, states=(dated, *others))
 
 
 def _at(state: State, time: float) -> State:
