@@ -17,7 +17,7 @@ from typing import NoReturn
 import click
 
 from planar_cli import __version__
-from planar_cli.errors import FileProblem, NoSolution, PlanarError, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.help_page import ABOUT, commands
 from planar_cli.problem.show import harmless
 from planar_cli.registry import modules
@@ -130,8 +130,9 @@ def tell(error: PlanarError) -> int:
     """Print what the user can mend, and choose the exit status."""
     from planar_cli.diagnostics import show_all
 
-    if isinstance(error, FileProblem | NoSolution) and error.diagnostics:
-        show_all(error.diagnostics)
+    diagnostics: tuple[Diagnostic, ...] = getattr(error, "diagnostics", ())
+    if diagnostics:
+        show_all(diagnostics)
     else:
         say(f"planar: {error}")
     return status_of(error)

@@ -103,6 +103,11 @@ _ENGINE = {
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "
         "program, or the file can be read in two ways: please report it with the file (planar explain checks)."
     ),
+    "PL721": (
+        "The numbers that were found are put into every equation of the instant, also into those that the solution "
+        "does without. One of them is not fulfilled, so nothing is printed as an answer. The message says which: a "
+        "relation of the file there, or a part of the drawing, is usually at odds with the rest."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

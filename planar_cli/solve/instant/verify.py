@@ -57,7 +57,7 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
     """All equations of the instant at the solution, and the scene assembled anew. Disagreement: they do not fit."""
     system, outcome = trial.system, trial.outcomes[0]
     numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
-    count, residual = residuals(system, numbers, outcome)
+    count, residual, left = residuals(system, numbers, outcome)
     agreement = second_road(system, Worked.of_solution(system, outcome, solved))
     if residual > AGREE:
         denied = next((c for c in system.velocity_conditions() if c.kind == "given" and _off(c, numbers)), None)
@@ -65,7 +65,7 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
             text = f"`{denied.text}` contradicts what the rest says of the velocities"
             hint = "leave one of them out, or declare its value under `unknowns`"
             raise NoSolution([Diagnostic(denied.mark, "PL607", text, hint)])
-        raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
+        raise _left_over(system, left, residual)
     if not agreement.holds:
         raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
     return Checks(count, residual, agreement if system.scene.bodies else None)
@@ -77,19 +77,37 @@ def _off(condition: Condition, numbers: Valuation) -> bool:
     return any(v is not None and abs(v) > AGREE * numbers.size(e) for v, e in found)
 
 
-def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:
-    """How many equations the instant has, and the largest remainder relative to the size of its terms."""
-    exprs = [e for c in system.acceleration_conditions() for e in c.rows()]
-    exprs += [e for c in system.velocity_conditions() for e in c.rows()]
+def _left_over(system: System, left: Condition | str, share: Decimal) -> Disagreement:
+    """The refusal of numbers that do not fulfil a relation of the file or of a joint, or the equations of a body."""
+    problem = system.scene.problem
+    if isinstance(left, str):
+        what = f"the equations of motion of {left}"
+        mark = next((b.mark for b in problem.bodies if b.name == left), NOWHERE)
+    else:
+        stated = left.mark != NOWHERE
+        what, mark = f"`{left.text}`" if stated else f"the relation of a joint, {left.text}", left.mark
+    mark = mark if mark != NOWHERE or not problem.find else problem.find[0].mark
+    text = f"the numbers that were found do not fulfil {what}: {float(share):.2g} of the size of its terms is left over"
+    diagnostic = Diagnostic(mark, "PL721", text, "please report it with the file")
+    return Disagreement(f"{mark.file}:{mark.line}: {text}", (diagnostic,))
+
+
+def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal, Condition | str]:
+    """How many equations the instant has, and the largest remainder relative to the size of its terms, with the
+    condition or the body whose it is.
+    """
+    conditions = (*system.acceleration_conditions(), *system.velocity_conditions())
+    exprs: list[tuple[sp.Expr, Condition | str]] = [(e, c) for c in conditions for e in c.rows()]
     if any(b.mass != 0 for b in system.scene.bodies.values()) or system.wrenches:
         for body in system.scene.bodies:
-            exprs += body_residuals(system, body)[: 3 if system.scene.rigid(body) else 2]
-    found: list[tuple[Decimal, Decimal]] = []
-    for expr in exprs:
+            exprs += [(e, body) for e in body_residuals(system, body)[: 3 if system.scene.rigid(body) else 2]]
+    found: list[tuple[Decimal, Decimal, Condition | str]] = []
+    for expr, whose in exprs:
         try:
-            found.append((abs(numbers(expr)), numbers.size(expr)))
+            found.append((abs(numbers(expr)), numbers.size(expr), whose))
         except Unvalued:
             continue
     # An equation all of whose terms have cancelled is measured against the others.
-    floor = max((size for _, size in found), default=ZERO) * TINY_SHARE
-    return len(found), max((value / max(size, floor) for value, size in found if value), default=ZERO)
+    floor = max((size for _, size, _ in found), default=ZERO) * TINY_SHARE
+    shares = [(value / max(size, floor), whose) for value, size, whose in found if value]
+    return len(found), *max(shares, key=lambda pair: pair[0], default=(ZERO, ""))
