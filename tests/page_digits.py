@@ -135,6 +135,7 @@ class _Reader:
 
 def worked_out(text: str) -> float | None:
     """The value of a formula of numbers; None: it is something else."""
+    text = text.replace(" rad)", ")")
     tokens = TOKEN.findall(text)
     if "".join(tokens) != text.replace(" ", ""):
         return None

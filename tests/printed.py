@@ -98,6 +98,7 @@ def _terms(expr: sp.Expr, numbers: dict[sp.Symbol, float]) -> list[float]:
 
 def read_number(text: str) -> float:
     """A number as it is printed: 1.5×10⁻⁴, 30°."""
+    text = text.removesuffix(" rad")
     degrees = text.endswith("°")
     mantissa, _, power = text.rstrip("°").partition("×10")
     number = float(mantissa.translate(PLAIN)) * 10 ** int(power.translate(PLAIN) or 0)

@@ -40,7 +40,7 @@ def test_an_angular_velocity_is_a_letter_too() -> None:
 def test_a_rate_with_several_numbers_is_named_after_the_states() -> None:
     text = page("motion/car-three-phases")
     assert "_car = a_car,start = 2 m/s²" in text
-    assert "The law of x of car from brake on:" in text
+    assert "For x of the car from brake on:" in text
     assert "_car = a_car,brake = -2.5 m/s²" in text
     assert "t_brake - v_car,brake/a_car,brake = 60 - 25/(-2.5) = 70 s" in text
 

@@ -6,6 +6,11 @@ import math
 
 import pytest
 from answered import solve
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
 
 ALONG_ITSELF = """
 title: A wheel turned by a slanting cable
@@ -103,3 +108,11 @@ def test_a_load_that_swings_on_a_drum() -> None:
     found = {name: float(a.values[0]) for name, a in solve(SWINGING).items() if a.values}
     assert found["S"] * 0.2 == pytest.approx(0.2 * found["alpha"], rel=1e-6)
     assert found["T"] == pytest.approx(12 * 0.5**2 / 2 + found["W"], rel=1e-6)
+
+
+def test_what_is_asked_of_several_states_is_told_by_states() -> None:
+    page = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-09.yaml")[0]))
+    assert "The cable keeps its length and does not slip on the wheel:" in page
+    assert "For the angle of the wheel:" in page
+    assert page.index("Hence, at 1:") < page.index("v_E = r_h ω") < page.index("At 2:") < page.index("r_B_at_2s, x")
+    assert "0.6 cos(0.6667 rad) = 0.4715 m" in page

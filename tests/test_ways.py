@@ -24,7 +24,7 @@ def test_a_ball_in_air_has_two_diagrams() -> None:
     assert "m g ↓, c v_ball,y² ↑ = m a_ball,y ↑" in text
     assert "↑ ΣF_y: c v_ball,y² - m g = m a_ball,y" in text
     assert "against its velocity" not in text
-    assert "The law of y of ball from top on:" in text
+    assert "For y of the ball from top on:" in text
 
 
 def test_what_sinks_is_held_up() -> None:

@@ -356,3 +356,8 @@ class Problem:
     def called(self, joint: str) -> str:
         """How the joint of that name is called in a sentence."""
         return next((j.called for j in self.joints if j.name == joint), joint)
+
+
+def with_article(body: str) -> str:
+    """A body in a sentence: the boom, but AB."""
+    return f"the {body}" if body.isalpha() and body.islower() and len(body) > 2 else body

@@ -9,7 +9,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.expression import Name as Letter
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.outermost import is_energy
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
@@ -63,11 +66,18 @@ class AskedTelling:
         decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
         vectors = list(self._vectors())
-        if asked or compared or vectors or any(r.beside for r in self._requests()):
+        places = list(dict.fromkeys(_at(r) for r, _, _ in asked))
+        last = places[0] if len(places) > 1 and not compared else ""
+        if last:
+            yield Paragraph(line(f"Hence, at {last}:"))
+        elif asked or compared or vectors or any(r.beside for r in self._requests()):
             yield HENCE
         yield from compared
         told: set[sp.Symbol] = set()
         for find in self._requests():
+            if len(places) > 1 and _at(find) not in ("", last) and any(r is find for r, _, _ in asked):
+                last = _at(find)
+                yield Paragraph(line(f"At {last}:"))
             yield from (self._letter(x, e) for x, e in find.beside if x not in told)
             told |= {x for x, _ in find.beside}
             for request, part, whole in asked:
@@ -237,6 +247,13 @@ class AskedTelling:
             if y / sine == x / sp.cos(angle) and self.found.value.is_zero(found - angle):
                 return angle
         return found
+
+
+def _at(request: Request) -> str:
+    """The state at which something is asked; "" of several or none."""
+    what = request.find.found.what
+    found = {n.at for n in walk(what) if isinstance(n, Quantity | Letter) and isinstance(n.at, str)}
+    return found.pop() if len(found) == 1 else ""
 
 
 def _without(expr: sp.Expr, zeros: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -1,6 +1,6 @@
 """A check that a person can make of a stretch of a motion, from the law of a coordinate alone.
 
-    mean speed of x:  (0 + 25)/2 · 12.5 = 156.2 m,  x_2 - x_1 = 156.2 m                          constant acceleration
+    mean velocity times the time:  (0 + 25)/2 · 12.5 = 156.2 m,  x_2 - x_1 = 156.2 m             constant acceleration
     ÿ = g constant:   2 · 9.81 · 3 = 58.86 m²/s²,  v_2² - v_1² = 58.86 m²/s²
     θ̈ = -g sin θ/l:   Simpson's rule, ∫ θ̈ dθ = 0.5236 (8.496 + 4 · 4.905 + 0)/3 ...          the law at three places
 
@@ -20,6 +20,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.laws import counted
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
@@ -111,13 +112,9 @@ class _Ends:
             t, s = self._values("t")
             if agree([(v + u) / 2 * (s - t)], [p - q]):
                 mean = line("(", self._bare(v, "v"), *self._plus(u, "v"), ")/2 · ", self._bare(s - t, "t"))
-                what = self.law.coordinate.words
                 turned = self.law.coordinate.unit == "rad"
-                words = (
-                    f"mean angular velocity of {what.removeprefix('angle of ')}: "
-                    if turned
-                    else f"mean speed of {what}: "
-                )
+                what = f"mean {'angular ' if turned else ''}velocity times the time"
+                words = f"{what}, {counted(self.law.coordinate.words)}: "
                 yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
         elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]):
             product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))

@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.plain import longer
+from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.notation import plain
@@ -20,6 +21,8 @@ from planar_cli.solve.law import Law
 
 FEW, SWINGING = 12, 36
 """A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own."""
+FOR = "For "
+"""How the heading of a law begins."""
 PER_TIME = {"v(t)": "{}/s", "q(t)": "{}", "t(q)": "s", "v(q)": "{}²/s²"}
 """The unit of an integral, by its kind; {} is that of the coordinate."""
 
@@ -31,8 +34,8 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     name = f"{q.name}_{'ddot' if law.order == 2 else 'dot'}"
     # Where there are several laws the rate is another quantity in each.
     rate = sp.Dummy(name, real=True) if since else sp.Symbol(name, real=True)
-    of = f" of {law.coordinate.words}" if law.coordinate.words != q.name else ""
-    yield Paragraph(line(f"The law{of}{f' from {since} on' if since else ''}:"))
+    of = counted(law.coordinate.words) if law.coordinate.words != q.name else f"the coordinate {q.name}"
+    yield Paragraph(line(f"{FOR}{of}{f' from {since} on' if since else ''}:"))
     if law.constant is not None:
         value = _constant_value(law, law.constant[0], phrases)
         put = () if law.f.is_Symbol else phrases.substituted(law.f, value)
@@ -42,6 +45,14 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
     yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values or law.f.is_number else ())
+
+
+def counted(words: str) -> str:
+    """What a coordinate counts, in a sentence: the angle of the wheel, x of P, the way of C along its path."""
+    what, _, thing = words.partition(" of ")
+    thing, _, rest = thing.partition(" ")
+    told = f"{what} of {with_article(thing)}{' ' if rest else ''}{rest}" if thing else what
+    return told if what in ("x", "y") else f"the {told}"
 
 
 class LawTelling:
@@ -83,7 +94,7 @@ def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Bloc
     found: list[Block] = []
     for block in moving:
         heading = found[-1] if found else None
-        law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith("The law")
+        law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith(FOR)
         if not law or not isinstance(block, Equation) or block.number is not None:
             found.append(block)
         elif _text(block) in given or (not _changes(heading) and any(_same_rate(block, b) for b in solved)):

@@ -330,6 +330,9 @@ class MotionTelling:
             return self.phrases.math(left), self.phrases.math(right)
         positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
         left = sp.Add(*positive)
+        alone = next((a for a in reversed(positive) if a.is_Symbol), None)
+        if left == residual and alone is not None and e.span is None:
+            left = alone
         return self.phrases.math(left), self.phrases.math(left - residual)
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:

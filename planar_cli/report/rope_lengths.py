@@ -6,15 +6,18 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.system import System
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.keys import RopeStop
+from planar_cli.problem.scene import GROUND, with_article
 from planar_cli.report.blocks import Line, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 
+KEEPS = "keeps its length"
+
 
 def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Line:
     """`y_A + 2 y_B = const., differentiated`; nothing where a part of the rope turns, or runs over what turns."""
-    if w.source != "row" or not w.lead.endswith("keeps its length"):
+    if w.source != "row" or not w.lead.endswith(KEEPS):
         return ()
     places = _places(system)
     residual = expanded(w.left - w.right)
@@ -30,6 +33,19 @@ def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Li
         found = -found
     called = f"{w.lead[:1].upper()}{w.lead[1:]}"
     return line(f"{called}, ", phrases.math(found), f" = const., differentiated{' twice' if twice else ''}:")
+
+
+def wound(w: Written, system: System) -> str:
+    """`keeps its length and does not slip on the wheel`, of a rope that is wound on a body."""
+    if w.source != "row" or not w.lead.endswith(KEEPS):
+        return ""
+    called = w.lead.removesuffix(KEEPS).strip()
+    own = (j for j in system.scene.problem.joints if j.called == called)
+    stops = (s for j in own for s in getattr(j, "path", ()) if isinstance(s, RopeStop) and s.way == "on" and s.body)
+    bodies = list(dict.fromkeys(with_article(s.body) for s in stops if s.body))
+    if not bodies:
+        return ""
+    return f"{called[:1].upper()}{called[1:]} keeps its length and does not slip on {' and on '.join(bodies)}:"
 
 
 def _places(system: System) -> dict[sp.Symbol, sp.Expr]:

@@ -25,7 +25,7 @@ from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.rope_ends import end_told, named_end
-from planar_cli.report.rope_lengths import length_told
+from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
@@ -385,6 +385,8 @@ class Telling:
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
+        if told := wound(w, self.system):
+            return told
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
 

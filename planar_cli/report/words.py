@@ -8,7 +8,7 @@ from decimal import Decimal
 from typing import Any
 
 import sympy as sp
-from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
+from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction
 
 from planar_cli.calculus.curve_words import CIRCLE, Curve
 from planar_cli.equation.arrows import vector_arrow
@@ -27,6 +27,7 @@ from planar_cli.report.pieces import met
 from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula
 from planar_cli.report.swallowed import swallowed
+from planar_cli.report.trigonometric_numbers import in_radians, turned_angles
 from planar_cli.solve.passages import squared_radius
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, TIME, Dimension, Unit
@@ -101,7 +102,7 @@ class Phrases:
         if not counted:
             return None
         # One angle may stand in a function, in degrees, and beside it, in radians.
-        expr = _in_radians(expr, apart)
+        expr = in_radians(expr, apart)
         counted |= {own: counted[s] for s, own in apart.items()}
         figures = enough_figures(expr, rounded, counted, degrees, self.figures)
         if figures is None:
@@ -109,7 +110,8 @@ class Phrases:
         texts = {s: significant(x, figures) for s, x in counted.items()}
         for symbol in degrees:
             texts[symbol] = significant(self._in_unit(counted[symbol], self.ledger.units[symbol]), figures) + "°"
-        return Math(rounded(expr, figures), texts)
+        expr, inside = turned_angles(rounded(expr, figures), self.ledger)
+        return Math(expr, texts | {own: f"{texts[s]} rad" for s, own in inside.items()})
 
     def has_numbers(self, expr: sp.Expr) -> bool:
         """Have all symbols of an expression numbers of their own?"""
@@ -228,15 +230,6 @@ def is_angle(expr: sp.Expr, degrees: Collection[sp.Symbol]) -> bool:
         factor.is_number and (angle in degrees or isinstance(angle, InverseTrigonometricFunction) or angle == 1)
         for factor, angle in terms
     )
-
-
-def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
-    """Angles outside trigonometric functions by the symbols that are told in radians."""
-    if isinstance(expr, TrigonometricFunction | sp.Integral) or not expr.free_symbols & set(apart):
-        return expr
-    if expr.is_Symbol:
-        return apart[expr]
-    return expr.func(*(_in_radians(a, apart) for a in expr.args))
 
 
 def answer_line(found: Found, phrases: Phrases) -> Line:

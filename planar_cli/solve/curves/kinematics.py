@@ -18,7 +18,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities, direction_angle
-from planar_cli.problem.scene import Find, Polar, TwoFacts
+from planar_cli.problem.scene import Find, Polar, TwoFacts, with_article
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.curves.kinds_asked import (
@@ -32,7 +32,6 @@ from planar_cli.solve.curves.kinds_asked import (
     polar_of,
     wanted_of,
 )
-from planar_cli.solve.curves.paths import with_article
 from planar_cli.solve.curves.rolled import rolled
 from planar_cli.solve.passages import (
     ALONG,

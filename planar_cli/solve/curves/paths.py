@@ -20,7 +20,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Find, Rod
+from planar_cli.problem.scene import GROUND, Find, Rod, with_article
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, squared_radius, told_function
@@ -312,11 +312,6 @@ def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledg
         return single
     other = ledger.once(f"{p.name}_0", ledger.units[p].text, p)
     return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})), p)
-
-
-def with_article(body: str) -> str:
-    """A body in a sentence: the boom, but AB."""
-    return f"the {body}" if body.islower() and len(body) > 2 else body
 
 
 def without_told_places(q: Quantity, curve: Passage, told: Iterable[Passage]) -> Passage:

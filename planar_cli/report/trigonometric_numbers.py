@@ -1,0 +1,28 @@
+"""Angles in formulas with numbers: in degrees within a sine where the page has them so, and cos(0.6667 rad) else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from planar_cli.equation.ledger import Ledger
+
+
+def in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
+    """Angles outside trigonometric functions by the symbols that are told in radians."""
+    if isinstance(expr, TrigonometricFunction | sp.Integral) or not expr.free_symbols & set(apart):
+        return expr
+    if expr.is_Symbol:
+        return apart[expr]
+    return expr.func(*(in_radians(a, apart) for a in expr.args))
+
+
+def turned_angles(expr: sp.Expr, ledger: Ledger) -> tuple[sp.Expr, dict[sp.Symbol, sp.Symbol]]:
+    """An angle in radians of which a sine or cosine is taken, by a symbol of its own."""
+    functions = [f for f in expr.atoms(TrigonometricFunction) if f.args[0].is_Symbol]
+    angles = {f.args[0] for f in functions if f.args[0] in ledger.units and ledger.units[f.args[0]].text == "rad"}
+    own = {s: sp.Symbol(f"{s.name} turned", **s.assumptions0) for s in angles}
+    found = {f: f.func(own[f.args[0]]) for f in functions if f.args[0] in own}
+    return (expr.xreplace(found) if found else expr), own
