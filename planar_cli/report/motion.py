@@ -14,7 +14,7 @@ from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_function
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
@@ -39,6 +39,7 @@ from planar_cli.report.origins import (
     turning_blocks,
 )
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
+from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.results import numbered
 from planar_cli.report.span_integrals import SpanTelling
@@ -121,16 +122,9 @@ class MotionTelling:
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
         routes = {n: r for n, r in self.found.passing.items() if any(not leg.is_datum for leg in r.steps)}
         for i, (name, route) in enumerate(routes.items()):
-            yield Paragraph(line(Name(name), " throughout the motion:"))
-            yield from () if route in list(routes.values())[:i] else self._route(route)
-            yield from self._passing(name)
-
-    def _passing(self, name: str) -> Iterator[Block]:
-        """What holds throughout the motion, in the letters that were just told."""
-        for asked in self.found.requests:
-            (part, *more) = asked.parts
-            if asked.find.name == name and not more and not part.is_Symbol:
-                yield Equation((line(Name(name)), self.phrases.math(part)))
+            yield heading(name, self.found, route)
+            yield from () if route in list(routes.values())[:i] else (*self._route(route), *root_words(route))
+            yield from passing_lines(name, self.found, self.phrases)
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
