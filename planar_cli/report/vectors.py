@@ -9,6 +9,7 @@ P′ is the point of the moving body where P is (An Introduction to Planar Dynam
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -19,6 +20,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.spoken import spoken
@@ -60,6 +62,9 @@ class VectorTelling:
         if w.source == "coordinate" and w.place in self.system.scene.formulas:
             writer = self.phrases.writer
             shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
+            if shared and is_along_path(w, self.system, level):
+                both = replace(w, words="")
+                return [Paragraph(line(*self._differentiated(both, level), ", along the path:"))]
             divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
             return [Paragraph(line(*self._differentiated(w, level), *divided, ":"))]
         if w.source == "given" and w.place and (told := self._stated(w)):

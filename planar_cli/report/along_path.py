@@ -1,0 +1,50 @@
+"""A relation of a place that the file gives by a formula: it is the component along the path of the point, where both
+coordinates say the same.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.plain import identically_zero, longer
+from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.instant.stages import acceleration_unknowns
+from planar_cli.solve.instant.written import Written
+
+LONGEST = 400
+"""Residuals of more operations are not compared."""
+MOST = 6
+"""More relations of velocities, or speeds, are not solved for this."""
+
+
+def is_along_path(w: Written, system: System, level: str) -> bool:
+    """Do both components of the relation vanish together with the one that is told, whatever the position?"""
+    conditions = system.velocity_conditions() if level == "velocity" else system.acceleration_conditions()
+    own = next((c for c in conditions if c.kind == "coordinate" and c.place == w.place), None)
+    if own is None or not isinstance(own.residual, Vec):
+        return False
+    x, y = sp.sympify(own.residual.x), sp.sympify(own.residual.y)
+    rates = [r for pair in system.scene.evaluator.motions.values() for r in pair if isinstance(r, sp.Symbol)]
+    moving = {*system.tree.velocity_unknowns(), *acceleration_unknowns(system), *rates}
+    unknowns = sorted(w.residual.free_symbols & moving, key=lambda s: s.name)
+    for letter in unknowns:
+        along = Vec(x.diff(letter), y.diff(letter))
+        if along.x == 0 and along.y == 0:
+            continue
+        across = x * along.y - y * along.x
+        if longer(across, LONGEST):
+            return False
+        return identically_zero(across) or (level != "velocity" and identically_zero(_with_speeds(across, system)))
+    return False
+
+
+def _with_speeds(across: sp.Expr, system: System) -> sp.Expr:
+    """The same with the speeds that the relations of velocities give by others."""
+    rows = [sp.sympify(row) for c in system.velocity_conditions() for row in c.rows()]
+    rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+    speeds = [s for s in (*system.tree.velocity_unknowns(), *rates) if any(s in row.free_symbols for row in rows)]
+    if len(rows) > MOST or len(speeds) > MOST:
+        return across
+    found = sp.solve(rows, speeds, dict=True)
+    return across.xreplace(found[0]) if len(found) == 1 else across
