@@ -9,12 +9,12 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Value
+from planar_cli.report.blocks import Line, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.put_in import in_known
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Result
+from planar_cli.solve.between.trace import Result, RouteStep
 from planar_cli.units import PURE
 
 FEW, LONGEST = 3, 26
@@ -48,6 +48,17 @@ def by_function(
         known = in_known(argument, own, value, phrases)
         return (lead, *known, value) if known else ()
     return lead, phrases.math(argument), *phrases.substituted(argument, value), value
+
+
+def by_trial(leg: RouteStep, r: Result, sides: int) -> Line:
+    """That a root was found in numbers, beside a value (`sides` with its letter: two) without a formula, where its
+    equation has more than powers of the unknowns.
+    """
+    if r.formula is not None or sides != 2 or any(e.span is not None for e in leg.relations):
+        return ()
+    unknowns = set(leg.unknowns)
+    waves = [f for e in leg.relations for f in e.residual.atoms(sp.Function) if f.free_symbols & unknowns]
+    return line("solved numerically") if waves else ()
 
 
 def _argument(formula: sp.Expr) -> tuple[Any, sp.Expr] | None:

@@ -88,6 +88,11 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
     formula = side.expr if isinstance(side, Math) else None
     if formula is None or formula.is_number or formula == closed:
         return False
+    if {plain_name(x.name.replace("__", "_")) for x in closed.free_symbols} == {
+        plain_name(x.name.replace("__", "_")) for x in formula.free_symbols
+    }:
+        # A letter of a state may have the name of a datum in print.
+        return False
     more = formula.free_symbols - closed.free_symbols
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
 

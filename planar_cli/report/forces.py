@@ -26,6 +26,7 @@ from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.rolled_points import in_plain_lengths
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.worked import unknowns_of
@@ -222,7 +223,8 @@ def _inertia(
     still = vanishing(stage)
     idle = _idle(instant, stage)
     components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
-    for direction, component in components if model.mass != 0 else ():
+    apart = [part for direction, component in components for part in in_plain_lengths(direction, component)]
+    for direction, component in apart if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
         if component in idle:

@@ -11,7 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
-from planar_cli.report.angles_found import by_function
+from planar_cli.report.angles_found import by_function, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
@@ -206,7 +206,7 @@ class MotionTelling:
                 if len(sides) == 2:
                     sides = (sides[0], *self._solved(leg, r, route), sides[1])
                 sides = (*(named or sides), *self.phrases.converted(r.unknown, r.value))
-                yield Equation(sides, None, lead if i == 0 else ())
+                yield Equation(sides, None, lead if i == 0 else (), by_trial(leg, r, len(sides)) if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
 

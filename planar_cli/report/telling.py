@@ -24,6 +24,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.rolled_points import rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.sentences import sentences
@@ -101,15 +102,16 @@ class Telling:
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
+        legend = touching(self.system, kinetic)
         resting = self._resting(last)
         if kinematics or resting:
             blocks.append(self._step("Kinematic analysis", resting))
-        blocks += kinematics
+        blocks += [*(legend if kinematics else ()), *kinematics]
         if kinetic and last is not None:
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = [row.body for row in rows]
-            blocks += [*rows, *sentences(self.system, bodies)]
+            blocks += [*(() if kinematics else legend), *rows, *sentences(self.system, bodies)]
             blocks += self._definitions("kg")
             written = [w for b in last.blocks for w in b.equations]
             blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)
@@ -148,6 +150,7 @@ class Telling:
             light = self.scene.bodies[body].mass == 0
             if not light and len(stage.accelerations.get(body, ())) != 1 and self.scene.rigid(body):
                 center = self.scene.center(body)
+                yield from rolling(self.system, body, self.phrases)
                 yield from self.vectors.point(body, center, centre_of(self.scene, body), "acceleration")
 
     def _step(self, title: str, aside: str | Line = "") -> Heading:

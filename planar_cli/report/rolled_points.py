@@ -1,0 +1,84 @@
+"""Where bodies touch that the file gives no name to, and how what rolls there moves: a_C, then a_G from it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.equation.centres import centre_of
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.words import Phrases
+
+OWN_NAME = re.compile(r"C_\d+$")
+LONGEST = 12
+"""A component of an arm of more operations is not told."""
+
+
+def touching(system: System, kinetic: bool) -> list[Paragraph]:
+    """C_1: where plank touches trunk; nothing where no forces are told."""
+    found: list[Paragraph] = []
+    for name, mode in system.modes.items() if kinetic else ():
+        joint = next((j for j in system.scene.problem.joints if j.name == name), None)
+        between = [str(b) for b in getattr(joint, "between", ())]
+        places = {j.place for j in mode.facts.joinings} | {p.place for p in mode.facts.pushes}
+        faces = any(p.kind == "couple" for p in mode.facts.pushes)
+        if len(between) == 2 and not faces:
+            words = f": the point where {between[0]} touches {between[1]}"
+            found += [Paragraph(line(Name(p), words)) for p in sorted(places) if OWN_NAME.match(p)]
+    return found
+
+
+def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
+    """Of a body that rolls on the ground: the acceleration of its point of contact, and that of its mass centre."""
+    edge = next((e for e in system.tree.edges if e.body == body), None)
+    j = edge.joining if edge is not None else None
+    if edge is None or j is None or j.rolling is None or j.drift is not None or {j.mover, j.base} != {body, GROUND}:
+        return
+    motion = system.motion
+    assert motion is not None
+    omega, alpha = motion.velocities[body].angular, motion.accelerations[body].angular
+    arm = system.scene.center(body) - j.point
+    if omega == 0 or alpha == 0 or any(longer(p, LONGEST) for p in (arm.x, arm.y)):
+        return
+    at, centre = j.place, centre_of(system.scene, body)
+    normal = motion.accelerations[body].linear
+    size = _size(normal.x, normal.y)
+    if size is None:
+        return
+    own = Name(f"a_{at.replace('_', '')}")
+    arrow = phrases.arrow(normal.x, normal.y)
+    yield Equation((line(own), line(phrases.math(size), f" {arrow}")), None, line(f"{body} rolls without slipping:"))
+    name = Name(f"r_{centre}/{at.replace('_', '')}")
+    turned = line(phrases.math(alpha), " × ", name, " - ", phrases.math(omega**2), " ", name)
+    note = line(name, " = [", phrases.math(arm.x), ", ", phrases.math(arm.y), "]")
+    yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
+
+
+def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
+    """A vector whose length is the root of a sum, R ω² √(1 + θ²), as those along and across what it turns with."""
+    square = simplified(sp.sympify(direction.dot(direction)))
+    if not square.has(sp.Add) or not square.free_symbols:
+        return [(direction, component)]
+    groups: dict[sp.Expr, list[sp.Expr]] = {}
+    for i, part in enumerate((direction.x, direction.y)):
+        for term in sp.Add.make_args(expanded(sp.sympify(part))):
+            waves = term.atoms(sp.sin, sp.cos)
+            rest, wave = term.as_independent(*waves) if waves else (term, sp.S.One)
+            sign = -1 if rest.could_extract_minus_sign() else 1
+            groups.setdefault(sign * rest, [sp.S.Zero, sp.S.Zero])[i] += sign * wave
+    units = [(Vec(x, y), rest * component) for rest, (x, y) in groups.items()]
+    plain = len(units) > 1 and all(simplified(way.dot(way)) == 1 for way, _ in units)
+    return units if plain else [(direction, component)]
+
+
+def _size(x: sp.Expr, y: sp.Expr) -> sp.Expr | None:
+    """The length of a vector as a plain product; None: it is zero or none."""
+    length = simplified(sp.sqrt(simplified(x**2 + y**2)))
+    return None if length == 0 or length.has(sp.Add) or length.is_Add else length

@@ -1,0 +1,34 @@
+"""Where bodies touch that the file does not name, what rolls there, and roots that were found in numbers."""
+
+from __future__ import annotations
+
+import sympy as sp
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.narrate import narrate
+from planar_cli.report.rolled_points import in_plain_lengths
+
+
+def _page(name: str) -> str:
+    return Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+def test_a_plank_that_rolls_on_a_trunk() -> None:
+    page = _page("energy/plank-on-a-tree-trunk")
+    assert "C_1: the point where plank touches trunk\n" in page
+    assert "plank rolls without slipping:   a_C1 = R ω² ↖\n" in page
+    assert "a_G = a_C1 + α × r_G/C1 - ω² r_G/C1   r_G/C1 = [R θ cos θ, R θ sin θ]\n" in page
+    assert "= m R α θ ↖ at G,  m R ω² ↖ at G,  m R ω² θ ↙ at G,  I α ↺\n" in page
+    assert "θ_2 = 15.07°                 solved numerically\n" in page
+    assert "in letters: N_1" not in page
+
+
+def test_a_vector_of_two_plain_lengths() -> None:
+    theta, radius = sp.Symbol("theta", real=True), sp.Symbol("R", positive=True)
+    along, across = Vec(-sp.cos(theta), -sp.sin(theta)), Vec(-sp.sin(theta), sp.cos(theta))
+    found = in_plain_lengths(across * radius + along * (radius * theta), sp.S.One)
+    assert {size for _, size in found} == {radius, radius * theta}
+    assert in_plain_lengths(across * radius, theta) == [(across * radius, theta)]
