@@ -12,6 +12,7 @@ from planar_cli.report.blocks import Block, Equation, Text, line
 
 OF_BODY = re.compile(r"moments? of inertia of ([\w, ]+?)(| about .*):")
 """The lead of a moment of inertia: its bodies, and about which point it is."""
+SPRING = "spring "
 WEIGHT = "weight of "
 
 
@@ -42,6 +43,10 @@ def weights_of_each(sources: Sequence[tuple[str, Expr]]) -> dict[int, str]:
     """The same of what does work: `weights of AB, BC, each`, and every other source by itself."""
     own = [(w.removeprefix(WEIGHT), e if w.startswith(WEIGHT) else None) for w, e in sources]
     found = told_of_each(own)
+    springs = [i for i, (w, _) in enumerate(sources) if w.startswith(SPRING)]
+    if len(springs) == 1 and found.get(springs[0], "").removeprefix(SPRING).isupper():
+        # The only one is not called after its point.
+        found[springs[0]] = SPRING.strip()
     return {
         i: names if own[i][1] is None else f"{'weights of ' if names.endswith(', each') else WEIGHT}{names}"
         for i, names in found.items()

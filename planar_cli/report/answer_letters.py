@@ -8,6 +8,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import display
+from planar_cli.problem.expression import Name as Letter
+from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
 from planar_cli.report.letter_vectors import letter_vector_words
 from planar_cli.report.names import plain_name
@@ -26,6 +28,9 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
         return Answer(found.name, said if named else line(Math(letter), " = ", said), relation)
     asked = _asked(found, part)
     symbol, size = _symbol(asked)
+    if (rate := _second_rate(found)) is not None:
+        named = plain_name(found.name) == plain_name(rate.name)
+        return Answer(found.name, said if named else line(Math(rate), " = ", said), "=" if named else ":")
     if symbol is None or symbol not in _solved(told) or asked in (found.expressions or ()):
         return Answer(found.name, said, relation)
     own = part.motion.general.get(symbol, symbol) if part.motion is not None else symbol
@@ -43,6 +48,14 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     letter = line("|", Math(symbol), "|") if size else line(Math(asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
+
+
+def _second_rate(found: Found) -> sp.Symbol | None:
+    """ẍ, where an equation of motion is asked in letters."""
+    what = found.find.found.what if found.find is not None else None
+    if not isinstance(what, Quantity) or what.word != "ddot" or not isinstance(what.argument, Letter):
+        return None
+    return None if found.values is not None else sp.Symbol(f"{what.argument.name}_ddot", real=True)
 
 
 def asked_symbol(found: Found, part: PartSolution) -> sp.Symbol | None:

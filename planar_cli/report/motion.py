@@ -19,6 +19,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.extremes import aim_blocks
+from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
@@ -76,6 +77,7 @@ class MotionTelling:
         self.numeric = settled_phrases(found, phrases)
         self._laws = LawTelling(phrases, found.varying)
         self._open: set[sp.Symbol] = set()
+        self._swings = HarmonicTelling(found.general, phrases)
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
         self._aims: list[tuple[BalanceTrace, int]] = []
@@ -160,6 +162,9 @@ class MotionTelling:
         equations = leg.relations
         numbers = []
         single = len(equations) == 1
+        if by_phase := self._swings.place(leg, self.next):
+            self.next += 1
+            return (yield from by_phase)
         for e in equations:
             if e.aim is not None:
                 self._aims.append((e.aim.law, self.next))
@@ -288,8 +293,8 @@ class MotionTelling:
             return
         yield from self._law(e)
         yield Paragraph(head(e, self.found.ledger.symbols))
-        yield from self._integral(e, route)
-        yield Equation(self._sides(e, route), self._number())
+        swings = self._swings.blocks(e, leg, route, number := self._number())
+        yield from swings or (*self._integral(e, route), Equation(self._sides(e, route), number))
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         """The definite integrals with matching limits."""

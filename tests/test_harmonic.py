@@ -1,0 +1,34 @@
+"""A simple harmonic motion is written out before its time is found; a place at that time follows by its cosine."""
+
+from __future__ import annotations
+
+import unicodedata
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def _page(name: str) -> str:
+    page = Terminal(200).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+    return " ".join(unicodedata.normalize("NFC", page).split())
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t) (3) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (3): t_stop = π √(m/k)",
+        "(4) x_stop = l cos(ω_0 t_stop) = l cos π = -l",
+        "Answer eom: ẍ = -k x/m",
+        "U of the spring = 1/2 k l²",
+    ],
+)
+def test_a_block_on_a_spring(words: str) -> None:
+    assert words in _page("textbook/ex-1-07")
+
+
+def test_a_vibration_in_its_own_letters_stays_as_it_is() -> None:
+    assert "cos(ω_0 t)," not in _page("motion/block-runs-into-a-spring")
