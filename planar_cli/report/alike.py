@@ -12,7 +12,7 @@ from planar_cli.report.blocks import Block, Equation, Text, line
 
 OF_BODY = re.compile(r"moments? of inertia of ([\w, ]+?)(| about .*):")
 """The lead of a moment of inertia: its bodies, and about which point it is."""
-SPRING = "spring "
+SPRING, POINT = "spring ", re.compile(r"[A-Z]\d?")
 WEIGHT = "weight of "
 
 
@@ -44,7 +44,7 @@ def weights_of_each(sources: Sequence[tuple[str, Expr]]) -> dict[int, str]:
     own = [(w.removeprefix(WEIGHT), e if w.startswith(WEIGHT) else None) for w, e in sources]
     found = told_of_each(own)
     springs = [i for i, (w, _) in enumerate(sources) if w.startswith(SPRING)]
-    if len(springs) == 1 and found.get(springs[0], "").removeprefix(SPRING).isupper():
+    if len(springs) == 1 and POINT.fullmatch(found.get(springs[0], "").removeprefix(SPRING)):
         # The only one is not called after its point.
         found[springs[0]] = SPRING.strip()
     return {
