@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 
+import pytest
 from answered import assert_close, solve
 
 from planar_cli.formats.terminal import Terminal
@@ -49,3 +51,32 @@ def test_a_drive_without_a_moment_leaves_the_angular_momentum() -> None:
 
 def test_a_motor_does_not() -> None:
     assert "conservation of angular momentum" not in page(TURNED)
+
+
+ON_A_CART = """
+title: Angular momentum of a rod about its moving pin
+plane: vertical
+given: {M: 6 kg, m: 3 kg, l: 0.8 m, F: 40 N}
+points: {A: [0, 0], B: {from: A, distance: l, angle: -60 deg}}
+bodies: {cart: {particle: A, mass: M}, rod: {rod: [A, B], mass: m}}
+joints:
+  - guide: {body: cart, along: 0 deg, name: rail}
+  - pin: {at: A, between: [cart, rod]}
+loads:
+  - force: {body: cart, magnitude: F, angle: 0 deg}
+instant: [v(cart).x = 2 m/s, omega(rod) = 3 rad/s]
+find:
+  dH_A: dot(H(rod/A))
+  dH_G: dot(H(rod/rod))
+  dp: dot(momentum(all)).x
+  alpha: alpha(rod)
+"""
+
+
+def test_rates_of_momenta_at_an_instant() -> None:
+    """dH_A/dt = M_A - v_A × m v_G about a point that moves; dH_G/dt = I_G α; dp/dt = Σ F."""
+    found = {name: float(f.values[0]) for name, f in solve(ON_A_CART).items() if f.values}
+    moment, v_gy = -3 * 9.81 * 0.4 * math.cos(math.radians(60)), 3 * 0.4 * math.cos(math.radians(60))
+    assert found["dH_A"] == pytest.approx(moment - 2 * 3 * v_gy)
+    assert found["dH_G"] == pytest.approx(3 * 0.8**2 / 12 * found["alpha"])
+    assert found["dp"] == pytest.approx(40)

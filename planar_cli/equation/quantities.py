@@ -7,6 +7,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.growth import growth
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
@@ -37,6 +38,12 @@ LATER = {
 }
 
 ALONG = "write `.along` or `.across`"
+
+
+def _short(jet: Jet) -> Jet:
+    """A rate multiplied out where that is shorter, as of an angular momentum most cancels."""
+    out = expanded(jet.value)
+    return Jet(out, jet.rate, jet.second) if out.count_ops() < jet.value.count_ops() else jet
 
 
 def only(value: sp.Expr) -> Jet:
@@ -123,7 +130,7 @@ class Quantities:
                 str(error),
                 "velocities and accelerations are known at an instant, their rates beyond are not",
             ) from None
-        return found
+        return Vec(_short(found.x), _short(found.y)) if isinstance(found, Vec) else _short(found)
 
     # --- places and motion -------------------------------------------------------------------------------------------
 
@@ -268,22 +275,25 @@ class Quantities:
         return only(sp.Add(*parts))
 
     def _q_momentum(self, q: Quantity) -> Vec:
-        total = Vec(sp.S.Zero, sp.S.Zero)
-        for name in self._bodies(q):
-            total = total + self.motion.velocity(self.scene.bodies[name].center, name) * self.scene.bodies[name].mass
-        return vector_jet(total, None, None)
+        """Σ m v_G, with its rate."""
+        parts = [self._velocity(name) * growth(self.scene, self.evaluator, name)[0] for name in self._bodies(q)]
+        return sum(parts[1:], parts[0])
 
     def _q_h(self, q: Quantity) -> Jet:
-        """Σ r_G × m v_G + I_G ω about the point, by default the mass centre."""
-        parts = []
+        """Σ r_G × m v_G + I_G ω about the point, by default the mass centre; with its rate, also where it moves."""
+        found = constant(sp.S.Zero)
         for name in self._bodies(q):
-            body = self.scene.bodies[name]
-            about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
-            v = self.motion.velocity(body.center, name)
-            parts.append(
-                (body.center - about).cross(v) * body.mass + body.inertia * self.motion.velocities[name].angular
-            )
-        return only(sp.Add(*parts))
+            mass, inertia = growth(self.scene, self.evaluator, name)
+            omega, alpha = self.motion.velocities[name].angular, self.motion.accelerations[name].angular
+            found = found + inertia * Jet(omega, alpha, None)
+            if len(q.things) == 2:
+                arm = self.place(name) - self.place(q.things[1])
+                found = found + mass * arm.cross(self._velocity(name))
+        return found
+
+    def _velocity(self, body: str) -> Vec:
+        center = self.scene.bodies[body].center
+        return vector_jet(self.motion.velocity(center, body), self.motion.acceleration(center, body), None)
 
     # --- forces ------------------------------------------------------------------------------------------------------
 
