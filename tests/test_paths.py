@@ -162,6 +162,17 @@ def test_several_freedoms_are_refused_where_they_are_asked(tmp_path: Path) -> No
     assert diagnostic.mark.line == 6
 
 
+def test_where_the_start_is_given_it_is_not_asked_for(tmp_path: Path) -> None:
+    text = "title: T\nplane: horizontal\npoints: {O: [0, 0], P: [2 m, 0]}\nbodies: {P: {particle: P, mass: 1 kg}}\n"
+    text += "loads:\n  - force: {body: P, magnitude: (8 N*m^2)/r(P/O).mag^2, towards: O}\n"
+    text += "states: {1: [t = 0, v(P).x = 0, v(P).y = 2.2 m/s], 2: [x(P) = 0]}\n"
+    with pytest.raises(FileProblem, match="no formula was found") as error:
+        solved(tmp_path, text, "p: path(P), v: v(P).mag @ 2")
+    (diagnostic,) = error.value.diagnostics
+    assert diagnostic.code == "PL650"
+    assert "start" not in (diagnostic.hint or "")
+
+
 def test_a_throw_without_its_start_has_no_path(tmp_path: Path) -> None:
     text = "title: T\nplane: vertical\nbodies: {P: {particle: [0, 0], mass: any}}\n"
     with pytest.raises(FileProblem) as error:

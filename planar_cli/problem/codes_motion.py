@@ -99,7 +99,8 @@ _FORMULAS = {
         "A path or hodograph is one curve only if everything in it depends on one thing: the time, or one coordinate. "
         "Here it depends on several that nothing ties to each other. Say in `motion` how they move, give the start of "
         "the motion in `states`, or ask for the path in a frame in which only one of them varies: `path(B/A)` is seen "
-        "from a frame that moves with A, `path(C/b)` from body b."
+        "from a frame that moves with A, `path(C/b)` from body b. Where the start is given, and no formula solves "
+        "the equations of motion, ask for places at `states`."
     ),
     "PL651": (
         "A find without an instant is a formula in the time and the coordinates of the file. This one depends on a "

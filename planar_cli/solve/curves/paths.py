@@ -192,6 +192,11 @@ class CurveReader:
         listed = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
         what = "velocity" if q.word == "hodograph" else "place"
         text = f"{find.name}: the {what} of {q.things[0]} depends on {listed}"
+        told = {c.symbol for c in self.regime.coordinates} | {*self.regime.free}
+        if told and told <= self.starts.keys():
+            text += ", and no formula was found that solves their equations of motion"
+            hint = "ask for places at `states`, or follow it step by step: `planar simulate`"
+            return refuse(find.mark, "PL650", text, hint)
         text += ", and nothing in the file ties them to each other or to the time: that is no single curve"
         hint = "say in `motion` how they move, or give the start of the motion in `states`"
         if q.word == "path":
