@@ -20,9 +20,9 @@ from planar_cli.solve.run import solve_problem
 FOLDER = Path(__file__).parent / "bad_solve"
 BAD = sorted(FOLDER.glob("*.yaml"))
 CODES = {
-    "PL513", "PL523", "PL528", "PL529", "PL536", "PL537", "PL590", "PL591", "PL601", "PL602", "PL603", "PL604", "PL605", "PL606",
-    "PL607", "PL608", "PL609", "PL610", "PL611", "PL612", "PL613", "PL614", "PL615", "PL620", "PL621", "PL623", "PL624",
-    "PL630", "PL631", "PL632", "PL633", "PL650", "PL651",
+    "PL513", "PL523", "PL528", "PL529", "PL536", "PL537", "PL590", "PL591", "PL601", "PL602", "PL603", "PL604", "PL605",
+    "PL606", "PL607", "PL608", "PL609", "PL610", "PL611", "PL612", "PL613", "PL614", "PL615", "PL620", "PL621", "PL623",
+    "PL624", "PL630", "PL631", "PL632", "PL633", "PL650", "PL651",
 }  # fmt: skip
 
 
