@@ -25,7 +25,8 @@ class Impact(Joint):
         `during` whenever they meet: in every blow in which they touch and approach, and on the way between states.
         Places that a motion or the state itself tells, and bodies that are drawn with their sizes, must touch; a
         particle may be drawn beside what it strikes. They meet where a particle is, where a round rim touches, or with
-        the end of a rod or the corner of a plate that is nearest; `at` is checked. `normal` is the direction of the
+        the end of a rod or the corner of a plate: that which `at` names, else the nearest on which the body does not
+        stand already. Elsewhere `at` is checked. `normal` is the direction of the
         common normal, an angle or one that is counted from that of a body, `theta(rod) + 90 deg`; it stands where the
         shapes leave it open (particles at one place, corners), and is checked where they do not. A fixed edge is a
         particle that is welded to the ground. `restitution` is the ratio of the speeds of separation and approach along
