@@ -49,6 +49,7 @@ from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.shown import place_drawn
 from planar_cli.report.sizes import with_signs
+from planar_cli.report.small_deviations import in_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.telling import Telling
@@ -230,6 +231,7 @@ def _instant_blocks(
         told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
         asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
         return [*blocks, *asked], telling.steps, telling.count
+    blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
     stretches = _stretches(part, instant)
     if is_solved_in_steps(part.motion, part.motion.regime(instant)):
         blocks = _without_solution(blocks)

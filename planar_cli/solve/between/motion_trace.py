@@ -20,6 +20,7 @@ from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_ang
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
+from planar_cli.solve.between.linear_parts import linear_parts
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
@@ -88,7 +89,7 @@ def motion_trace(
         requests=requests,
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=tuple(_span(s, level) for s in found.spans),
-        oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
+        oscillations=tuple(_oscillation(course, o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
         stretches=tuple(
             (a.name, b.name, course.laws[k].laws)
@@ -144,7 +145,7 @@ def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
     return tuple(turnings)
 
 
-def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
+def _oscillation(course: StatedMotion, found: Oscillation, value: Valuation) -> OscillationTrace:
     rates = (found.regime.general.rate_of(u) for u in found.speeds)
     return OscillationTrace(
         state=found.stop.name,
@@ -155,6 +156,7 @@ def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
         period=found.period,
         roots=() if found.single else tuple(roots_of(found, value)),
         verdict=stability(found, value),
+        linear=linear_parts(course, found, value),
     )
 
 

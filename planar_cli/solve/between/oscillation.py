@@ -48,6 +48,8 @@ class Oscillation:
     """The entries of ω₀² in letters of the state, row by row."""
     damping: tuple[tuple[sp.Expr, ...], ...]
     """The same of c."""
+    places: Mapping[sp.Symbol, sp.Expr]
+    """The coordinates that the state tells."""
 
     @property
     def single(self) -> bool:
@@ -99,7 +101,7 @@ def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) 
         return tuple(tuple(rows[i][j] for j in kept) for i in kept)
 
     own = tuple(speeds[j] for j in kept), tuple(laws[j] for j in kept)
-    return Oscillation(stop, regime, *own, of_kept(stiffness), of_kept(damping))
+    return Oscillation(stop, regime, *own, of_kept(stiffness), of_kept(damping), places)
 
 
 def _stated_places(

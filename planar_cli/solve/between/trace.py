@@ -255,6 +255,17 @@ class Verdict:
 
 
 @record
+class LinearPart:
+    """What a formula is near an equilibrium: constant + slope δ + damping δ̇."""
+
+    of: sp.Expr
+    """The formula, or the letter of a force that has one."""
+    constant: sp.Expr
+    slope: sp.Expr
+    damping: sp.Expr
+
+
+@record
 class OscillationTrace:
     """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
 
@@ -274,6 +285,8 @@ class OscillationTrace:
     """With several freedoms: the roots λ of the characteristic equation, 1/s."""
     verdict: Verdict
     """Is it stable?"""
+    linear: tuple[LinearPart, ...] = ()
+    """Of its forces and sums of forces, where they are long in a general position."""
 
 
 # --- the motion ------------------------------------------------------------------------------------------------------

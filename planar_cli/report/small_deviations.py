@@ -1,0 +1,90 @@
+"""Forces and sums of forces near an equilibrium, to the first order in the deviation δ: all that is needed of a motion
+of which only small oscillations are asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.report.actions import onward
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
+from planar_cli.report.oscillation import DEVIATION, RATES
+from planar_cli.report.steps import SOLVING
+from planar_cli.report.telling import Telling
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import LinearPart, MotionTrace
+from planar_cli.solve.solution import InstantSolution
+
+ORDER = "to the first order in δ"
+
+
+def in_small_deviations(
+    blocks: list[Block], motion: MotionTrace, instant: InstantSolution, telling: Telling, phrases: Phrases
+) -> list[Block]:
+    """With the pulls and sums of a general position in their linear parts, and without the step that solves them; as
+    they are where something else rests on this position, or nothing in it is long.
+    """
+    linear = {p.of: p for o in motion.oscillations for p in o.linear}
+    at_rest_only = all(since == stop for since, stop in motion.regime(instant).stretches)
+    if not linear or len(motion.oscillations) > 1 or not at_rest_only or telling.principle.inertia_as_force:
+        return blocks
+    by_number = _sums(telling, linear)
+    found: list[Block] = []
+    for block in _unsolved(blocks):
+        if isinstance(block, Equation) and block.number in by_number:
+            found[-1:] = [_aside(found[-1])]
+            sides = (phrases.math(by_number[block.number]), *block.sides[1:])
+            found.append(replace(block, sides=sides, note=()))
+        elif isinstance(block, Equation) and (pull := _pull(block, linear)) is not None:
+            told = phrases.math(pull.constant + _varying(pull))
+            found.append(replace(block, sides=(block.sides[0], told), lead=_first_order(block.lead), note=()))
+        else:
+            found.append(block)
+    last = max((i for i, b in enumerate(found) if isinstance(b, Forces)), default=-1)
+    state = motion.oscillations[0].state
+    name = line(phrases.math(DEVIATION), f": a small deviation from the equilibrium {state}")
+    return [*found[: last + 1], Paragraph(name), *found[last + 1 :]]
+
+
+def _sums(telling: Telling, linear: Mapping[sp.Expr, LinearPart]) -> dict[int | None, sp.Expr]:
+    """The linear left sides of sums of forces and moments, by the number that they have on the page."""
+    found: dict[int | None, sp.Expr] = {}
+    for stage in telling.stages:
+        for w in (w for block in stage.blocks for w in block.equations):
+            if w.law in ("force", "moment") and w.left in linear:
+                part = _varying(linear[w.left])
+                found[telling.number(stage, w.number)] = part if onward(w).left == w.left else -part
+    return found
+
+
+def _varying(part: LinearPart) -> sp.Expr:
+    return part.slope * DEVIATION + part.damping * RATES[0]
+
+
+def _pull(block: Equation, linear: Mapping[sp.Expr, LinearPart]) -> LinearPart | None:
+    """The linear part of the force that a line names."""
+    letter = block.sides[0]
+    named = isinstance(letter, Math) and letter.expr.is_Symbol and bool(block.lead) and block.number is None
+    return linear.get(letter.expr) if named and isinstance(letter, Math) else None
+
+
+def _aside(block: Block) -> Block:
+    """The words before a sum, with how far it goes."""
+    return replace(block, line=_first_order(block.line)) if isinstance(block, Paragraph) else block
+
+
+def _first_order(words: Line) -> Line:
+    *parts, last = words
+    if not isinstance(last, Text):
+        return line(*words, f", {ORDER}")
+    return line(*parts, f"{last.text.removesuffix(':')}, {ORDER}:")
+
+
+def _unsolved(blocks: list[Block]) -> list[Block]:
+    """Without the step that solves the equations."""
+    start = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == SOLVING), len(blocks))
+    after = next((i for i, b in enumerate(blocks) if i > start and isinstance(b, Heading)), len(blocks))
+    return [*blocks[:start], *blocks[after:]]
