@@ -15,7 +15,8 @@ from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragr
 from planar_cli.report.formula import is_negative
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, OscillationTrace, Verdict
+from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
+from planar_cli.solve.between.trace import MotionTrace
 
 DEVIATION = sp.Symbol("delta", real=True)
 STRONG = "The damping is so strong that nothing oscillates."

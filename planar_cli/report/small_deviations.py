@@ -15,7 +15,8 @@ from planar_cli.report.oscillation import DEVIATION, RATES
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import LinearPart, MotionTrace
+from planar_cli.solve.between.oscillation_trace import LinearPart
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 ORDER = "to the first order in δ"

@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.between.oscillation import Oscillation
-from planar_cli.solve.between.trace import LinearPart
+from planar_cli.solve.between.oscillation_trace import LinearPart
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.solution import InstantSolution

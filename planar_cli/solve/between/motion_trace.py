@@ -23,6 +23,7 @@ from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.linear_parts import linear_parts
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
+from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
@@ -35,7 +36,6 @@ from planar_cli.solve.between.trace import (
     Impact,
     ImpactEquation,
     MotionTrace,
-    OscillationTrace,
     RegimeTrace,
     Relation,
     RouteStep,

@@ -24,7 +24,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
-from planar_cli.solve.between.trace import Verdict
+from planar_cli.solve.between.oscillation_trace import Verdict
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Stop

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from dataclasses import field
 from decimal import Decimal
 
-import mpmath
 import sympy as sp
 
 from planar_cli.calculus.spans import Span
@@ -19,6 +18,7 @@ from planar_cli.principles.base import Balance, EnergyParts
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
+from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.instant.roots import Root
 from planar_cli.solve.law import Law
 from planar_cli.solve.solution import InstantSolution
@@ -238,55 +238,6 @@ class SpanIntegral:
     """What a mean is divided by, s; else 1."""
     events: tuple[Decimal, ...] = ()
     """Of a count: the times of what is counted, s."""
-
-
-@record
-class Verdict:
-    """Does a small deviation from an equilibrium stay small?"""
-
-    kind: str
-    """stable, unstable or indifferent."""
-    power: int = 1
-    """The power of the deviation in the term that decides (1: linear)."""
-
-    @property
-    def stable(self) -> bool:
-        return self.kind == "stable"
-
-
-@record
-class LinearPart:
-    """What a formula is near an equilibrium: constant + slope δ + damping δ̇."""
-
-    of: sp.Expr
-    """The formula, or the letter of a force that has one."""
-    constant: sp.Expr
-    slope: sp.Expr
-    damping: sp.Expr
-
-
-@record
-class OscillationTrace:
-    """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
-
-    state: str
-    """The state of equilibrium."""
-    motion: tuple[tuple[sp.Symbol, sp.Expr], ...]
-    """The acceleration of every freedom, and its law in the general position."""
-    stiffness: sp.Expr
-    """ω₀² of the first freedom, 1/s²."""
-    damping: sp.Expr
-    """c of the first freedom, 1/s."""
-    square: sp.Expr
-    """The square of its circular frequency, 1/s²."""
-    period: sp.Expr
-    """Its period, s."""
-    roots: tuple[mpmath.mpc, ...]
-    """With several freedoms: the roots λ of the characteristic equation, 1/s."""
-    verdict: Verdict
-    """Is it stable?"""
-    linear: tuple[LinearPart, ...] = ()
-    """Of its forces and sums of forces, where they are long in a general position."""
 
 
 # --- the motion ------------------------------------------------------------------------------------------------------

@@ -1,0 +1,57 @@
+"""What is said of small oscillations about an equilibrium, as frozen data."""
+
+from __future__ import annotations
+
+import mpmath
+import sympy as sp
+
+from planar_cli.records import record
+
+
+@record
+class Verdict:
+    """Does a small deviation from an equilibrium stay small?"""
+
+    kind: str
+    """stable, unstable or indifferent."""
+    power: int = 1
+    """The power of the deviation in the term that decides (1: linear)."""
+
+    @property
+    def stable(self) -> bool:
+        return self.kind == "stable"
+
+
+@record
+class LinearPart:
+    """What a formula is near an equilibrium: constant + slope δ + damping δ̇."""
+
+    of: sp.Expr
+    """The formula, or the letter of a force that has one."""
+    constant: sp.Expr
+    slope: sp.Expr
+    damping: sp.Expr
+
+
+@record
+class OscillationTrace:
+    """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
+
+    state: str
+    """The state of equilibrium."""
+    motion: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    """The acceleration of every freedom, and its law in the general position."""
+    stiffness: sp.Expr
+    """ω₀² of the first freedom, 1/s²."""
+    damping: sp.Expr
+    """c of the first freedom, 1/s."""
+    square: sp.Expr
+    """The square of its circular frequency, 1/s²."""
+    period: sp.Expr
+    """Its period, s."""
+    roots: tuple[mpmath.mpc, ...]
+    """With several freedoms: the roots λ of the characteristic equation, 1/s."""
+    verdict: Verdict
+    """Is it stable?"""
+    linear: tuple[LinearPart, ...] = ()
+    """Of its forces and sums of forces, where they are long in a general position."""
