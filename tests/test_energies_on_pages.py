@@ -24,7 +24,7 @@ def page(stem: str) -> str:
     ("ex-4-17", "U of the spring OB = 1/2 k (s_1² - s_2²) = 1/2 · 400 (0.13"),
     ("ex-4-17", "v_B,2 = 2 l θ̇_2 sin θ_2 = 0.5 θ̇_2"),
     ("ex-4-17", "1/2 m v_G,AB,2² + 1/2 I_AB θ̇_2²"),
-    ("ex-4-10", "y_AB,1 = √2/2 l_0 sin θ_1 + l_0 = √2/2 · 0.2828 sin(-45°) + 0.2828 = 0.1414 m"),
+    ("ex-4-10", "y_AB,1 = 1/2 l sin θ_1 + y_A,1 = 1/2 · 0.4 sin(-45°) + 0.2828 = 0.1414 m"),
     ("collar-with-a-slanting-spring", "stretch of the spring coil, δ_2 = √(d² + s_2²) - l_0 = "),
 ])  # fmt: skip
 def test_what_an_energy_is_made_of_has_a_line(stem: str, line: str) -> None:

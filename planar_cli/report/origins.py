@@ -28,8 +28,9 @@ from planar_cli.solve.law import IN_THE_END, Law
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
+EDGE = "distance from the edge"
 KEPT = {
-    "distance from the edge": "the distance from the line at {} stays the same",
+    EDGE: "the distance from the line at {} stays the same",
     "distance of the centres": "the distance of the centres at {} stays the same",
     "angle": "the angle at {} stays the same",
     "length": "the length of {} is constant",
@@ -85,6 +86,8 @@ def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
 def kept(title: str) -> str:
     """What a joint keeps: `B: distance from the edge` as a sentence."""
     name, _, what = title.partition(": ")
+    if what == EDGE and name[:1].isupper():
+        return f"{name} is still on its line"
     if what in KEPT:
         return KEPT[what].format(name)
     if what.startswith("place on "):
