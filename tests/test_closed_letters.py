@@ -37,3 +37,11 @@ def test_a_reaction_along_which_nothing_acts_is_zero() -> None:
     assert "→ ΣF_x: A_x = 0 STEP 3" in page("ex-4-06")
     assert "load: → ΣF_x: E_x = 0" in page("block-on-a-table-and-a-moving-pulley")
     assert "so that" not in page("ring-on-a-pin")
+
+
+def test_a_moment_of_inertia_by_a_distance_keeps_its_number() -> None:
+    assert "I_O = m (l/2)² + I = 1/4 · 5 · 1.5² + 0.9375 = 3.75 kg·m²" in page("exercise-4-32")
+
+
+def test_what_a_guide_presses_is_not_told_where_nothing_asks() -> None:
+    assert "N_P = 0" not in page("bungee-jump")

@@ -109,3 +109,17 @@ def test_a_force_between_two_bodies_does_work_on_each(stem: str, line: str) -> N
 
 def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None:
     assert "3 equations, 3 unknowns: a_Ay, α, T_cord; in terms of F" in page("ex-4-09")
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-10", "T_2: 1/2 k (s_1² - s_2²) + m g (y_AB,1 - y_AB,2) = 1/6 m l² ω_2² (3) in numbers: 13.87"),
+    ("ex-4-13", "m g AG (cos φ_max - 1) + 1/2 I_A ω_2² = 0 (2) in numbers: 117.7 cos φ_max - 54.44 = 0 in J"),
+    ("ex-4-17", "1/2 k (s_1² - s_2²) - m g l sin θ_2 ="),
+    ("ex-4-09", "m_A g (y_A,1 - y_A,2) + F r θ_2 - M θ_2 = 1/2 m k_O² ω_2² + 1/2 m_A R² ω_2²"),
+])  # fmt: skip
+def test_a_balance_is_in_letters_before_its_numbers(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+def test_a_guide_keeps_a_point_on_its_line() -> None:
+    assert "At 2, B is still on its line: (2) θ_2 = 0°" in page("ex-4-10")

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
@@ -27,7 +28,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
 
-LONGEST, MOST_NAMED = 60, 8
+LONGEST, MOST_NAMED, MOST_LETTERS = 60, 8, 44
 SHORT, SOME, FEW = 36, 24, 16
 """A longer equation is told with its numbers, where it has some; one whose parts were told with theirs; and such a one
 in which one unknown stands plainly.
@@ -119,7 +120,24 @@ class BetweenTelling:
         # What is the same in all works is not taken out of their sum: each of them was told.
         apart = bool(self.geometry) or (gain.is_Mul and bool(gain.free_symbols & set(self.unknowns)))
         whole = self._put(b.before) + (sp.Add(*gains) if apart else gain)
-        yield self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
+        told = self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
+        sides = self._in_letters(telling) if number in self.counted else ()
+        if sides:
+            yield Equation(sides, number, lead)
+            told = replace(told, number=None, lead=line(f"({number}) in numbers:"))
+        yield told
+
+    def _in_letters(self, telling: EnergyTelling) -> tuple[Math, ...]:
+        """The balance by the letters in which its parts were told; empty: a part has none, or it gets long."""
+        parts = telling.letters
+        if None in parts.values():
+            return ()
+        right = [e for words, e in parts.items() if words.startswith("T of ") and e != 0]
+        left = [e for words, e in parts.items() if not words.startswith("T of ") and e != 0]
+        whole = [sp.Add(*(e for e in side if e is not None)) for side in (left, right)]
+        if not left or any(longer(side, LONGEST) for side in whole) or sum(map(operations, whole)) > MOST_LETTERS:
+            return ()
+        return tuple(Math(side) for side in whole)
 
     def _equation(
         self,

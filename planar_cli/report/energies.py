@@ -11,10 +11,11 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import NAMED
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving, Storage
 from planar_cli.records import record
-from planar_cli.report.alike import told_of_each, weights_of_each
+from planar_cli.report.alike import WEIGHT, told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits
@@ -34,6 +35,7 @@ from planar_cli.units import (
     STIFFNESS,
     VELOCITY,
     Dimension,
+    parse_unit,
     pretty_unit,
 )
 
@@ -51,9 +53,11 @@ class EnergyTelling(EnergyPieces):
         b = self.balance
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
         yield self._line(line(Name(first)), *self._chain(self._put(b.before)))
+        self._note("before", self._put(b.before))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
         bodies = told_of_each(amounts)
         for i, (body, put) in enumerate(amounts):
+            self._note(f"T of {body}", put)
             if i in bodies:
                 each = f" of {bodies[i]}" if len(amounts) > 1 else ""
                 yield from self._amount(body, put, line(Name(last), each))
@@ -65,8 +69,14 @@ class EnergyTelling(EnergyPieces):
         sources = [(words, put) for words, e in b.brought if not self._vanishes(put := self._put(e))]
         told = weights_of_each(sources)
         for i, (words, put) in enumerate(sources):
+            self._note(f"U of {words}", put)
             if i in told:
                 yield from self._brought(words, put, springs > 1, told[i])
+
+    def _note(self, words: str, put: sp.Expr) -> None:
+        """An energy by letters that have their lines, unless heights or stretches of its own are told."""
+        about = self._about_axis(put)
+        self.letters[words] = about if about is not None else put if put == 0 or self._short(put) else None
 
     # --- kinetic energies --------------------------------------------------------------------------------------------
 
@@ -93,6 +103,7 @@ class EnergyTelling(EnergyPieces):
                 masses[kind] = number
         terms = (masses[kind] * own**2 / 2 for kind, own, _ in speeds)
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
+        self.letters[f"T of {body}"] = put if self._short(put) else None if texts else formula
         yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
 
     def _by_others(self, expr: sp.Expr) -> bool:
@@ -209,13 +220,45 @@ class EnergyTelling(EnergyPieces):
             return
         own = [sp.Symbol(f"{made.letter}{STATE}{n}", real=True) for n in (self.balance.since, self.balance.stop)]
         factor, sizes = self._factor(made, FORCE)
+        if (arm := self._by_arm(made, put)) is not None:
+            self.letters[f"U of {made.words}"] = arm
+            yield self._line(lead, self.phrases.math(arm), *self._numbers(put, ()))
+            return
         told = sp.Mul(factor, sp.Add(own[0], -own[1], evaluate=False), evaluate=False)
         heights = dict(zip(own, ends, strict=True))
         numbers = self._with(told, heights, sizes)
         sides = self._fitting(self._lettered(told, sizes), put, numbers)
         if numbers and numbers[0] in sides:
             yield from self._heights(heights)
+            self.letters[f"U of {made.words}"] = None if sizes else told
         yield self._line(lead, *sides)
+
+    def _by_arm(self, made: Storage, put: sp.Expr) -> sp.Expr | None:
+        """m g AG (cos φ - 1) of a body that turns about A, where AG is a number of the file; None: it is no such work,
+        or nothing on the page has named AG.
+        """
+        ledger, body = self.phrases.ledger, made.words.removeprefix(WEIGHT)
+        moving = self.balance.parts.moving if self.balance.parts is not None else ()
+        centre = next((self._centre(m) for m in moving if m.body == body), "G")
+        if not put.free_symbols & set(self.unknowns) or self._short(put):
+            return None
+        for symbol, whole in ledger.definitions.items():
+            title = ledger.titles.get(symbol, "").removesuffix(", parallel axes")
+            place = title.removeprefix(f"moment of inertia of {body} about ")
+            own = [s for s in whole.free_symbols if ledger.titles.get(s) == f"moment of inertia of {body}"]
+            if place == title or len(own) != 1:
+                continue
+            square = simplified((whole - own[0]) / self._mass(body))
+            rest = simplified(put / made.factor / sp.sqrt(square)) if square.is_number and square > 0 else sp.S.Zero
+            if rest.free_symbols and all(abs(n) == 1 for n in rest.atoms(sp.Number)):
+                letter = sp.Symbol(f"{place}{centre}", positive=True)
+                ledger.know(letter, parse_unit("m"), NAMED)
+                return made.factor * letter * rest
+        return None
+
+    def _mass(self, body: str) -> sp.Expr:
+        moving = self.balance.parts.moving if self.balance.parts is not None else ()
+        return next((m.mass for m in moving if m.body == body), sp.S.One)
 
     def _heights(self, ends: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
         """y_1 = formula = number, and y_2: each once."""
@@ -253,6 +296,7 @@ class EnergyTelling(EnergyPieces):
         inside = sp.Add(one**2, -(two**2), evaluate=False)
         factor, sizes = self._factor(made, STIFFNESS)
         told = sp.Mul(sp.Rational(1, 2), factor, inside, evaluate=False)
+        self.letters[f"U of {made.words}"] = None if sizes else told
         yield self._line(lead, self._lettered(told, sizes), *self._numbers(put, self._with(told, ends, sizes)))
 
     def _line(self, *sides: Any, dimension: Dimension = ENERGY) -> Equation:

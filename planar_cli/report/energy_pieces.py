@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -49,6 +50,8 @@ class EnergyPieces:
     """The stretches that were told before."""
     geometry: Collection[sp.Expr]
     """What vanishes by relations that stand before, of which the unknowns are found together with this balance."""
+    letters: dict[str, sp.Expr | None] = field(default_factory=dict)
+    """By its words each energy in the letters in which it was told; None: it has none."""
 
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))

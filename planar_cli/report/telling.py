@@ -14,7 +14,7 @@ from planar_cli.report.actions import moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, Value, line
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
@@ -182,7 +182,9 @@ class Telling:
                     continue
                 sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
                 if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
-                    sides = (sides[0], *sized, *(() if self.phrases.symbolic else (value,)))
+                    valued = self.phrases.symbolic and any(isinstance(side, Value) for side in sides)
+                    rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))
+                    sides = (sides[0], sized[0], *rest)
                 if root := measured(expr, self.phrases):
                     sides = (sides[0], root, value)
                 if not is_length and is_sought(symbol, ledger):

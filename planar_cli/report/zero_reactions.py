@@ -38,10 +38,14 @@ def _along(instant: InstantSolution, body: str, unit: Vec) -> tuple[list[sp.Expr
     system, value = instant.trial.system, instant.value
     assert system.reactions is not None
     found = []
+    parts = {system.symbols[p.name] for p in system.pushes if p.kind == "component"}
     for push, expr in system.reactions.pushes:
         forces = [a.force for a in push.actions if a.body == body and a.force is not None]
         if any(value.known(force.dot(unit)) != 0 for force in forces):
             found.append(expr)
+    if not set(found) <= parts:
+        # Whether something presses against a guide, its equation tells.
+        return found, True
     loads = [w.force for w in system.wrenches if w.body == body and w.force is not None]
     acting = any(value.known(sp.sympify(force.dot(unit))) != 0 for force in loads)
     motion, model = system.motion, instant.instant.scene.bodies[body]
