@@ -101,3 +101,9 @@ def _plain(words: str, names: Collection[str]) -> Line:
 
 def _signs(text: str) -> str:
     return re.sub(r"\s*\*\s*", " ", re.sub(r"\^([23])\b", lambda m: m[1].translate(_POWER), text))
+
+
+def begun(words: str) -> str:
+    """Words at the beginning of a line; a quantity, `v(P).y is largest`, keeps its small letter."""
+    first = words.split(" ", 1)[0]
+    return words if "(" in first else f"{words[:1].upper()}{words[1:]}"

@@ -29,7 +29,7 @@ from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
-from planar_cli.report.spoken import spoken
+from planar_cli.report.spoken import begun, spoken
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
@@ -380,23 +380,17 @@ class Telling:
             name, _, most = extreme.partition(" is ")
             return f"At the {most} {name}{w.lead.removeprefix('at the limit')}:"
         if w.source in OF_FORCES:
-            return f"{_begun(w.lead)}:"
+            return f"{begun(w.lead)}:"
         if w.source == "closure":
             joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
             if joint is not None:
                 base = "the ground" if joint.base == "ground" else joint.base
                 if any(push.kind == "tension" for push in self.system.modes[joint.joint].facts.pushes):
-                    return f"{_begun(self.scene.problem.called(joint.joint))} keeps its length:"
+                    return f"{begun(self.scene.problem.called(joint.joint))} keeps its length:"
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         if told := wound(w, self.system):
             return told
         words = w.words.removeprefix(w.lead).removeprefix(", ")
-        return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
-
-
-def _begun(words: str) -> str:
-    """Words at the beginning of a line; a quantity, `v(P).y is largest`, keeps its small letter."""
-    first = words.split(" ", 1)[0]
-    return words if "(" in first else f"{words[:1].upper()}{words[1:]}"
+        return f"{begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
