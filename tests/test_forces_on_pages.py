@@ -71,9 +71,7 @@ find: {N: N(P) @ 2}
 
 @pytest.mark.parametrize(("side", "row"), [("", "↖"), ("-", "↗")])
 def test_the_side_on_which_a_body_slides_down_tells_the_arrows(tmp_path: Path, side: str, row: str) -> None:
-    file = tmp_path / "bowl.yaml"
-    file.write_text(BOWL % side)
-    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    page = _page_of(tmp_path, BOWL % side)
     assert f"P:  m g ↓,  N_P {row}   =   m a_Pt" in page
     assert f"(1)  {row} ΣF:   m g sin φ_P + N_P = m v_P²/R" in page
 
@@ -88,3 +86,57 @@ def test_a_rope_that_keeps_its_end_at_rest() -> None:
 
 def test_a_check_by_moments_needs_no_force_through_the_centre() -> None:
     assert "spool: ↺ ΣM_G = -30 + 17.63 = -12.37 N·m, I_G α = -12.37 N·m" in _page("textbook/ex-4-05")
+
+
+LIMACON = """\
+title: Pin driven by a slotted arm along a limacon
+plane: horizontal
+given: {b: 0.2 m, c: 0.1 m}
+points:
+  O: [0, 0]
+  P: {from: O, distance: 0.25 m, angle: 60 deg}
+  E: {from: O, distance: 0.4 m, angle: 60 deg}
+surfaces: {groove: {r: b + c*cos(theta)}}
+bodies: {arm: {rod: [O, E]}, pin_P: {particle: P, mass: 0.4 kg}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+  - guide: {point: P, along: arm, name: slot}
+  - guide: {point: P, along: groove, name: track}
+motion: [omega(arm) = 5 rad/s]
+find: {F: N(slot), N: N(track)}
+"""
+PULLEY = """\
+title: Block on a table and a movable pulley
+plane: vertical
+given: {r: 100 mm}
+points: {A: [0, 0], P: [1 m, 0], B: [1.1 m, -1 m], Q: [1.2 m, 0]}
+surfaces: {table: {through: A, angle: 0 deg}}
+bodies:
+  A: {particle: A, mass: 10 kg}
+  B: {disk: B, radius: r, mass: 5 kg, inertia: 0}
+joints:
+  - contact: {between: [A, table], mu: 0.1}
+  - rope: {path: [A, P, under B, Q], name: cord}
+instant: [at rest]
+find: {a_A: a(A).x, a_B: a(B).y, T: tension(cord)}
+"""
+
+
+def _page_of(tmp_path: Path, text: str) -> str:
+    file = tmp_path / "problem.yaml"
+    file.write_text(text)
+    return Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+
+
+def test_of_two_normals_at_a_place_the_force_tells_which(tmp_path: Path) -> None:
+    page = _page_of(tmp_path, LIMACON)
+    assert "pin_P, along N_slot:\n    (5)  ↖ ΣF:   N_slot" in page
+    assert "along the normal at P" not in page
+
+
+def test_bodies_that_a_rope_pulls_apart_have_equations_of_their_own(tmp_path: Path) -> None:
+    page = _page_of(tmp_path, PULLEY)
+    assert "perpendicular to T_cord" not in page
+    assert "where the total reaction" not in page
+    assert "  B:  m_B g ↓ at B,  T_cord ↑,  T_cord ↑   =   m_B a_By ↑ at B\n" in page
+    assert "(4)  → ΣF_x:   T_cord - μ N_A = m_A a_A" in page

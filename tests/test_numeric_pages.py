@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 import sympy as sp
 from conftest import PROBLEMS, ROOT
-from worked import name_of, worked
+from worked import name_of, page_of_file, worked
 
 from planar_cli.equation.ledger import display
+from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.clean import Mixed, dimension_of, is_clean
 from planar_cli.report.in_numbers import in_numbers
@@ -133,3 +135,23 @@ def test_solutions_of_equations_in_numbers_have_their_numbers(name: str, lines: 
     solved = [b for b in blocks if isinstance(b, Equation) and len(b.sides) == 3]
     told = [" = ".join(plain(s.expr, s.values) for s in b.sides if isinstance(s, Math)) for b in solved]
     assert set(lines) <= set(told)
+
+
+RIVER = """\
+title: Boat straight across a river
+bodies: {raft: {particle: [0, 0]}, boat: {particle: [0, 0]}}
+motion: [v(raft).x = 2 m/s, v(raft).y = 0, v(boat/raft).mag = 5 m/s, v(boat).x = 0]
+states:
+  start: [t = 0, v(boat).y > 0]
+  landed: [y(boat) = 60 m]
+find: {T: t @ landed}
+"""
+
+
+def test_a_prescribed_motion_that_is_read_off_has_no_law_of_forces(tmp_path: Path) -> None:
+    file = tmp_path / "river.yaml"
+    file.write_text(RIVER)
+    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    assert "Newton" not in page
+    assert "    y_boat = 4.583 t" in page
+    assert "Newton" not in page_of_file("dog-that-runs-at-a-cyclist")

@@ -8,7 +8,7 @@ from planar_cli.equation.scene import Scene
 def centre_of(scene: Scene, body: str) -> str:
     """What the mass centre of a body is called: its point, of a particle its own name, else G."""
     model = scene.bodies[body]
-    if not model.rigid or (model.center_name and model.center_name != body):
+    if not model.rigid or (model.center_name and (model.center_name != body or body in scene.points)):
         return model.center_name or body
     alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
     return "G" if alone else f"G_{body}"

@@ -108,13 +108,19 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
         idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
-            named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
+            named = _end(instant, push, a, body) if push.kind == "tension" else f" at {push.place}"
             # What drives has the statement of the file for its place.
             parts.append(_push(push, expr, a, phrases, named if rigid and push.kind != "drive" else ""))
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
+
+
+def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:
+    """Where a tie pulls, as " at B"; nothing where its two parts leave the rim of a pulley: they are told at its axle."""
+    here = [a.point for a in push.actions if a.body == body]
+    return "" if sum(p == action.point for p in here) > 1 else _at(instant, action.point, body)
 
 
 def _used(stage: Stage) -> set[sp.Symbol]:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Block, Bullet, Check, Heading, Line, Paragraph, Table, Value, line
+from planar_cli.report.blocks import Block, Bullet, Check, Equation, Heading, Line, Name, Paragraph, Table, Value, line
+from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.simulate.report import transition_words
 from planar_cli.simulate.run import Simulation
@@ -21,6 +24,9 @@ MOST_COLUMNS = 7
 """A table of more columns is too wide to be read."""
 NOISE = 10.0
 """What is below so many tolerances beside the usual size of its column is the rounding of zero."""
+UNIFORM = 1e-8
+"""Places that differ by less than this part of the usual size of their column lie on a straight line over the time."""
+_POINT = re.compile(r"\((.*)\)")
 
 
 def phrases_without_letters(figures: int) -> Phrases:
@@ -31,26 +37,63 @@ def phrases_without_letters(figures: int) -> Phrases:
 def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
     """How the answers came about."""
     run = motion.run
-    trajectory, count = run.trajectory, run.model.layout.count
-    yield Heading("STEP 1", "Numerical integration")
-    rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
-    relations = f", together with {rows} relations of the joints between them," if rows else ""
-    text = (
-        f"Newton's law for every body, {count} equations for {count} "
-        f"accelerations{relations} is integrated numerically from the first state on; the answers are read off."
-    )
-    yield Paragraph(line(text))
+    trajectory = run.trajectory
+    constant = list(_constant(motion, figures)) if is_prescribed(run.problem) else []
+    yield from constant or _integrated(motion)
     sought = [s.name for s in run.problem.unknowns if s.name in run.settings.values]
     if sought:
         names = " and ".join(sought)
         yield Paragraph(line(f"{names} is found by trial: with this number alone the motion passes all states."))
-    yield _table(motion, figures)
+    yield from () if constant else (_table(motion, figures),)
     happened = [(e.t, f"state {e.name}") for e in trajectory.events]
     happened += [(x.t, transition_words(x)) for x in trajectory.transitions if x.words]
     for t, words in sorted(happened, key=lambda e: e[0]):
         yield Bullet(line(Value(Decimal(repr(t)), "s", figures), f": {words}"))
     for note in trajectory.notes:
         yield Paragraph(line(note))
+
+
+def _integrated(motion: Simulation) -> Iterator[Block]:
+    """What is integrated."""
+    trajectory, count = motion.run.trajectory, motion.run.model.layout.count
+    rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
+    relations = f", together with {rows} relations of the joints between them," if rows else ""
+    law = f"Newton's law for every body, {count} equations for {count} accelerations{relations} is"
+    if is_prescribed(motion.run.problem):
+        law = "What is prescribed gives the velocities at every instant, with no forces in it; they are"
+    yield Heading("STEP 1", "Numerical integration")
+    yield Paragraph(line(f"{law} integrated numerically from the first state on; the answers are read off."))
+
+
+def is_prescribed(problem: Problem) -> bool:
+    """Does `motion` alone drive it, so that there is no Newton's law to write?"""
+    massless = all(b.mass is None and b.weight is None and not b.any_mass for b in problem.bodies)
+    return massless and bool(problem.motion) and not problem.loads
+
+
+def _constant(motion: Simulation, figures: int) -> Iterator[Block]:
+    """The places over time of a uniform motion, x = x_0 + v t; nothing of any other."""
+    found = table_of(motion.run, (), (), ROWS)
+    first, last = found.rows[0], found.rows[-1]
+    duration = last[0] - first[0]
+    if len(found.rows) < ROWS or not duration:
+        return
+    kept = range(1, len(found.names))
+    rates = {j: (last[j] - first[j]) / duration for j in kept}
+    for j in kept:
+        straight = [first[j] + rates[j] * (row[0] - first[0]) for row in found.rows]
+        off = max(abs(row[j] - place) for row, place in zip(found.rows, straight, strict=True))
+        if off > UNIFORM * found.sizes[j]:
+            return
+    yield Heading("STEP 1", "Uniform motion")
+    yield Paragraph(line("What is prescribed gives the velocities, which are constant all the time:"))
+    for j in (j for j in kept if abs(rates[j]) * duration > UNIFORM * found.sizes[j]):
+        name, unit = Name(_POINT.sub(r"_\1", found.names[j])), pretty_unit(found.units[j])
+        start = significant(Decimal(repr(first[j])), figures) if abs(first[j]) > UNIFORM * found.sizes[j] else ""
+        rate = significant(Decimal(repr(abs(rates[j]))), figures)
+        sign = ("+ " if rates[j] > 0 else "- ") if start else "" if rates[j] > 0 else "-"
+        shown = line(f"{start} {sign}{rate} ".lstrip(), Name("t"))
+        yield Equation((line(name), shown), None, (), line(f"in {unit}, t in s"))
 
 
 def _table(motion: Simulation, figures: int) -> Table:

@@ -36,10 +36,17 @@ def named_ways(system: System, numbers: Numbers, bodies: tuple[str, ...]) -> lis
             if push.kind == "tension":
                 tie = scene.problem.called(push.joint)
                 found += [(force, f"along {tie}"), (force.turned(), f"perpendicular to {tie}")]
+            elif _several_at(system, push):
+                found += [(force, f"along {push.name}"), *_along_guide(system, push, bodies)]
             else:
                 way = "normal" if push.kind == "normal" else "contact"
                 found += [(force, f"along the {way} at {push.place}"), *_along_guide(system, push, bodies)]
     return found[:MOST]
+
+
+def _several_at(system: System, push: Push) -> bool:
+    """Do other joints press at the same place? Then "the normal" there says nothing."""
+    return any(p.place == push.place and p.joint != push.joint and p.kind in DRAWN[:2] for p in system.pushes)
 
 
 def _slants(numbers: Numbers, way: Vec) -> bool:

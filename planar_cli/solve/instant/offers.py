@@ -16,7 +16,7 @@ import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import ONE, ZERO
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.equation.system import System
@@ -261,7 +261,7 @@ class Offers:
         if not self.constructed:
             return c.cheapest(found, self.most)
         points = [(self.numbers.value(place.x), self.numbers.value(place.y)) for place in named.values()]
-        lines = list(group.lines.items())
+        lines = [(j, a) for j, a in group.lines.items() if not self._pulls_apart(group, self.numbers.unknowns[j])]
         for i, (j, a) in enumerate(lines):
             found.append(self._across(group, j, a))
             for k, b in lines[i + 1 :]:
@@ -319,6 +319,13 @@ class Offers:
             row,
             c.ACROSS,
         )
+
+    def _pulls_apart(self, group: Group, symbol: sp.Symbol) -> bool:
+        """Does a tie pull bodies of the group in several directions? Nobody draws the resultant of these."""
+        every = self.system.reactions.pushes if self.system.reactions else ()
+        pulls = [push for push, expr in every if push.kind == "tension" and symbol in expr.free_symbols]
+        forces = [a.force for push in pulls for a in push.actions if a.body in group.bodies and a.force is not None]
+        return any(abs(self.numbers.value(forces[0].cross(f))) > CERTAIN for f in forces[1:])
 
     def _crossing(
         self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: list[tuple[Decimal, Decimal]]
