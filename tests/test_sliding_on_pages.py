@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
 
@@ -61,3 +64,30 @@ def test_a_point_of_a_wheel_that_rolls() -> None:
         "kinematics/disk-in-circular-track"
     )
     assert "v_P = ω_wheel × r_P/C" in _page("kinematics/bar-driven-by-a-pin-on-a-rolling-wheel")
+
+
+LEANING = """\
+title: Rod that leans on a half cylinder
+points:
+  O: [0, 0]
+  A: [0.5 m, 0]
+  T: {from: O, distance: 0.2 m, angle: acos(0.4)}
+  E: {from: A, towards: T, distance: 0.8 m}
+surfaces: {drum: {center: O, radius: 0.2 m}}
+bodies: {rod: {rod: [A, E]}}
+joints:
+  - guide: {point: A, along: 0 deg}
+  - contact: {between: [rod, drum], at: T, mu: 0}
+motion: [v(A).x = 1.2 m/s]
+find: {omega: omega(rod)}
+"""
+
+
+def test_what_slides_is_the_point_of_contact(tmp_path: Path) -> None:
+    """The centre of a round surface is a radius away from what slides on it."""
+    file = tmp_path / "leaning.yaml"
+    file.write_text(LEANING)
+    page = Terminal(width=140).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    assert "T slides along rod, O moves at a fixed distance from it: v_O = v_O′ + v_rel" in page
+    page = _page("kinematics/eccentric-cam-with-flat-follower")
+    assert "the point of contact slides along follower, G moves at a fixed distance from it: " in page

@@ -118,7 +118,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
 
 
 def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:
-    """Where a tie pulls, as " at B"; nothing where its two parts leave the rim of a pulley, which the axle stands for."""
+    """Where a tie pulls, as " at B"; nothing where its two parts leave the rim of a pulley: the axle stands for it."""
     here = [a.point for a in push.actions if a.body == body]
     return "" if sum(p == action.point for p in here) > 1 else _at(instant, action.point, body)
 
