@@ -162,10 +162,16 @@ class VectorTelling:
             spin = self._symbol(j.base, "velocity")
             relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel")] if spin != 0 else []
         touching = next((p.place for p in self.system.pushes if p.joint == j.joint and p.place not in ("", place)), "")
-        named = touching in (point.name for point in self.system.scene.problem.points)
-        touching = touching if named or not touching else "the point of contact"
+        if touching and not self._is_of_file(touching, j.joint):
+            touching = "the point of contact"
         slides = f"{touching} slides along {j.base}, {place} moves at a fixed distance from it: " if touching else ""
         return line(slides or f"{place} slides along {j.base}: ", *relative, "; ", *self._across(j, v))
+
+    def _is_of_file(self, place: str, joint: str) -> bool:
+        """Does the file name a point, or did its contact?"""
+        problem = self.system.scene.problem
+        mark = next((joined.mark for joined in problem.joints if joined.name == joint), None)
+        return any(point.name == place and point.mark != mark for point in problem.points)
 
     def _rolls(self, j: Joining, w: Written, level: str) -> Line:
         """What touches does not slip; accelerations agree along the contact only."""
