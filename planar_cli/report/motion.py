@@ -39,8 +39,8 @@ from planar_cli.report.origins import (
     told_once,
     turning_blocks,
 )
-from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.passing import heading, passing_lines, root_words
+from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.results import numbered
 from planar_cli.report.span_integrals import SpanTelling
@@ -116,10 +116,7 @@ class MotionTelling:
         yield from turning_blocks(self.found, self.phrases)
         yield from nil_impulses(self.found, self.phrases)
         yield from self._route(self.found.route)
-        periods = periods_told(self.found)
-        for swing in self.found.oscillations:
-            name = periods.get(swing.state, "T")
-            yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic, name)
+        yield from swings(self.found, self.phrases, self._one)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
         routes = {n: r for n, r in self.found.passing.items() if any(not leg.is_datum for leg in r.steps)}
@@ -131,7 +128,8 @@ class MotionTelling:
     # --- the route ---------------------------------------------------------------------------------------------------
 
     def _route(self, route: RouteTrace) -> Iterator[Block]:
-        legs = needed_steps(route, self.wanted)
+        held = [leg for legs in held_by_periods(self.found).values() for leg in legs]
+        legs = [leg for leg in needed_steps(route, self.wanted) if leg not in held]
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
         for leg in given:
@@ -146,6 +144,9 @@ class MotionTelling:
             self._open = {x for later in legs[i:] for x in later.unknowns}
             yield from self._leg(*without_zeros(leg, route, legs[:i]))
         yield from self._integrated([] if first else followed)
+
+    def _one(self, leg: RouteStep) -> Iterator[Block]:
+        yield from self._datum(leg) if leg.is_datum else self._leg(*without_zeros(leg, self.found.route, []))
 
     def _integrated(self, legs: Sequence[RouteStep]) -> Iterator[Block]:
         """What only numbers tell: all of it together, where a later line rests on some of it before that line."""

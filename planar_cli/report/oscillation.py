@@ -13,12 +13,12 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
 from planar_cli.report.formula import is_negative
+from planar_cli.report.linearised import DEVIATION, near_equilibrium
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
 from planar_cli.solve.between.trace import MotionTrace
 
-DEVIATION = sp.Symbol("delta", real=True)
 STRONG = "The damping is so strong that nothing oscillates."
 LONG = 40
 """A formula of more operations is told by its number, if it has one."""
@@ -56,10 +56,15 @@ def by_frequency(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> list[M
 
 
 def oscillation_blocks(
-    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, period: str = "T"
+    found: OscillationTrace,
+    value: Valuation,
+    phrases: Phrases,
+    symbolic: bool,
+    period: str = "T",
+    formulas: bool = False,
 ) -> Iterator[Block]:
     """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed; `period`: how the
-    file calls the period.
+    file calls the period; `formulas`: frequency and period stay formulas, as they have to tell a constant first.
     """
     state = found.state
     laws = [(rate, _law(law, value, phrases, symbolic)) for rate, law in found.motion]
@@ -70,7 +75,7 @@ def oscillation_blocks(
         for rate, law in laws:
             yield Equation((phrases.math(rate), law))
     if len(found.motion) == 1:
-        yield from _single(found, value, phrases, symbolic, period)
+        yield from _single(found, value, phrases, symbolic, period, formulas)
     else:
         yield from _several(found)
     yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
@@ -86,10 +91,28 @@ def _law(law: sp.Expr, value: Valuation, phrases: Phrases, symbolic: bool) -> Ma
     return phrases.math(law)
 
 
-def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str) -> Iterator[Block]:
+def tells_formula(found: OscillationTrace, value: Valuation) -> bool:
+    """Is its period that of one undamped freedom, with a formula that is short?"""
+    return len(found.motion) == 1 and found.damping == 0 and _swings(found, value) and not longer(found.period, LONG)
+
+
+def period_line(found: OscillationTrace, value: Valuation, phrases: Phrases, name: str) -> Equation:
+    """The period by its own formula, with the numbers."""
+    shown = Value(value(found.period), "s")
+    formula = found.period
+    return Equation((phrases.math(sp.Symbol(name)), phrases.math(formula), *phrases.substituted(formula, shown), shown))
+
+
+def _single(
+    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, formulas: bool
+) -> Iterator[Block]:
     w2, c = found.stiffness, found.damping
     speed, rate = RATES
-    yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
+    near = near_equilibrium(found, value, phrases)
+    there = line(", ", *near, ",") if near else ()
+    yield Paragraph(
+        line("For a small deviation ", phrases.math(DEVIATION), " from there", *there, " its linear part is:")
+    )
     texts: dict[sp.Symbol, str] = {}
     left: list[Any] = [phrases.math(rate)]
     for coefficient, factor in ((c, speed), (w2, DEVIATION)):
@@ -107,6 +130,11 @@ def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symboli
         return
     square = found.square
     natural = sp.Symbol("omega_0", real=True)
+    if formulas:
+        yield Equation((phrases.math(natural), phrases.math(sp.sqrt(w2))))
+        sides = (phrases.math(2 * sp.pi / natural), phrases.math(found.period))
+        yield Equation((phrases.math(sp.Symbol(name)), *sides))
+        return
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
     if c != 0:
         if value(square) <= 0:

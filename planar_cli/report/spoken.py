@@ -21,6 +21,8 @@ WORDS = {
     "path_length": "the way of {}",
     "momentum": "the momentum of {}",
     "energy": "the energy of {}",
+    "period": "the period about {}",
+    "frequency": "the frequency about {}",
 }
 RELATIVE = {"v": "the velocity", "a": "the acceleration"}
 PARTS = {"mag": "the size of ", "angle": "the direction of "}
