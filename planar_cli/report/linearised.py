@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.report.blocks import Line, Math, Text, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import OscillationTrace
+from planar_cli.solve.between.oscillation_trace import OscillationTrace
 
 DEVIATION = sp.Symbol("delta", real=True)
 QUARTER, NEAR = 90, Decimal("1e-20")

@@ -16,7 +16,8 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, line
 from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, OscillationTrace, RouteStep
+from planar_cli.solve.between.oscillation_trace import OscillationTrace
+from planar_cli.solve.between.trace import MotionTrace, RouteStep
 
 ASKS = re.compile(r"\b(?:period|frequency)\((\w+)\)")
 LONGEST = 16

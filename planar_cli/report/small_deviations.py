@@ -11,7 +11,8 @@ import sympy as sp
 
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
-from planar_cli.report.oscillation import DEVIATION, RATES
+from planar_cli.report.linearised import DEVIATION
+from planar_cli.report.oscillation import RATES
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
