@@ -157,7 +157,7 @@ def test_arms_of_a_rim_are_lengths() -> None:
 
 def test_a_place_that_is_differentiated_loses_the_sine_of_all_its_terms() -> None:
     page = page_of(PENDULUM.replace("{from: O, distance: l, angle: theta - 90 deg}", "[l*sin(theta), -l*cos(theta)]"))
-    assert "x_P = l sin θ differentiated, divided by cos θ:" in page
+    assert "x_P = l sin θ and y_P = -l cos θ differentiated, along the path:" in page
     assert re.search(r"\(1\)  v_P = l θ̇", page)
     assert "differentiated" not in page_of(PENDULUM)
 

@@ -187,6 +187,8 @@ class Guide(Joint):
         if scene.vanishes(track.curvature):
             track = replace(track, kind="straight")
         found = touching(self.name, Outline("corner", mover), track, point)
+        if self.point is not None and track.kind == "straight":
+            found = tuple(Residual(f"{self.name}: place of {self.point} across its line", r.of) for r in found)
         if mode.name == "stick":
             found = (together(f"{self.name}: place", mover, base, point),)
         if self.body is None or not (scene.rigid(mover) and scene.rigid(base)):

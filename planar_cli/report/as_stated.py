@@ -57,11 +57,11 @@ def gives(stated: Stated, value: Decimal, phrases: Phrases) -> bool:
     """Does the file say a value itself, or its opposite, if in another unit?"""
     if isinstance(stated, VectorStatement):
         size, angle = (number_of(s) if s is not None else None for s in (stated.size, stated.angle))
-        return angle is not None and not angle[0] % RIGHT_ANGLE and _is_near(_in_base(size, phrases), value)
+        return angle is not None and not angle[0] % RIGHT_ANGLE and _is_near(in_base(size, phrases.ledger.us), value)
     if not isinstance(stated.left, Quantity | Name) or any(isinstance(n, Quantity) for n in walk(stated.right)):
         return False
     number = number_of(stated.right)
-    return number is None or isinstance(stated.left, Name) or _is_near(_in_base(number, phrases), value)
+    return number is None or isinstance(stated.left, Name) or _is_near(in_base(number, phrases.ledger.us), value)
 
 
 def _is_near(number: Decimal | None, value: Decimal) -> bool:
@@ -71,7 +71,7 @@ def _is_near(number: Decimal | None, value: Decimal) -> bool:
 def _component(stated: VectorStatement, letter: sp.Symbol, value: Decimal, phrases: Phrases) -> Line:
     """|v| cos of the angle, or its sine, whichever is the value."""
     size, angle = (number_of(s) if s is not None else None for s in (stated.size, stated.angle))
-    whole, turn = _in_base(size, phrases), _in_base(angle, phrases)
+    whole, turn = in_base(size, phrases.ledger.us), in_base(angle, phrases.ledger.us)
     if size is None or angle is None or whole is None or turn is None or not value or angle[1] != "deg":
         return ()
     if not angle[0] % RIGHT_ANGLE:
@@ -94,7 +94,7 @@ def _component(stated: VectorStatement, letter: sp.Symbol, value: Decimal, phras
 def _converted(stated: Relation, letter: sp.Symbol, value: Decimal, phrases: Phrases) -> Line:
     """The number in the unit of the file, where the page has another."""
     number, shown = number_of(stated.right), phrases.shown(letter, value)
-    found = _in_base(number, phrases)
+    found = in_base(number, phrases.ledger.us)
     if number is None or found is None or abs(found - value) > NEAR * (1 + abs(value)) or not value:
         return ()
     if number[1] == "1" or pretty_unit(number[1]) == pretty_unit(shown.unit):
@@ -102,19 +102,19 @@ def _converted(stated: Relation, letter: sp.Symbol, value: Decimal, phrases: Phr
     return line(Value(number[0], number[1], max(phrases.figures, AS_WRITTEN)))
 
 
-def _in_base(number: tuple[Decimal, str] | None, phrases: Phrases) -> Decimal | None:
+def in_base(number: tuple[Decimal, str] | None, us: bool) -> Decimal | None:
     """A number of the file in the base units of its page."""
     if number is None:
         return None
     unit = parse_unit(number[1])
-    factor = factor_to_base(unit, phrases.ledger.us)
+    factor = factor_to_base(unit, us)
     return number[0] * Decimal(factor.numerator) / Decimal(factor.denominator) * PI**unit.pi_power
 
 
 def root_of_size(stated: Stated, residual: sp.Expr, phrases: Phrases) -> tuple[sp.Expr, Decimal] | None:
     """The size of a vector that goes with one letter alone, |v_A|/4, and its value; None: it is no such thing."""
     size = number_of(stated.size) if isinstance(stated, VectorStatement) and stated.size is not None else None
-    whole = _in_base(size, phrases)
+    whole = in_base(size, phrases.ledger.us)
     if size is None or whole is None or len(residual.free_symbols) != 1:
         return None
     for sign in (1, -1):

@@ -129,7 +129,7 @@ class AskedTelling:
                 for p, raw in zip(parts, asked.parts, strict=True)
             )
             formulas = (became or any(map(self._is_formula, parts))) and all(
-                p.is_Symbol or self._is_formula(p) for p in parts
+                p.is_Symbol or p == 0 or self._is_formula(p) for p in parts
             )
             if all(s is not None for s in spans) or formulas:
                 for axis, part, span in zip(axes, parts, spans, strict=True):

@@ -10,6 +10,7 @@ from planar_cli.equation.plain import derivative, longer
 from planar_cli.report.as_stated import Stated, root_of_size
 from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.driving_speed import by_driving_speed
 from planar_cli.report.names import plain_name
 from planar_cli.report.origins import head, sides_of
 from planar_cli.report.words import Phrases
@@ -70,6 +71,10 @@ def followed_from(
     yield Paragraph(head(e, found.ledger.symbols))
     if (sized := root_of_size(stated, e.residual, phrases[1])) is not None:
         yield Equation((Math(sized[0]), phrases[1].shown(r.unknown, sized[1])))
+        return
+    if (driven := by_driving_speed(stated, e, found)) is not None:
+        left, number, dimension = driven
+        yield Equation((phrases[0].math(left), phrases[1].of_dimension(number, dimension)))
         return
     sides = tuple(sp.sympify(side) for side in sides_of(e, found.route))
     plain = derivative(e.residual, r.unknown).is_number

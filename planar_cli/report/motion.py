@@ -277,6 +277,9 @@ class MotionTelling:
         result = leg.results[0]
         if (e.kind == "link" or e.is_datum) and result.formula is not None:
             return bool(expanded(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
+        if e.kind == "loop" and result.formula is not None and not result.roots[1:]:
+            own = result.unknown - result.formula
+            return any(expanded(e.residual - sense * own) == 0 for sense in (1, -1))
         own = letter_of(e, self.found.ledger)
         return e.span is not None and e.span.explicit is not None and own == result.unknown
 

@@ -13,6 +13,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
+from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.blocks import (
     Block,
     Check,
@@ -232,6 +233,8 @@ def _instant_blocks(
         asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
         return [*blocks, *asked], telling.steps, telling.count
     blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
+    if why is None:
+        blocks = with_asked(blocks, telling, part.motion)
     stretches = _stretches(part, instant)
     if is_solved_in_steps(part.motion, part.motion.regime(instant)):
         blocks = _without_solution(blocks)

@@ -39,6 +39,8 @@ KEPT = {
     "arcs rolled on each other": "at {} equal arcs roll on each other",
 }
 """What a joint keeps of places, by what follows its name in the title."""
+PLACE, ACROSS = "place of ", " across its line"
+"""What stands about the name of a point that a line leads."""
 
 
 def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
@@ -90,6 +92,9 @@ def kept(title: str) -> str:
         return f"{name} is still on its line"
     if what in KEPT:
         return KEPT[what].format(name)
+    if what.startswith(PLACE) and what.endswith(ACROSS):
+        point = what.removeprefix(PLACE).removesuffix(ACROSS)
+        return f"{point} stays on {'its line' if name == point else f'the line {name}'}"
     if what.startswith("place on "):
         first, _, second = what.removeprefix("place on ").partition(" and ")
         first, second = ("the ground" if body == "ground" else body for body in (first, second))

@@ -1,0 +1,68 @@
+"""Velocities and accelerations that are asked at states of a motion, as vector equations of its general position."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import identically_zero, longer
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Block, Equation, Heading, Name, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.telling import Telling
+from planar_cli.solve.between.trace import MotionTrace, Request
+
+LONGEST = 16
+"""A component of more operations is not told."""
+AXES = ("x", "y")
+KINETICS = "Kinetic analysis"
+
+
+def with_asked(blocks: Sequence[Block], telling: Telling, motion: MotionTrace) -> list[Block]:
+    """The blocks of a general position, and at the end of its first step the points whose motion is asked."""
+    if len(motion.regimes) > 1 or not blocks:
+        return list(blocks)
+    added = [b for r in motion.requests for b in _asked(r, telling, motion)]
+    end = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), len(blocks))
+    told = [b.sides for b in blocks if isinstance(b, Equation)]
+    own = [b for i, b in enumerate(added) if b.sides not in told and b not in added[:i]]
+    return [*blocks[:end], *own, *blocks[end:]]
+
+
+def _solved(expr: sp.Expr, telling: Telling) -> sp.Expr:
+    """With the unknowns that the lines of the general position give put in."""
+    found = (x for s in telling.stages for b in s.blocks for x in b.lines)
+    lines = {x.symbol: x.formula for x in found if not x.formula.is_number}
+    for _ in range(len(lines)):
+        expr = expr.xreplace(lines)
+    return expr
+
+
+def _asked(r: Request, telling: Telling, motion: MotionTrace) -> Iterator[Equation]:
+    q, scene, moving = r.find.found.what, telling.scene, telling.vectors.motion
+    if not isinstance(q, Quantity) or q.word not in ("v", "a") or len(q.things) != 1 or q.things[0] not in scene.points:
+        return
+    point, kinds = q.things[0], [p.kind for p in q.parts]
+    body = scene.owner(point)
+    if body == GROUND or not scene.rigid(body) or kinds not in ([], ["x"], ["y"]) or all(p.is_Symbol for p in r.parts):
+        return
+    level = "velocity" if q.word == "v" else "acceleration"
+    at = scene.point(point)
+    found = telling.vectors.formula(telling.vectors.carrier(body), at, point, level)
+    if found is None:
+        return
+    edge, sides, arm = found
+    yield Equation(sides, None, note=telling.vectors.arm_once(point, edge, arm))
+    vector = moving.velocity(at, body) if level == "velocity" else moving.acceleration(at, body)
+    for axis, part in zip(kinds or AXES, r.parts, strict=True):
+        own = getattr(vector, axis).xreplace(dict.fromkeys(telling.vectors.zero, sp.S.Zero))
+        last = part.xreplace(dict(motion.general))
+        if longer(own, LONGEST) or own == 0 or not is_clean(telling.phrases.ledger, own):
+            continue
+        made: list[Any] = [telling.phrases.math(own)]
+        if last != own and not longer(last, LONGEST) and identically_zero(_solved(own, telling) - last):
+            made.append(telling.phrases.math(last))
+        yield Equation((line(Name(f"{q.word}_{point}{axis}")), *made))
