@@ -7,7 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
@@ -31,6 +30,7 @@ from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     head,
+    is_explicit,
     is_steady,
     letter_of,
     needed_results,
@@ -176,7 +176,7 @@ class MotionTelling:
             if single and e.kind == "link" and self._is_handed_on(leg.results[0]):
                 yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words))
                 return
-            if single and self._explicit(e, leg):
+            if single and is_explicit(e, leg, self.found.ledger):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
@@ -271,17 +271,6 @@ class MotionTelling:
     def _number(self) -> int:
         self.next += 1
         return self.next - 1
-
-    def _explicit(self, e: Relation, leg: RouteStep) -> bool:
-        """Does the relation itself give its unknown?"""
-        result = leg.results[0]
-        if (e.kind == "link" or e.is_datum) and result.formula is not None:
-            return bool(expanded(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
-        if e.kind == "loop" and result.formula is not None and not result.roots[1:]:
-            own = result.unknown - result.formula
-            return any(expanded(e.residual - sense * own) == 0 for sense in (1, -1))
-        own = letter_of(e, self.found.ledger)
-        return e.span is not None and e.span.explicit is not None and own == result.unknown
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
@@ -158,6 +159,18 @@ def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
         elif not isinstance(block, Equation | Result):
             heading = None
         yield block
+
+
+def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:
+    """Does the one relation of a step itself give its unknown?"""
+    result = leg.results[0]
+    if result.formula is not None:
+        own = result.unknown - result.formula
+        if e.kind == "link" or e.is_datum:
+            return bool(expanded(e.residual - own) == 0) or e.kind == "link"
+        if e.kind == "loop" and not result.roots[1:]:
+            return any(expanded(e.residual - sense * own) == 0 for sense in (1, -1))
+    return e.span is not None and e.span.explicit is not None and letter_of(e, ledger) == result.unknown
 
 
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
