@@ -1,4 +1,4 @@
-"""Of small oscillations the forces stand to the first order in the deviation, not by their long formulas."""
+"""Of small oscillations the forces stand to the first order in the deviation, and energies check the frequency."""
 
 from __future__ import annotations
 
@@ -47,3 +47,20 @@ def test_a_motion_between_states_needs_the_whole_force() -> None:
     first = page.partition("CASE undamped")[0]
     assert "first order" not in first
     assert "first order" in page
+
+
+@pytest.mark.parametrize(
+    ("stem", "check"),
+    [
+        ("inverted-pendulum", "T = 1/2 · 1.813 δ̇², V = 1/2 · 13.96 δ² in J; ω_0 = √(13.96/1.813) = 2.774 rad/s"),
+        ("hinged-beam-critical-damping", "T = 1/6 m L² δ̇², V = 1/2 k δ² L²; ω_0² = 3 k/m"),
+        ("half-disk-rocking", "V = 2 m g δ² R/(3 π); ω_0² = 8 g / ((9 π - 16) R)"),
+    ],
+)
+def test_energies_check_the_frequency(stem: str, check: str) -> None:
+    assert check in _page(stem)
+
+
+def test_no_energies_of_an_unstable_equilibrium() -> None:
+    page = _page("inverted-pendulum")
+    assert "energies near" not in page.partition("CASE soft")[2]

@@ -44,6 +44,7 @@ from planar_cli.report.letter_vectors import normal_check
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
+from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.passing import passing_check
 from planar_cli.report.presumed import presumed_notes
@@ -78,6 +79,8 @@ class Voice:
 
 
 STUDENT = Voice()
+MOTION_CHECKS = (energy_check, blow_check, law_check, root_check, passing_check, oscillation_check)
+"""Checks of a motion that a person can make; the first that tells something stands on the page."""
 
 
 def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) -> Document:
@@ -185,9 +188,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None and why is None:
-        others = (
-            check(part.motion, settled) for check in (energy_check, blow_check, law_check, root_check, passing_check)
-        )
+        others = (check(part.motion, settled) for check in MOTION_CHECKS)
         blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
     if why is None and (derived := tale_check(part, phrases) or normal_check(part, phrases)):
         blocks.append(Check(derived))

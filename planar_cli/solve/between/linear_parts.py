@@ -1,8 +1,10 @@
 """What a small deviation makes of the forces and of the sums of forces at an equilibrium: to the first order.
 
     E(q, u) ≈ E_0 + ∂E/∂q δ + ∂E/∂u δ̇          of one freedom, at rest in the equilibrium
+    T = M δ̇²/2,  V = K δ²/2                     the energies, by which ω_0² = K/M
 
-Only what is long in a general position is asked: the pull of an oblique spring, and sums of moments in which it stands.
+Of forces only what is long in a general position is asked: the pull of an oblique spring, and sums of moments in which
+it stands.
 """
 
 from __future__ import annotations
@@ -65,20 +67,39 @@ def _pulls(solution: InstantSolution, stage: Stage) -> Iterator[tuple[sp.Symbol,
 
 def _part(course: RegimeSequence, found: Oscillation, key: sp.Expr, closed: sp.Expr) -> LinearPart:
     (speed,) = found.speeds
-    reader = course.readers[found.stop.name]
+    terms = (closed, _slope(found, closed), sp.diff(closed, speed))
+    return LinearPart(key, *(_at_rest(course, found, e) for e in terms))
+
+
+def _slope(found: Oscillation, closed: sp.Expr) -> sp.Expr:
+    """∂E/∂δ: all coordinates that follow the freedom change with it."""
+    (speed,) = found.speeds
+    rates = {q: rate for q, rate in found.regime.rates.items() if closed.has(q) and rate.has(speed)}
+    return sp.Add(*(sp.diff(closed, q) * sp.diff(rate, speed) for q, rate in rates.items()))
+
+
+def _at_rest(course: RegimeSequence, found: Oscillation, expr: sp.Expr) -> sp.Expr:
     still = dict.fromkeys(found.regime.free, sp.S.Zero)
+    there = simplified(found.stop.at(expr.xreplace({**still, **found.places})))
+    # A constant that is sought keeps its letter: only places are put in.
+    own, reader = there.free_symbols & set(found.stop.letters.values()), course.readers[found.stop.name]
+    return simplified(there.xreplace({x: reader.settled(x) for x in own})) if own else there
 
-    def at_rest(expr: sp.Expr) -> sp.Expr:
-        there = simplified(found.stop.at(expr.xreplace({**still, **found.places})))
-        own = there.free_symbols & set(found.stop.letters.values())
-        # A constant that is sought keeps its letter: only places are put in.
-        return simplified(there.xreplace({x: reader.settled(x) for x in own})) if own else there
 
-    slope = sp.S.Zero
-    for place, rate in found.regime.rates.items():
-        if closed.has(place) and rate.has(speed):
-            slope += sp.diff(closed, place) * sp.diff(rate, speed)
-    return LinearPart(key, at_rest(closed), at_rest(slope), at_rest(sp.diff(closed, speed)))
+def energies_near(course: RegimeSequence, found: Oscillation) -> tuple[sp.Expr, sp.Expr] | None:
+    """The factors M and K of T = M δ̇²/2 and V = K δ²/2 near an equilibrium, from the balance of energy: the power of
+    the loads at small speeds is -K δ δ̇. None: no such balance, or formulas without end.
+    """
+    balance = found.regime.balance if found.single else None
+    if balance is None:
+        return None
+    (speed,) = found.speeds
+    energy, power = (found.regime.closed(e) for e in balance)
+    if longer(energy, ENDLESS) or longer(power, ENDLESS):
+        return None
+    force = sp.diff(power, speed).xreplace({speed: sp.S.Zero})
+    mass, stiffness = sp.diff(energy, speed, 2), -_slope(found, force)
+    return _at_rest(course, found, mass), _at_rest(course, found, stiffness)
 
 
 def _vanishes(expr: sp.Expr, value: Valuation) -> bool:

@@ -20,7 +20,7 @@ from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_ang
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
-from planar_cli.solve.between.linear_parts import linear_parts
+from planar_cli.solve.between.linear_parts import energies_near, linear_parts
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -157,6 +157,7 @@ def _oscillation(course: StatedMotion, found: Oscillation, value: Valuation) -> 
         roots=() if found.single else tuple(roots_of(found, value)),
         verdict=stability(found, value),
         linear=linear_parts(course, found, value),
+        energies=energies_near(course, found),
     )
 
 

@@ -55,3 +55,5 @@ class OscillationTrace:
     """Is it stable?"""
     linear: tuple[LinearPart, ...] = ()
     """Of its forces and sums of forces, where they are long in a general position."""
+    energies: tuple[sp.Expr, sp.Expr] | None = None
+    """M and K of the energies T = M δ̇²/2 and V = K δ²/2 of one freedom, in base units; None: not told."""
