@@ -18,6 +18,7 @@ from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
+from planar_cli.report.equilibrium_places import by_places, equilibrium_places
 from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.nil_impulses import nil_of_blow
 from planar_cli.report.oscillation import by_frequency, periods_told
@@ -114,16 +115,18 @@ class AskedTelling:
     def _requests(self) -> Iterator[Request]:
         """What is asked that may have a line here."""
         elsewhere = {*self.found.passing, *told_at_states(self.found), *periods_told(self.found).values()}
+        elsewhere |= {p.request.find.name for p in equilibrium_places(self.found)}
         for asked in self.found.requests if self.wanted is None or self.wanted else ():
             if asked.find.name not in elsewhere and asked.unit is not None:
                 yield asked
 
     def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:
         """What has a line: every component that is more than a letter."""
+        places = by_places(self.found)
         for asked in self._requests():
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
-            parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
+            parts = [self._signed(_without(p.xreplace(places), self._zeros)) for p in asked.parts]
             became = any(
                 p.is_Symbol and (untold(p, self.found) is not None or not (raw.is_Symbol or raw.is_number))
                 for p, raw in zip(parts, asked.parts, strict=True)

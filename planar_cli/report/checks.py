@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import ZERO
 from planar_cli.equation.system import System
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
@@ -63,10 +64,24 @@ def road_blocks(part: PartSolution) -> list[Check]:
         return [*found, Check(line(INDEPENDENT))]
     if len(apart) < len(part.found):
         names = [piece for name in apart for piece in (", ", Name(name))]
+        if _follow_from_motion(apart, part):
+            follow = line(*names[1:], " follow" if len(apart) > 1 else " follows")
+            return [
+                *found,
+                Check(line("the equation of motion, from which ", *follow, f", and all else {INDEPENDENT}")),
+            ]
         return [*found, Check(line(f"{INDEPENDENT}, but for ", *names[1:]))]
     if part.instants and part.instants[-1].checks.get("digits") is not None:
         found.append(Check(line(f"equations of motion {INDEPENDENT}")))
     return found
+
+
+def _follow_from_motion(names: list[str], part: PartSolution) -> bool:
+    """Are these what an equation of motion, which was compared, tells of small oscillations?"""
+    told = {f.name: f.find.found.what for f in part.found if f.find is not None}
+    compared = bool(part.instants) and part.instants[-1].checks.get("digits") is not None
+    words = [what.word if isinstance(what := told.get(name), Quantity) else "" for name in names]
+    return compared and all(word in ("period", "frequency", "stable") for word in words)
 
 
 def unconfirmed(found: Found, part: PartSolution) -> str:

@@ -14,6 +14,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.equilibrium_places import place_blocks
 from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -41,8 +42,9 @@ def held_by_periods(found: MotionTrace) -> dict[str, list[RouteStep]]:
 
 
 def swings(found: MotionTrace, phrases: Phrases, leg_of: Callable[[RouteStep], Iterator[Block]]) -> Iterator[Block]:
-    """All small oscillations. `leg_of`: how a step of the route is told."""
+    """Places of equilibrium, and all small oscillations. `leg_of`: how a step of the route is told."""
     periods, held = periods_told(found), held_by_periods(found)
+    yield from place_blocks(found, phrases)
     for swing in found.oscillations:
         name, legs = periods.get(swing.state, "T"), held.get(swing.state, [])
         if not legs:
