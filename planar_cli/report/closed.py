@@ -129,4 +129,6 @@ def _ended(block: Block, closed: Math) -> Block:
     assert isinstance(block, Equation)
     text = plain(closed.expr, closed.values)
     said = [plain(s.expr, s.values) for s in block.sides if isinstance(s, Math)]
-    return block if text in said else replace(block, sides=(*block.sides, closed))
+    last = block.sides[-1]
+    same = isinstance(last, Math) and not last.values and sp.expand(last.expr - closed.expr) == 0
+    return block if same or text in said else replace(block, sides=(*block.sides, closed))
