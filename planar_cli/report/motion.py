@@ -14,6 +14,7 @@ from planar_cli.report.angles_found import by_function, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
+from planar_cli.report.by_data import by_data
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
@@ -358,7 +359,7 @@ class MotionTelling:
         if r.formula is None:
             return None
         formula = of_ratios(r.formula, self.found.ledger)
-        formula = in_times(over_coordinates(formula, self.general), self.found)
+        formula = by_data(in_times(over_coordinates(formula, self.general), self.found), r.unknown, self.found)
         if self.phrases.symbolic:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):

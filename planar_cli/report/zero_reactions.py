@@ -17,19 +17,26 @@ AXES = {"x": Vec(sp.S.One, sp.S.Zero), "y": Vec(sp.S.Zero, sp.S.One)}
 
 
 def zero_reactions(instant: InstantSolution, stage: Stage, phrases: Phrases, bodies: Iterable[str]) -> Iterator[Block]:
-    """One line for each component along an axis that no equation of the plan has, and that is alone along that axis."""
-    used = {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols}
+    """One line for each component along an axis that no equation of the plan has, and that is alone along that axis, of
+    a reaction whose other component an equation has.
+    """
+    equations = [w for block in stage.blocks for w in block.equations]
+    used = {s for w in equations for s in w.residual.free_symbols}
+    system = instant.trial.system
+    asked = {p.joint for p in system.pushes if p.kind == "component" and system.symbols[p.name] in used}
+    others_of = {system.symbols[p.name] for p in system.pushes if p.joint in asked}
+    last = next((w.bodies for w in reversed(equations) if w.law in ("force", "moment")), ())
     told: set[Any] = set()
     for body in bodies:
         for axis, unit in AXES.items():
             own, others = _along(instant, body, unit)
             (push, *more) = own or (None,)
-            if push is None or more or others or push in used or push in told or not push.is_Symbol:
+            if push is None or more or others or push in used or push in told or push not in others_of:
                 continue
             if phrases.value.known(push) == 0:
                 told.add(push)
                 lead = line(f"{phrases.arrow(unit.x, unit.y)} ", Name(f"ΣF_{axis}"), ":")
-                yield Paragraph(line(f"{body}:"))
+                yield from () if last == (body,) else (Paragraph(line(f"{body}:")),)
                 yield Equation((Math(push), phrases.math(sp.S.Zero)), None, lead)
 
 

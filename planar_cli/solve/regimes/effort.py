@@ -11,6 +11,10 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.regimes.regime import Regime
 
+AT_HAND = -0.3
+"""Of a constant acceleration between the only two states, where the equations of kinetics are asked for anyway: a
+balance of energies would begin anew.
+"""
 PER_EQUATION, FOR_ITSELF, OVER_TIME = 0.2, 0.5, 0.3
 """For each equation of kinetics; for each where nothing asks for a force, an acceleration or a time, so that they are
 written for the law alone; and where a force grows with time.
@@ -18,11 +22,14 @@ written for the law alone; and where a force grows with time.
 
 
 def effort(regime: Regime, f: sp.Expr) -> float:
-    """The equations of kinetics behind a law, and whether a force grows with time."""
+    """The equations of kinetics behind a law, whether they are there anyway, and whether a force grows with time."""
     written = [w for stage in regime.general.stages for b in stage.blocks for w in b.equations]
     kinetic = sum(w.law in ("force", "moment") for w in written)
-    alone = kinetic > 1 and not asks_kinetics(regime.general.instant.scene.problem)
-    each = FOR_ITSELF if alone else PER_EQUATION
+    problem = regime.general.instant.scene.problem
+    alone = not asks_kinetics(problem)
+    if kinetic and not alone and len(problem.states) == 2 and not letters(f) & set(regime.letters):
+        return AT_HAND
+    each = FOR_ITSELF if alone and kinetic > 1 else PER_EQUATION
     return each * kinetic + (OVER_TIME if kinetic and regime.time in letters(f) else 0.0)
 
 

@@ -1,0 +1,27 @@
+"""Differences of places that the file gives by numbers and letters, in the letters left: (y_2 - y_1)/R = h/R."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.counting import operations
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.report.clean import is_clean
+from planar_cli.solve.between.trace import MotionTrace
+
+LONGEST = 26
+"""Of more operations nothing is put in."""
+
+
+def by_data(formula: sp.Expr, unknown: sp.Symbol, found: MotionTrace) -> sp.Expr:
+    """A formula with two or more letters of states put in that are given, where their numbers cancel."""
+    given = {
+        r.unknown: r.formula for leg in found.route.steps if leg.is_datum for r in leg.results if r.formula is not None
+    }
+    inside = {s: given[s] for s in formula.free_symbols if s in given and not given[s].is_Symbol}
+    if len(inside) < 2 or longer(formula, LONGEST):
+        return formula
+    put = simplified(formula.xreplace(inside))
+    if put.is_number or operations(put) >= operations(formula) or not is_clean(found.ledger, unknown, put):
+        return formula
+    return put
