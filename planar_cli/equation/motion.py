@@ -181,9 +181,13 @@ class TreeBuilder:
         spin, rate = self.spin_of(body) if turns else (None, None)
         slide = slide_rate = None
         if joining.path is not None:
-            name = joining.place if joining.base == GROUND else f"{joining.place}_{joining.base}"
-            seen = "" if joining.base == GROUND else f" seen from {joining.base}"
-            path = f"of {joining.place} along its path{seen}"
+            place, base = joining.place, joining.base
+            if backward and joining.far and not self.rigid(body):
+                # v_B = v_A + v_B/A: it is placed by the mover, over which the base's own speed is counted.
+                place, base = joining.far, joining.mover
+            name = place if base == GROUND else f"{place}_{base}"
+            seen = "" if base == GROUND else f" seen from {base}"
+            path = f"of {place} along its path{seen}"
             bent = joining.path.curvature != 0
             slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}", bent=bent)
             if slide in taken:

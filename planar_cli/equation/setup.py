@@ -81,7 +81,7 @@ class Setup:
         self.open_form = open_form
         self.parted = course.parted if course is not None else {}
         written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
-        names = frozenset(s.name for s in written)
+        names = frozenset(s.name for s in written) | differences(problem)
         self.ledger = Ledger(us=problem.us, reserved=names, scales=scales_of(problem))
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []
@@ -219,6 +219,14 @@ class Setup:
         """Does a relation of the file mention t?"""
         sides = [s for relation, _ in self.statements.relations for s in (relation.left, relation.right)]
         return any("t" in names_in(side) for side in sides)
+
+
+def differences(problem: Problem) -> frozenset[str]:
+    """Letters of states that would read like a find which is something else: `t_4: t @ 4 - t @ 3` beside the time t_4
+    of state 4.
+    """
+    made = (f.name.rpartition("_") for f in problem.find if isinstance(f.found.what, Binary))
+    return frozenset(f"{stem}__{state}" for stem, _, state in made if stem)
 
 
 def names_in(side: Side) -> set[str]:

@@ -16,4 +16,5 @@ def swing(joint: str, start: tuple[str, Anchor], end: tuple[str, Anchor], direct
     """
     if start[1].body == "ground":
         start, end, direction = end, start, -direction
-    return Joining(joint, start[1].body, end[1].body, start[1].point, start[0], Path(-direction.turned(), curvature))
+    path = Path(-direction.turned(), curvature)
+    return Joining(joint, start[1].body, end[1].body, start[1].point, start[0], path, far=end[0])

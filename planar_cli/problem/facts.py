@@ -50,7 +50,8 @@ class Joining:
     no slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to
     the base? `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of
     contact differ in their normal acceleration. `pace`: what is added to the acceleration besides (None: nothing).
-    `keeps`: does a base that is a particle keep the mover from turning? Its surfaces do not turn.
+    `keeps`: does a base that is a particle keep the mover from turning? Its surfaces do not turn. `far`: the name of
+    the base's own point, where the two are tied over a distance; "" where they meet.
     """
 
     joint: str
@@ -64,6 +65,7 @@ class Joining:
     drift: Vec | None = None
     pace: Vec | None = None
     keeps: bool = False
+    far: str = ""
 
 
 @record

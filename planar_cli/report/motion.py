@@ -381,7 +381,8 @@ class MotionTelling:
         if r.value.is_infinite():
             return line("∞" if r.value > 0 else "-∞")
         shown = self.phrases.shown(r.unknown, r.value)
-        if r.unknown in self.found.guessed and (r.formula is None or r.formula.has(sp.Integral)):
+        # What is integrated over time is led in by what is integrated; an equation that is printed is no integration.
+        if r.unknown in self.found.guessed and r.formula is not None and r.formula.has(sp.Integral):
             return line(shown, " by numerical integration")
         return shown
 
