@@ -55,7 +55,7 @@ def test_driven_vibrations_are_a_sum() -> None:
     assert "its amplitude: X = √(X_c² + X_s²)" in text
     assert "x = x_p + exp(-ζ ω_n t) (A cos(ω_d t) + B sin(ω_d t))" in text
     assert "A = -X_c = -(-0.05341) = 0.05341 m" in text
-    assert "Resonance: the force has the natural frequency" in text
+    assert "Resonance: the excitation has the natural frequency" in text
 
 
 @pytest.mark.parametrize("damping", [0, sp.Rational(1, 5), 1, 3])

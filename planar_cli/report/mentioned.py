@@ -48,10 +48,10 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                 case Text(text):
                     found |= set(re.findall(r"\w+", text))
                 case blocks.Name(name):
-                    letters |= {name, *name.split("_")}
+                    letters |= _names_in(name)
                     energies |= name.startswith(("T_", "E_k_"))
                 case Math(expr):
-                    letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
+                    letters |= {p for s in expr.free_symbols for p in _names_in(s.name)}
                     counted |= {s.name for s in piece.values or () if s.name != HELD}
     words = frozenset(found | letters)
     return Mentioned(
@@ -64,6 +64,12 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
         built=frozenset(built),
         summed=summed,
     )
+
+
+def _names_in(name: str) -> set[str]:
+    """A name, that without its state, and its subscripts; g_0 is no g."""
+    own = name.partition("__")[0]
+    return {name, own, *name.split("_")[1:]}
 
 
 def _built(block: Block) -> str:

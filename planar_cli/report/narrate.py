@@ -301,9 +301,11 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
 
 
 def _stretches(part: PartSolution, instant: InstantSolution) -> str:
-    """From which state to which a regime acts."""
+    """From which state to which a regime acts; in a blow nothing moves on, unless it acts in blows alone."""
     assert part.motion is not None
-    return ", ".join(_stretch(since, stop) for since, stop in part.motion.regime(instant).stretches)
+    moving, own = {(since, stop) for since, stop, _ in part.motion.stretches}, part.motion.regime(instant).stretches
+    told = [s for s in own if s in moving or s[0] == s[1] or not s[1]]
+    return ", ".join(_stretch(since, stop) for since, stop in told or own)
 
 
 def _stretch(since: str, stop: str) -> str:

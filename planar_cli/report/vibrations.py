@@ -32,9 +32,11 @@ def vibration_blocks(own: Vibration, law: Law, phrases: Phrases) -> Iterator[Blo
         return
     kept = line(Name(f"{q.name}_p"), " = ", phrases.math(own.steady))
     if not waves:
-        yield Paragraph(line("Resonance: the force has the natural frequency, and what it drives grows, ", *kept, "."))
+        yield Paragraph(
+            line("Resonance: the excitation has the natural frequency, and the vibration grows, ", *kept, ".")
+        )
         return
-    yield Paragraph(line("What the force keeps up, ", *kept, ":"))
+    yield Paragraph(line("The forced vibration, ", *kept, ":"))
     for letter, formula in waves:
         yield Equation(_chain(letter, formula, phrases))
     if len(waves) == 2:
