@@ -42,3 +42,9 @@ def test_what_is_differentiated_is_not_given(stem: str, line: str) -> None:
 
 def test_what_drives_acts_at_no_formula() -> None:
     assert "drive_1 ← = M a_Q" in page_of_file("man-walking-on-a-boat")
+
+
+def test_an_inertia_that_nothing_needs_is_named() -> None:
+    """A car that slides without turning needs no radius of gyration."""
+    page = page_of_file("car-with-locked-wheels")
+    assert "Not used the radius of gyration of car, 1.2 m: not needed here" in page

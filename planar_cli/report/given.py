@@ -103,6 +103,24 @@ def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Lin
                 yield line(f"the {what} of {body.name}, ", value)
 
 
+def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
+    """Moments of inertia and radii of gyration that the file gives as numbers, of bodies whose page needs none."""
+    for body in () if page.energies else problem.bodies:
+        if page.kinetic and _tells_inertia(body, problem, page):
+            continue
+        for what, side in (("moment of inertia", body.inertia), ("radius of gyration", body.gyration)):
+            told = None if side is None else number_of(side)
+            if side is not None and told is not None and told[0] and (value := said(side, figures)):
+                yield line(f"the {what} of {body.name}, ", value)
+
+
+def _tells_inertia(body: Body, problem: Problem, page: Mentioned) -> bool:
+    """Does the moment of inertia of a body stand on the page?"""
+    center = getattr(body.shape, "center", None)
+    own = {f"I_{body.name}"}
+    return not page.words.isdisjoint({"I", *own, f"I_{center}"} if len(_heavy(problem)) == 1 else own)
+
+
 def _heavy(problem: Problem) -> list[Body]:
     """The bodies that have mass."""
     return [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
@@ -119,8 +137,7 @@ def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Ite
     if page.kinetic or letter in page.letters:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
         yield from _datum(f"weight of {body.name}", body.weight, figures)
-    center = getattr(body.shape, "center", None)
-    named = not page.words.isdisjoint({"I", f"I_{body.name}", f"I_{center}"} if len(heavy) == 1 else {f"I_{body.name}"})
+    named = _tells_inertia(body, problem, page)
     if page.energies or (page.kinetic and named):
         yield from _datum(f"moment of inertia of {body.name}", body.inertia, figures)
         yield from _datum(f"radius of gyration of {body.name}", body.gyration, figures)

@@ -11,13 +11,15 @@ from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Text, Value, line
-from planar_cli.report.given import given_rows, idle_masses
+from planar_cli.report.given import given_rows, idle_inertias, idle_masses
 from planar_cli.report.mentioned import Mentioned, mentioned
 from planar_cli.report.principles import principles
 from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.uses import Uses
 from planar_cli.report.words import Phrases
 
+IDLE = (idle_masses, idle_inertias)
+"""What may be given of bodies and not be needed."""
 MOST_GIVEN = 18
 """More data are in the file, and not on the page."""
 GRAVITY = "g"
@@ -40,9 +42,9 @@ def opening_notes(
 
 
 def not_used(problem: Problem, blocks: Sequence[Block], figures: int) -> Iterator[Note]:
-    """What the file gives and nothing rests on: letters, surfaces, and masses of which the page has none."""
+    """What the file gives and nothing rests on: letters, surfaces, masses and inertias of which the page has none."""
     seen, parts = mentioned(blocks), (problem, *(case.problem for case in problem.cases))
-    masses = dict.fromkeys(mass for part in parts for mass in idle_masses(part, seen, figures))
+    masses = dict.fromkeys(m for part in parts for of in IDLE for m in of(part, seen, figures))
     if surplus := [*(line(name) for name in unused(problem)), *masses]:
         yield Note("Not used", line(*_listed(surplus), ": not needed here"))
 
