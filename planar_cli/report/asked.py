@@ -28,6 +28,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.projected import RATES, differences, vector_at
 from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.vectors import VectorTelling, index_of
@@ -49,6 +50,8 @@ class AskedTelling:
         self.scene = instant.instant.scene
         self._told: set[str] = set()
         self._named: set[str] = set()
+        written = [w for s in instant.stages for b in s.blocks for w in b.equations]
+        vectors.given = {w.left for w in written if w.given and w.right.is_number}
         self.paths = PathTelling(vectors, phrases, self._once)
         self.places = PlaceTelling(self.scene, phrases)
 
@@ -262,7 +265,7 @@ class AskedTelling:
         return Turned((along, across), certain(own.angular), (reach, rise), spin)
 
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
-        if key not in self._told:
+        if key not in self._told | self.vectors.valued:
             self._told.add(key)
             value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
             yield Equation((*sides, value) if value else sides, None, note=note)
@@ -284,7 +287,11 @@ class AskedTelling:
             if level == "acceleration" and spin != 0:
                 yield from self._coriolis(relative, spin)
             left = line(Name(f"{v}_rel"))
-            yield from self._once(f"{v}_rel {point} {frame}", (left, line(*sides)), vector, level)
+            others = [vector_at(self.vectors, frame, place, level)]
+            others += [relative.turned() * (2 * spin)] if level == "acceleration" and spin != 0 else []
+            put = differences(vector, others, RATES[level], self.phrases)
+            shown = (left, line(*sides), *([put] if put else []))
+            yield from self._once(f"{v}_rel {point} {frame}", shown, vector, level)
         if word == "coriolis":
             yield from self._coriolis(relative, spin)
 

@@ -23,6 +23,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.projected import projected, value_of
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
@@ -52,6 +53,10 @@ class VectorTelling:
         self.edges = {e.body: e for e in self.system.tree.edges}
         self.named: set[sp.Symbol] = set()
         """Coordinates whose values stand on the page."""
+        self.given: set[sp.Symbol] = set()
+        """Unknowns that the file gives as numbers."""
+        self.valued: set[str] = set()
+        """Points whose vector has its components where it was told first."""
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -74,7 +79,9 @@ class VectorTelling:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
             return [*self._reach(joining, level), Paragraph(line(*self._taut(joining, level), ":"))]
-        return [*self._reach(joining, level), Paragraph(line(*self._words(joining, w, level), ":"))]
+        reach = self._reach(joining, level)
+        known = projected(self, joining, w, level, f"{level[0]}_{index_of(joining.place)}")
+        return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
         """The vector equations of the point of a joint, on both of its bodies."""
@@ -225,7 +232,10 @@ class VectorTelling:
         key = f"{level} {body} {place}"
         if key not in self._told:
             self._told.add(key)
-            yield Equation(sides, None, note=self.arm_once(place, edge, arm))
+            value = () if place.endswith("′") else value_of(self, body, at, level)
+            self.valued |= {f"{level} {place}"} if value else set()
+            shown = (*sides, value) if value else sides
+            yield Equation(shown, None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
         """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""

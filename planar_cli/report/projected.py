@@ -1,0 +1,172 @@
+"""The component of a relation between a point and the body along which it slides, from the vectors that are known.
+
+n = [-0.5, 0.8660]                                     unit vector across AB
+v_D · n = -0.5 · 0.8619 = -0.4309 m/s
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from typing import Any, Protocol
+
+import sympy as sp
+
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import ACCELERATION, PURE, VELOCITY, Dimension
+
+NEARLY = Decimal("1e-12")
+
+RATES = {"velocity": VELOCITY, "acceleration": ACCELERATION}
+Known = tuple[str, Vec]
+"""The name of a vector whose components are numbers, and these."""
+
+
+class Told(Protocol):
+    """A telling of vector equations. `given`: unknowns that the file gives as numbers; `valued`: what has its value on
+    the page.
+    """
+
+    given: set[sp.Symbol]
+    valued: set[str]
+    phrases: Phrases
+    system: System
+
+    @property
+    def motion(self) -> Motion: ...
+
+
+def is_known(told: Told, vector: Vec, level: str) -> bool:
+    """Is it made of what the file gives, and of velocities that were found before?"""
+    tree, inside = told.system.tree, vector.x.free_symbols | vector.y.free_symbols
+    open_yet = set(tree.velocity_unknowns()) if level == "velocity" else set(tree.acceleration_unknowns())
+    sure = not told.phrases.symbolic and told.phrases.has_numbers(vector.x + vector.y)
+    return bool(told.given) and sure and not inside & (open_yet - told.given)
+
+
+def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:
+    """The velocity or the acceleration of a point of a body."""
+    return told.motion.velocity(at, body) if level == "velocity" else told.motion.acceleration(at, body)
+
+
+def value_of(told: Told, body: str, at: Vec, level: str) -> Line:
+    """[x, y] of what is known as soon as it is told; else nothing."""
+    vector = vector_at(told, body, at, level)
+    if not is_known(told, vector, level):
+        return ()
+    return told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
+
+
+def projected(told: Told, j: Joining, w: Written, level: str, name: str) -> Iterator[Block]:
+    """The components of what is known of a point that slides along a straight line of a body, across that line."""
+    if j.base == GROUND or j.path is None or j.path.curvature != 0 or w.along is None or j.rolling is not None:
+        return
+    own = vector_at(told, j.mover, j.point, level)
+    if not is_known(told, own, level):
+        return
+    known, spin = [(name, own)], told.motion.velocities[j.base].angular
+    if level != "velocity" and spin != 0:
+        relative, _ = told.system.quantities().seen_from(j.place, j.base)
+        known.append(("a_cor", relative.turned() * (2 * spin)))
+    carried = vector_at(told, j.base, j.point, level)
+    known = [(n, v) for n, v in known if any(told.phrases.certain(p) for p in (v.x, v.y))]
+    beside = list(_carried(Vec(*w.along), f"{name}′", carried, RATES[level], told))
+    if not known or not beside:
+        return
+    fresh = f"n {j.base}" not in told.valued
+    told.valued.add(f"n {j.base}")
+    yield from _along(Vec(*w.along), f"unit vector across {j.base}", known, RATES[level], told.phrases, fresh)
+    yield from beside
+
+
+def _along(
+    normal: Vec, words: str, known: Sequence[Known], dimension: Dimension, phrases: Phrases, fresh: bool
+) -> Iterator[Block]:
+    """The unit vector, and the component of each known vector along it. `normal`: of any length."""
+    unit = _unit(normal, phrases)
+    if any(abs(abs(u) - 1) < NEARLY for u in unit):
+        return
+    if fresh:
+        yield Equation((line(Name("n")), phrases.vector(unit[0], unit[1], PURE)), None, (), line(words))
+    parts = [[phrases.of_dimension(phrases.certain(p), dimension).number for p in (v.x, v.y)] for _, v in known]
+    sizes = [sum((e * x for e, x in zip(unit, p, strict=True)), Decimal(0)) for p in parts]
+    figures = figures_of(sizes, lambda x: x[0] - sum(x[1:], Decimal(0)), phrases.figures)
+    sign = coherent_unit(dimension, us=phrases.ledger.us).text
+    for (name, _), shown, size in zip(known, parts, sizes, strict=True):
+        result = Value(size, sign, figures)
+        yield Equation((line(Name(name), " · ", Name("n")), _summed(unit, shown, figures), result))
+
+
+def _unit(normal: Vec, phrases: Phrases) -> list[Decimal]:
+    x, y = phrases.certain(normal.x), phrases.certain(normal.y)
+    size = (x * x + y * y).sqrt()
+    return [x / size, y / size]
+
+
+def _carried(normal: Vec, name: str, vector: Vec, dimension: Dimension, told: Told) -> Iterator[Block]:
+    """The component of the point of the body itself: a number times the one unknown that is in it."""
+    phrases, unit = told.phrases, _unit(normal, told.phrases)
+    tree = told.system.tree
+    every = {*tree.velocity_unknowns()} if dimension == VELOCITY else {*tree.acceleration_unknowns()}
+    inside = (vector.x.free_symbols | vector.y.free_symbols) & (every - told.given)
+    if len(inside) != 1:
+        return
+    (unknown,) = inside
+    factors = [phrases.value(sp.diff(p, unknown)) for p in (vector.x, vector.y)]
+    rests = [phrases.value(p.xreplace({unknown: sp.S.Zero})) for p in (vector.x, vector.y)]
+    factor, rest = (sum((e * x for e, x in zip(unit, parts, strict=True)), Decimal(0)) for parts in (factors, rests))
+    if abs(rest) > NEARLY or abs(factor) < NEARLY or phrases.ledger.us:
+        return
+    own = sp.Symbol(f"{NUMBER}arm", real=True)
+    product = Math(own * unknown, {own: significant(factor, phrases.figures)})
+    yield Equation((line(Name(name), " · ", Name("n")), product))
+
+
+def _summed(unit: list[Decimal], shown: list[Decimal], figures: int) -> Math | Line:
+    """-0.5 · 0.8619 + 0.8660 · 0.2, without what is zero."""
+    pairs = [(e, v) for e, v in zip(unit, shown, strict=True) if v]
+    if not pairs:
+        return line("0")
+    counted = [x for pair in pairs for x in pair]
+    figures = figures_of(
+        counted,
+        lambda x: sum((x[i] * x[i + 1] for i in range(0, len(x), 2)), Decimal(0)),
+        figures,
+    )
+    texts: dict[sp.Symbol, str] = {}
+    terms: list[Any] = []
+    for i, (e, v) in enumerate(pairs):
+        one, other = (sp.Symbol(f"{NUMBER}{k}{i}", real=True) for k in ("cos", ""))
+        texts |= {one: significant(e, figures), other: significant(v, figures)}
+        terms.append(sp.Mul(one, other, evaluate=False))
+    return Math(terms[0] if len(terms) == 1 else sp.Add(*terms, evaluate=False), texts)
+
+
+def differences(relative: Vec, others: Sequence[Vec], dimension: Dimension, phrases: Phrases) -> Line:
+    """[0.8619 - 0.2155, 0 - (-0.3732)], of the whole vector without all others, with as many figures as that takes."""
+    if phrases.symbolic:
+        return ()
+    whole = relative
+    for other in others:
+        whole = whole + other
+    vectors, told = [whole, *others], list[Any]()
+    for axis in ("x", "y"):
+        numbers = [phrases.of_dimension(phrases.certain(getattr(v, axis)), dimension).number for v in vectors]
+        figures = figures_of(numbers, lambda x: x[0] - sum(x[1:], Decimal(0)), phrases.figures)
+        letters = [sp.Symbol(f"{NUMBER}{axis}{i}", real=True) for i in range(len(numbers))]
+        texts = {s: significant(x, figures) for s, x in zip(letters, numbers, strict=True)}
+        kept = [s if i == 0 else -s for i, (s, x) in enumerate(zip(letters, numbers, strict=True)) if x]
+        sides = Math(sp.Add(*kept, evaluate=False), texts) if kept else Text("0")
+        told += [", " if told else "[", sides]
+    return line(*told, "]")
