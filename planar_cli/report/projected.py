@@ -108,6 +108,13 @@ def _along(
         yield Equation((line(Name(name), " · ", Name("n")), _summed(unit, shown, figures), result))
 
 
+def unit_of(direction: Vec, phrases: Phrases) -> Line:
+    """A unit vector in letters or numbers."""
+    if phrases.symbolic:
+        return line("[", phrases.math(direction.x), ", ", phrases.math(direction.y), "]")
+    return phrases.vector(phrases.certain(direction.x), phrases.certain(direction.y), PURE)
+
+
 def _unit(normal: Vec, phrases: Phrases) -> list[Decimal]:
     x, y = phrases.certain(normal.x), phrases.certain(normal.y)
     size = (x * x + y * y).sqrt()

@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.problem.expression import Name, Part, Quantity, Side
+from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Side
 from planar_cli.problem.walk import walk
 from planar_cli.report.numbers import rotation_words, vector_words
 from planar_cli.report.sides import number_of
@@ -65,7 +65,11 @@ def _words(found: Found, positive: bool) -> str:
     if what.word in TURNS and not what.parts:
         return rotation_words(1 if positive else -1)
     if what.word in MOVES and len(what.parts) == 1:
-        quarter = _quarter(what.parts[0])
+        (part,) = what.parts
+        if part.kind == "along" and isinstance(part.direction, PointPair):
+            ends = (part.direction.origin, part.direction.to)
+            return "from {} towards {}".format(*(ends if positive else reversed(ends)))
+        quarter = _quarter(part)
         return "" if quarter is None else WAYS[(quarter + (0 if positive else 2)) % 4]
     return ""
 

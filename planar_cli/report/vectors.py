@@ -23,13 +23,13 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.projected import projected, value_of
+from planar_cli.report.projected import projected, unit_of, value_of
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
-from planar_cli.units import LENGTH, PURE
+from planar_cli.units import LENGTH
 
 SHORT = 7
 """So many operations has a component of an arm at most that is told in letters before its number."""
@@ -234,8 +234,7 @@ class VectorTelling:
             self._told.add(key)
             value = () if place.endswith("′") else value_of(self, body, at, level)
             self.valued |= {f"{level} {place}"} if value else set()
-            shown = (*sides, value) if value else sides
-            yield Equation(shown, None, note=self.arm_once(place, edge, arm))
+            yield Equation((*sides, value) if value else sides, None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
         """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""
@@ -317,13 +316,9 @@ class VectorTelling:
         joining = self.edges[body].joining
         if joining is not None and joining.path is not None and f"e {joining.base}" not in self._told:
             self._told.add(f"e {joining.base}")
-            yield Equation((line(Name("e")), self.unit(joining.path.tangent)), None, note=line(f"along {joining.base}"))
-
-    def unit(self, direction: Vec) -> Line:
-        """A unit vector in letters or numbers."""
-        if self.phrases.symbolic:
-            return line("[", self.phrases.math(direction.x), ", ", self.phrases.math(direction.y), "]")
-        return self.phrases.vector(self.phrases.certain(direction.x), self.phrases.certain(direction.y), PURE)
+            yield Equation(
+                (line(Name("e")), unit_of(joining.path.tangent, self.phrases)), None, note=line(f"along {joining.base}")
+            )
 
     def _turning(self, body: str, place: str, reference: str, level: str) -> Iterator[tuple[str, Line]]:
         """ω × r, or α × r and ω² r, where they are not zero."""
