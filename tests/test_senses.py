@@ -18,7 +18,7 @@ FILES = {p.stem: p for p in PROBLEMS}
         ("ex-4-04", "α = 12 g/(11 L) counterclockwise"),
         ("ex-4-06", "F_pivot = A_y = 4/7 m g upward"),
         ("ex-1-07", " = -l √(k/m), that is to the left"),
-        ("ex-1-07", "eom = -k x/m\n"),
+        ("ex-1-07", " = -k x/m\n"),
         ("ex-1-07", "x_stop = -l\n"),
     ],
 )
