@@ -241,6 +241,8 @@ def _instant_blocks(
         blocks = _without_solution(blocks)
     blocks = before.reduced(blocks, stretches, numbers[0])
     steps = numbers[0] + sum(isinstance(b, Heading) for b in blocks)
+    if len(part.instants) > 1 and all(isinstance(b, Note) for b in blocks) and _only_after(part, instant):
+        blocks = []
     if len(part.instants) > 1 and blocks:
         blocks.insert(0, Heading("MOTION", stretches))
     printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
@@ -306,6 +308,13 @@ def _stretches(part: PartSolution, instant: InstantSolution) -> str:
     moving, own = {(since, stop) for since, stop, _ in part.motion.stretches}, part.motion.regime(instant).stretches
     told = [s for s in own if s in moving or s[0] == s[1] or not s[1]]
     return ", ".join(_stretch(since, stop) for since, stop in told or own)
+
+
+def _only_after(part: PartSolution, instant: InstantSolution) -> bool:
+    """Does a regime act only from the last state on?"""
+    assert part.motion is not None
+    last = part.motion.states[-1]
+    return all((since, stop) == (last, "") for since, stop in part.motion.regime(instant).stretches)
 
 
 def _stretch(since: str, stop: str) -> str:

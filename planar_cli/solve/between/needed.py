@@ -117,9 +117,15 @@ def _rates(regime: Regime, speeds: Iterable[sp.Symbol]) -> set[str]:
 def _of_turnings(course: StatedMotion, regime: Regime) -> set[str]:
     """The pushes that decide where this regime ends."""
     symbols = regime.general.trial.system.symbols
-    ends = [expr for expr, _ in course.modes.turnings.values()]
-    tests = [w.test for w in regime.watches if any(e in (w.expr, -w.expr) for e in ends)]
-    return {symbols[name].name for test in tests for name, _ in test.pushes if name in symbols}
+    ends = [*course.modes.turnings.values()]
+    # That of two components may stand in the distance of their point, no longer in its coordinates.
+    tests = [
+        w.test
+        for w in regime.watches
+        if any(e in (w.expr, -w.expr) or (w.test.within and words.startswith(w.test.words)) for e, words in ends)
+    ]
+    pushes = (name for test in tests for name in (*(n for n, _ in test.pushes), *test.within))
+    return {symbols[name].name for name in pushes if name in symbols}
 
 
 def _parts(

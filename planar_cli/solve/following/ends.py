@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -14,8 +15,9 @@ from planar_cli.solve.between.events import FollowedSegment
 from planar_cli.solve.between.followed import Ends
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.following.traced import SOON, Traced
+from planar_cli.solve.regimes.kept_radius import with_kept_radius
 from planar_cli.solve.regimes.mode_dates import is_dated_by_mode
-from planar_cli.solve.regimes.regime import number_function
+from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
 TOGETHER = 1e-6
@@ -23,6 +25,8 @@ TOGETHER = 1e-6
 VANISHES = 1e-4
 """What ends an assumption is below this part of its size."""
 HALVINGS = 60
+SQUARED = ", F_x² + F_y² ≤ (μ N)² with x² + y² constant"
+"""Behind the words of a limit of two components whose point goes round."""
 
 
 def is_put_in(course: RegimeSequence, i: int) -> bool:
@@ -100,7 +104,24 @@ class EndSearch:
         if off > VANISHES:
             self.lost = f"nothing tells why other modes follow at t = {time:.9g} s"
             return None
-        return ends
+        if ends is None or (expr := self._carried_round(ends.expr, regime, segment)) == ends.expr:
+            return ends
+        return replace(ends, expr=expr, words=f"{ends.words}{SQUARED}")
+
+    def _carried_round(self, expr: sp.Expr, regime: Regime, segment: FollowedSegment) -> sp.Expr:
+        """With the distances from the origin that stay what they are drawn in place of both coordinates."""
+        here = segment.at(segment.t0)
+        drawn = {c.symbol: sp.sympify(c.drawn) for c in regime.coordinates if c.drawn is not None}
+
+        def stays(x: sp.Symbol, y: sp.Symbol) -> bool:
+            square = self.value.known(drawn[x] ** 2 + drawn[y] ** 2)
+            now = here[x] ** 2 + here[y] ** 2
+            return square is not None and math.isclose(float(square), now, rel_tol=VANISHES)
+
+        found = with_kept_radius(expr, drawn, regime.rates, stays)
+        if found == expr:
+            return expr
+        return sp.Mul(*(f for f in sp.Mul.make_args(found) if f.is_number or not f.is_positive))
 
     def _turned(self, i: int, segment: FollowedSegment, limit: float) -> Ends | None:
         """The first speed that changes its sign, or place that comes to the other side, where a law asks for it."""

@@ -97,7 +97,7 @@ class Follower:
                     return
                 state = struck
                 continue
-            if not self._fits(i, regime, state):
+            if not self._begins(i, regime, state):
                 return
             if course.is_dated(i):
                 done.dated = i
@@ -108,6 +108,17 @@ class Follower:
             state = reached
         done.at = state
         self._onward(state)
+
+    def _begins(self, i: int, regime: Regime, state: State) -> bool:
+        """As `_fits`; of a state that the beginning of these modes tells nothing that follows it needs a value: what is
+        about to slide in a plane has no direction of sliding yet.
+        """
+        try:
+            return self._fits(i, regime, state)
+        except NoValue:
+            if not self.course.is_dated(i):
+                raise
+            return True
 
     def _onward(self, state: State) -> None:
         """What follows the last state, as far as something is asked of it."""

@@ -194,10 +194,9 @@ class Regime:
         values = {p.name: e for p, e in system.reactions.pushes}
         for mode in system.modes.values():
             for test in mode.tests:
-                if test.within or test.row is not None or test.joining is not None:
+                if test.row is not None or test.joining is not None:
                     continue
-                parts = [factor * values[name] for name, factor in test.pushes if name in values]
-                expr = sp.sympify(sp.Add(*parts, test.constant))
+                expr = left_of(test, values)
                 if expr != 0 and not self.general.unique(expr):
                     self.loose = True
                 elif expr != 0:
@@ -213,6 +212,15 @@ class Regime:
             for mode in system.modes.values()
             if mode.sliding is not None and mode.direction
         ]
+
+
+def left_of(test: Test, values: Mapping[str, sp.Expr]) -> sp.Expr:
+    """What a test must not let become negative; of two components within a limit by squares, (μ N)² - F_x² - F_y²."""
+    if test.within:
+        squares = (sp.sympify(values[name]) ** 2 for name in test.within if name in values)
+        return sp.sympify(test.constant) ** 2 - sp.Add(*squares)
+    parts = [factor * values[name] for name, factor in test.pushes if name in values]
+    return sp.sympify(sp.Add(*parts, test.constant))
 
 
 def number_function(
