@@ -208,11 +208,9 @@ class System:
         return body in self.statements.equilibrium or self._all_balanced()
 
     def _all_balanced(self) -> bool:
-        """Is everything in equilibrium, and not driven by `motion`? Of several states those in equilibrium are found by
-        the motion near them.
-        """
+        """Is everything in equilibrium, and not driven by `motion`?"""
         driven = any(always for _, always in self.statements.relations)
-        return None in self.statements.equilibrium and not driven and not self.scene.problem.states
+        return None in self.statements.equilibrium and not driven
 
     def _of_coordinates(self, tree: Tree) -> list[sp.Symbol]:
         """The second rates of coordinates that move particles without unknowns of their own."""

@@ -11,6 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
+from planar_cli.loads.base import Load
 from planar_cli.principles._bodies import joined, moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
@@ -185,14 +186,17 @@ def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
     named: dict[tuple[str, str], list[Wrench]] = {}
     for w in system.wrenches:
         named.setdefault((w.kind, w.name), []).append(w)
-    loads = {(x.kind, x.name): x for x in acting_loads(system.scene.problem)}
+    loads: dict[tuple[str, str], list[Load]] = {}
+    for x in acting_loads(system.scene.problem):
+        loads.setdefault((x.kind, x.name), []).append(x)
     setting = MovingScene(system.scene, motion, position.value)
     for (kind, name), wrenches in named.items():
         power = sp.Add(*(_power(w, motion) for w in wrenches))
-        load = loads.get((kind, name))
-        made = None if load is None else load.stored(setting)
-        stored = None if load is None else load.potential(setting)
-        working = FRICTION if load is None else load.working or load.called.removeprefix("the ")
+        # Those of one kind that the file calls alike are one source.
+        alike = loads.get((kind, name), [])
+        made = alike[0].stored(setting) if len(alike) == 1 else None
+        stored = _stored_in(alike, setting)
+        working = alike[0].working or alike[0].called.removeprefix("the ") if alike else FRICTION
         of = None if made is None else Stored(sp.sympify(made[0]), sp.sympify(made[1]), made[2], made[3])
         function = None if stored is None else -sp.sympify(stored)
         yield Source(working.format(name), power, function, of), {w.body for w in wrenches}
@@ -203,6 +207,12 @@ def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
         parts = [a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
         parts += [a.couple * motion.velocities[a.body].angular for a in push.actions]
         yield Source(FRICTION.format(push.place), sp.Add(*parts) * value), {a.body for a in push.actions}
+
+
+def _stored_in(loads: Sequence[Load], setting: MovingScene) -> sp.Expr | None:
+    """The potential of all of them; None: one has none."""
+    found = [x.potential(setting) for x in loads]
+    return None if not found or any(e is None for e in found) else sp.Add(*found)
 
 
 def _power(w: Wrench, motion: Motion) -> sp.Expr:

@@ -102,9 +102,12 @@ class _Energies:
             vx, vy, omega = rate(body.center.x), rate(body.center.y), rate(body.theta)
             kinetic.append(body.mass * (vx**2 + vy**2) / 2 + body.inertia * omega**2 / 2)
         setting = Moving(scene, position.motion, position.value)
-        stored = {(x.kind, x.name): x.potential(setting) for x in acting_loads(scene.problem, position.system.idle())}
-        left = tuple(w for w in position.system.wrenches if stored.get((w.kind, w.name)) is None)
-        potential = sp.Add(*(e for e in stored.values() if e is not None))
+        # Several of one kind may be called alike.
+        every = acting_loads(scene.problem, position.system.idle())
+        stored = [(x.kind, x.name, x.potential(setting)) for x in every]
+        told = {(kind, name) for kind, name, e in stored if e is not None}
+        left = tuple(w for w in position.system.wrenches if (w.kind, w.name) not in told)
+        potential = sp.Add(*(e for _, _, e in stored if e is not None))
         return _Energies(position, rates, _neat(sp.Add(*kinetic)), _neat(sp.sympify(potential)), left)
 
     def equation(self, c: Coordinate) -> Single:

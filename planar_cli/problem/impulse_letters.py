@@ -12,7 +12,10 @@ LETTER = "J"
 def impulse_letters(problem: Problem) -> dict[str, tuple[str, Side]]:
     """By the name of the load: its letter and its magnitude. A magnitude with names of the file has letters already."""
     blows = [x for x in (*problem.loads, *problem.strikers) if x.strikes]
-    sides = {x.name: side for x in blows if isinstance(side := getattr(x, "magnitude", None), Side)}
+    # Two that are called alike have no letters of their own.
+    called = [x.name for x in blows]
+    told = [x for x in blows if called.count(x.name) == 1]
+    sides = {x.name: side for x in told if isinstance(side := getattr(x, "magnitude", None), Side)}
     plain = {name: side for name, side in sides.items() if not any(isinstance(n, Name) for n in walk(side))}
     symbols = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
     taken = {x.name for x in symbols} | {p.name for p in problem.points} | {b.name for b in problem.bodies}

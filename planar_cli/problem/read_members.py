@@ -67,7 +67,23 @@ def read_joints(node: Node, names: Names, report: Report) -> tuple[Joint, ...]:
 
 def read_loads(node: Node, names: Names, report: Report) -> tuple[Load, ...]:
     """The list `loads`."""
-    return tuple(m for m in _entries(node, "loads", names, report) if isinstance(m, Load))
+    return _told_apart([m for m in _entries(node, "loads", names, report) if isinstance(m, Load)])
+
+
+def _told_apart(loads: list[Load]) -> tuple[Load, ...]:
+    """Springs and dampers of one kind that would be called by one point are called by their other one; so is a spring
+    that acts one way alone, where anything else is called by that point.
+    """
+    found = list(loads)
+    for i, load in enumerate(loads):
+        one_way = bool(getattr(load, "acts", ""))
+        alike = [x for x in loads if x.name == load.name and (one_way or x.kind == load.kind)]
+        others = [n for n in getattr(load, "between", None) or () if n not in (load.name, "ground")]
+        if len(alike) > 1 and others:
+            taken = {x.name for k, x in enumerate(found) if k != i}
+            names = (others[0], *(f"{others[0]}_{k}" for k in range(2, len(loads) + 2)))
+            found[i] = replace(load, name=next(n for n in names if n not in taken))
+    return tuple(found)
 
 
 def _entries(node: Node, shelf: str, names: Names, report: Report) -> list[object]:

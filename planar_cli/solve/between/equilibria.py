@@ -4,7 +4,7 @@ and what equilibrium demands (free speeds and their rates vanish) are solved on 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
 from types import MappingProxyType
@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Valuation
-from planar_cli.equation.plain import derivative, simplified
+from planar_cli.equation.plain import by_name, derivative, simplified
 from planar_cli.errors import Diagnostic, NoSolution, undecided_at
 from planar_cli.problem.expression import Statement
 from planar_cli.problem.not_negative import not_negative
@@ -22,6 +22,7 @@ from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Branch, Chain
 from planar_cli.solve.between.extremes import stationary
+from planar_cli.solve.instant.several_roots import roots_together
 from planar_cli.solve.regimes.equations import Equation, drawn_equations, loop_equations, stated_equations
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand, Stop
@@ -228,7 +229,8 @@ def _branches(
     chain = _chain(course, states, demands, equations, fixed)
     base, symbolic, natural = chain.value, chain.symbolic, chain.natural
     sizes = [s for s in course.sought() if s.name in not_negative(course.problem)]
-    found = [b for b in chain.branches(equations) if not b.left]
+    angles = frozenset(_angles(course, states))
+    found = [whole for b in chain.branches(equations) for whole in _with_the_rest(chain, b, angles)]
     found = [b for b in found if not any(s in b.formulas and b.formulas[s].is_negative for s in sizes)]
     proper = [b for b in found if all(b.values.get(s, Decimal(0)) >= 0 for s in sizes)]
     # With letters the signs are those of their draws: they only tell one root from another.
@@ -236,7 +238,22 @@ def _branches(
     if not symbolic:
         found = [b for b in found if _assumed(course, states, base.extended(b.values))]
     found = [replace(b, values={**b.values, **fixed}) for b in found]
-    return _distinct(found, set(_angles(course, states)), natural)
+    return _distinct(found, set(angles), natural)
+
+
+def _with_the_rest(chain: Chain, branch: Branch, angles: frozenset[sp.Symbol]) -> Iterator[Branch]:
+    """A branch with the letters that no equation tells alone: their roots are looked for together, in numbers."""
+    if not branch.left:
+        yield branch
+        return
+    residuals = [e.residual for e in branch.left]
+    unknowns = by_name({s for e in residuals for s in e.free_symbols & chain.unknowns}.difference(branch.values))
+    if chain.symbolic or not unknowns:
+        return
+    here = chain.value.extended(branch.values)
+    for root in roots_together(residuals, unknowns, here, lambda s: chain.natural[s], angles):
+        if chain.accept({**branch.values, **root}):
+            yield replace(branch, values={**branch.values, **root}, left=())
 
 
 def _assumed(course: RegimeSequence, states: tuple[State, ...], number: Valuation) -> bool:

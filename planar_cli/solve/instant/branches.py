@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from decimal import Decimal
 
@@ -16,6 +16,7 @@ from planar_cli.solve.instant.algebra import Algebra, Line, SolvedBlock
 from planar_cli.solve.instant.elimination import Pending, alone, closes, combined, eliminate
 from planar_cli.solve.instant.plan import Block
 from planar_cli.solve.instant.roots import Root, real_roots
+from planar_cli.solve.instant.several_roots import roots_together
 from planar_cli.solve.instant.written import Written
 
 
@@ -28,6 +29,8 @@ class Choice:
     roots: tuple[Root, ...]
     taken: int
     number: int
+    together: bool = False
+    """Was the root looked for with those of other unknowns?"""
 
 
 @record
@@ -40,10 +43,16 @@ class Branch:
 
 
 class Brancher:
-    """Walks the blocks of a plan. `angles`: unknowns that are angles."""
+    """Walks the blocks of a plan. `angles`: unknowns that are angles; `natural`: an ordinary size of each."""
 
-    def __init__(self, unknowns: tuple[sp.Symbol, ...], angles: frozenset[sp.Symbol], symbolic: bool) -> None:
-        self.unknowns, self.angles, self.symbolic = unknowns, angles, symbolic
+    def __init__(
+        self,
+        unknowns: tuple[sp.Symbol, ...],
+        angles: frozenset[sp.Symbol],
+        symbolic: bool,
+        natural: Callable[[sp.Symbol], Decimal],
+    ) -> None:
+        self.unknowns, self.angles, self.symbolic, self.natural = unknowns, angles, symbolic, natural
         self.repeated: set[int] = set()
         """The numbers of equations that came out as following from others of their block."""
 
@@ -125,9 +134,38 @@ class Brancher:
         else:
             smaller = combined(pool, left, algebra.value)
             if smaller is None:
-                numbers = ", ".join(f"({n})" for n in dict.fromkeys(n for p in pool for n in p.numbers))
-                raise Undecided(f"the equations {numbers} are nonlinear in several unknowns at once")
-            yield from self._reduced(algebra, smaller, left, letters, lines)
+                yield from self._together(algebra, pool, left, letters, lines)
+            else:
+                yield from self._reduced(algebra, smaller, left, letters, lines)
+
+    def _together(
+        self,
+        algebra: Algebra,
+        pool: list[Pending],
+        left: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+        lines: tuple[Line, ...],
+    ) -> Iterator[tuple[Algebra, tuple[Line, ...], tuple[Choice, ...]]]:
+        """All roots that are found of equations of which none tells an unknown by the others."""
+        numbers = tuple(dict.fromkeys(n for p in pool for n in p.numbers))
+        told = f"the equations {', '.join(f'({n})' for n in numbers)} are nonlinear in several unknowns at once"
+        if any(self.symbolic and _rests_on_letters(p.residual, algebra) for p in pool):
+            raise Undecided(f"{told}, and hold letters; with numbers for these their roots can be looked for")
+        found = roots_together([p.residual for p in pool], left, algebra.value, self.natural, self.angles)
+        if not found:
+            raise Undecided(f"{told}, and no root is found")
+        for taken, root in enumerate(found):
+            after = copied(algebra)
+            after.value = after.value.extended(root)
+            exact = {x: sp.Rational(str(v)) for x, v in root.items()}
+            after.formulas |= exact
+            own = tuple(Line(x, exact[x], root[x], numbers) for x in left)
+            choices = tuple(
+                Choice(x, p.residual, tuple(Root(None, r[x]) for r in found), taken, numbers[0], True)
+                for x, p in zip(left, pool, strict=False)
+            )
+            for back, shown, others in self._reduced(after, [], (), letters, (*lines, *own)):
+                yield back, shown, (*choices, *others)
 
     def _rooted(
         self,

@@ -14,7 +14,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.system import System
-from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
@@ -33,6 +33,8 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     """
     rejected: list[Sought] = []
     undecided: Undecided | None = None
+    plain = False
+    """Has it no place of its own?"""
     best: Sought | None = None
     extremes = instant.statements.extremes
     for choice in itertools.islice(instant.choices(), MOST_CHOICES):
@@ -41,7 +43,10 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
             try:
                 found = None if seeker.conflict else _best(seeker, targets_of(seeker.system), rejected)
             except Undecided as error:
-                undecided = error
+                undecided, plain = (
+                    error,
+                    type(error) is Undecided and not str(error).startswith(instant.scene.problem.file),
+                )
                 continue
             held += [] if found is None else [found, *found.others]
         if held and not extremes:
@@ -52,7 +57,8 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     if best is not None:
         return best, rejected
     if undecided is not None:
-        raise undecided
+        finds = instant.scene.problem.find
+        raise undecided_at(finds[0].mark, f"not decided, {undecided}") if finds and plain else undecided
     raise NoSolution([_nothing(instant, targets_of, [s.objection for s in rejected])])
 
 

@@ -191,7 +191,7 @@ class Seeker:
             numbers = offer.columns
             writer = Writer(self.system, numbers)
             work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
-            brancher = Brancher(numbers.unknowns, self._angles(numbers), self.ledger.symbolic)
+            brancher = Brancher(numbers.unknowns, self._angles(numbers), self.ledger.symbolic, self.ledger.natural)
             found = [replace(s, offer=offer) for s in self._followed(brancher, work, plan, writer, numbers)]
             yield from found
             told = [(w.number, e) for b, written in work for w, e in zip(written, b.equations, strict=True)]

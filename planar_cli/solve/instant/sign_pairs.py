@@ -18,6 +18,7 @@ from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
+from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.instant.seeker import Sought
 
@@ -37,12 +38,33 @@ def demand_one_way(instant: Instant, taken: Sought, asked: Asked, mark: Mark) ->
     """The branch that was taken, if no other with the same constants answers otherwise; else NoSolution."""
     sought = list(instant.scene.ledger.sought)
     others = []
+    _demand_one_place(instant, taken, asked, mark)
     for s in taken.others:
         rival = _same(s, taken, sought, sought)
         if rival and not _same(s, taken, asked(s.trial.system), asked(taken.trial.system)):
             raise BothWays([_both(instant, taken, s, mark)])
         others.append(replace(s, objection=SAME) if rival else s)
     return replace(taken, others=others)
+
+
+def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark) -> None:
+    """NoSolution: equations in several unknowns hold in several ways, and the answers differ. None is the usual one."""
+    if not any(c.together for c in taken.branch.choices):
+        return
+    here = asked(taken.trial.system)
+    others = [s for s in taken.others if not _same(s, taken, asked(s.trial.system), here)]
+    if others:
+        ways = "; or ".join(_told(instant, s) for s in (taken, *others))
+        text = f"{ways}: with each of them all equations hold"
+        hint = "say which is meant by an inequality that one alone fulfils, such as `y(P) < 0`"
+        raise NoSolution([Diagnostic(mark, "PL635", text, hint)])
+
+
+def _told(instant: Instant, s: Sought) -> str:
+    """The roots of one way, in the units of the file."""
+    ledger = instant.scene.ledger
+    found = ((c.symbol, c.roots[c.taken].value) for c in s.branch.choices if c.together)
+    return ", ".join(f"{x.name} = {in_unit(v, ledger.units[x], ledger.us)}" for x, v in found)
 
 
 def _numbers(s: Sought) -> Valuation:
