@@ -105,3 +105,41 @@ def test_a_motion_beside_an_equilibrium_in_two_coordinates() -> None:
     found = solve(text.replace("x: x(w) AT, y: y(w) AT", "dy: y @ 1 - y @ e, v: v(w).mag @ 2"))
     assert first(found["dy"]) == pytest.approx(0.06127, abs=1e-5)
     assert first(found["v"]) == pytest.approx(0.5676, abs=1e-4)
+
+
+KNOT = """title: Knot of two springs that is pulled down
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0]}
+bodies: {w: {particle: free}}
+loads:
+  - spring: {between: [A, w], stiffness: 300 N/m, natural_length: 0.4 m}
+  - spring: {between: [B, w], stiffness: 200 N/m, natural_length: 0.5 m}
+  - force: {body: w, magnitude: 5*9.81 N, angle: -90 deg}
+WHEN
+find: {x: x(w) AT, y: y(w) AT}
+"""
+
+
+@pytest.mark.parametrize("when", [INSTANT, STATE])
+def test_a_knot_without_mass(when: str) -> None:
+    text = KNOT.replace("WHEN", when.replace("MORE", ", y(w) < 0")).replace(" AT", " @ e" if when is STATE else "")
+    found = solve(text.replace("5*9.81 N", "49.05 N"))
+    assert (first(found["x"]), first(found["y"])) == pytest.approx((0.40932, -0.36127), abs=1e-5)
+
+
+def test_a_free_particle_whose_guide_lies_anywhere() -> None:
+    text = """title: Bead on a wire
+plane: vertical
+points: {T: [0, 1 m]}
+bodies: {bead: {particle: free, mass: 2 kg}}
+joints:
+  - guide: {point: bead, along: 90 deg}
+loads:
+  - spring: {between: [T, bead], stiffness: 60 N/m, natural_length: 0.5 m}
+states: {e: [equilibriumMORE]}
+find: {y: y(bead) @ e}
+"""
+    with pytest.raises(NoSolution, match="bead is free, and nothing tells where its guide lies") as error:
+        solve(text.replace("MORE", ""))
+    assert error.value.diagnostics[0].code == "PL623"
+    assert first(solve(text.replace("MORE", ", x(bead) = 0"))["y"]) == pytest.approx(1 - 0.5 - 19.62 / 60)

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
-from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
+from planar_cli.problem.expression import AtRest, Binary, Equilibrium, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
 from planar_cli.problem.masses import placed
@@ -110,6 +110,10 @@ def _is_driven(body: Body, scope: Scope) -> bool:
     if any(names & scope.mentioned(joint) for joint in p.joints):
         return True
     laws = [law.statement for law in p.motion]
+    moments = [s.relations for s in p.states] or [p.instant or ()]
+    if all(any(isinstance(r, Equilibrium) for r in relations) for relations in moments):
+        # Forces without mass balance, which tells the place.
+        return True
     trees: list[Tree] = [*laws, *(p.instant or ())]
     if any(_mentions(tree, names) for tree in trees):
         return True

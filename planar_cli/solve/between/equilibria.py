@@ -22,6 +22,7 @@ from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Branch, Chain
 from planar_cli.solve.between.extremes import stationary
+from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.several_roots import roots_together
 from planar_cli.solve.regimes.equations import Equation, drawn_equations, loop_equations, stated_equations
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -63,6 +64,7 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
         return Equilibria((), {}, (), Branch({}, {}, (), ()))
     if not drawn:
         equations = _from_start(course, equations, start.get(course.first.name, ()))
+    _demand_placed(course, states, [*equations, *drawn])
     equations += _stationary(course, states, demands, [*equations, *drawn])
     whole = _branches(course, states, demands, [*equations, *drawn])
     mark, names = states[0].mark, ", ".join(s.name for s in states)
@@ -86,6 +88,18 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
         hint = "say which is meant: give the coordinate, or an inequality"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
     return Equilibria(states, demands, (*equations, *drawn), whole[0])
+
+
+def _demand_placed(course: RegimeSequence, states: tuple[State, ...], equations: list[Equation]) -> None:
+    """NoSolution: where a guide lies depends on the place of a free particle, which nothing tells."""
+    scene = course.readers[states[0].name].regime.general.instant.scene
+    own = {c.symbol for s in states for c in course.readers[s.name].regime.coordinates}
+    loose = {x for e in equations for x in e.residual.free_symbols & scene.open_places} - own
+    if loose:
+        bodies = listed(name for name, b in scene.bodies.items() if loose & {b.center.x, b.center.y})
+        text = f"{states[0].name}: {bodies} is free, and nothing tells where its guide lies"
+        hint = "draw it there, `particle: [x, y]`, or write what is known of its place in the state"
+        raise NoSolution([Diagnostic(states[0].mark, "PL623", text, hint)])
 
 
 def _from_start(course: RegimeSequence, equations: list[Equation], said: Iterable[Demand]) -> list[Equation]:
