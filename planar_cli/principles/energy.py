@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import ClassVar, final
+from typing import Any, ClassVar, final
 
 import sympy as sp
 
@@ -11,7 +11,6 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
-from planar_cli.loads.base import Load
 from planar_cli.principles._bodies import joined, moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
@@ -186,7 +185,7 @@ def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
     named: dict[tuple[str, str], list[Wrench]] = {}
     for w in system.wrenches:
         named.setdefault((w.kind, w.name), []).append(w)
-    loads: dict[tuple[str, str], list[Load]] = {}
+    loads: dict[tuple[str, str], list[Any]] = {}
     for x in acting_loads(system.scene.problem):
         loads.setdefault((x.kind, x.name), []).append(x)
     setting = MovingScene(system.scene, motion, position.value)
@@ -209,7 +208,7 @@ def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
         yield Source(FRICTION.format(push.place), sp.Add(*parts) * value), {a.body for a in push.actions}
 
 
-def _stored_in(loads: Sequence[Load], setting: MovingScene) -> sp.Expr | None:
+def _stored_in(loads: Sequence[Any], setting: MovingScene) -> sp.Expr | None:
     """The potential of all of them; None: one has none."""
     found = [x.potential(setting) for x in loads]
     return None if not found or any(e is None for e in found) else sp.Add(*found)
