@@ -37,6 +37,13 @@ def test_the_tangent_then_the_angle(numbers: tuple[str, str], angle: str, rows: 
     assert _rows(*sides, Value(Decimal(angle), "deg")) == rows
 
 
+def test_the_tangent_of_a_number() -> None:
+    """An angle that is known already stands in brackets, with its unit."""
+    quotient = Math(sp.atan2(y, x))
+    assert _rows(Math(-theta, {theta: "2.689"}), quotient) == ["tan(-2.689 rad) = y/x"]
+    assert _rows(Math(theta, {theta: "30°"}), quotient) == ["tan(30°) = y/x"]
+
+
 def test_an_angle_that_components_repeat() -> None:
     formula = sp.atan2(sp.sin(beta), -sp.cos(beta))
     sides = (Math(theta), Math(formula), Math(formula, {beta: "70°"}), Value(Decimal(110), "deg"))

@@ -80,3 +80,13 @@ def test_rates_of_momenta_at_an_instant() -> None:
     assert found["dH_A"] == pytest.approx(moment - 2 * 3 * v_gy)
     assert found["dH_G"] == pytest.approx(3 * 0.8**2 / 12 * found["alpha"])
     assert found["dp"] == pytest.approx(40)
+
+
+def test_an_angular_impulse_has_its_unit_and_sense() -> None:
+    text = ON_A_CART.replace("instant: [v", "states:\n  1: [t = 0, v").replace("3 rad/s]", "3 rad/s]\n  2: [t = 0.2 s]")
+    text = text[: text.index("find:")] + "find: {M_imp: impulse(rod/A) @ 1->2, H: H(rod/A) @ 2}\n"
+    problem, _ = load_text(text)
+    assert problem is not None
+    page = Terminal(120).render(narrate(solve_problem(problem)))
+    assert "M_imp = 1.478 N·m·s clockwise" in page
+    assert "H = 2.276 kg·m²/s counterclockwise" in page

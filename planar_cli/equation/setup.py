@@ -24,9 +24,11 @@ from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
-from planar_cli.units import DAMPING, PURE, Unit, default_unit, parse_unit
+from planar_cli.units import ANGULAR_MOMENTUM, DAMPING, PURE, Unit, default_unit, parse_unit
 
 FLOW = "kg/s"
+ANGULAR_IMPULSE = "N*m*s"
+"""The usual names of units that others share."""
 
 
 @record
@@ -174,6 +176,8 @@ class Setup:
         symbol = self.ledger.symbols.get(what.name) if isinstance(what, Name) else None
         if symbol is not None and self.ledger.roles[symbol].kind in (RoleKind.COORDINATE, RoleKind.SOUGHT):
             return self.ledger.units[symbol]
+        if isinstance(what, Quantity) and what.word == "impulse" and kind.dimension == ANGULAR_MOMENTUM:
+            return self.unit_for(kind) if self.ledger.us else parse_unit(ANGULAR_IMPULSE)
         return self.unit_for(kind)
 
     def unit_for(self, kind: Kind) -> Unit:

@@ -12,7 +12,7 @@ from math import isclose, radians, tan
 
 import sympy as sp
 
-from planar_cli.report.blocks import Block, Equation, Line, Math, Value, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Value, line
 from planar_cli.report.numbers import significant
 
 STEEP = 1e4
@@ -38,7 +38,7 @@ def _told(equation: Equation) -> Iterator[Block]:
         yield equation
     elif formulas == list(sides[at:]):
         # Of letters alone: which of the two angles of a tangent is meant, the drawing says.
-        yield replace(equation, sides=(line("tan ", sides[0]), *(q for q in shown if q is not None)))
+        yield replace(equation, sides=(_tangent(sides[0]), *(q for q in shown if q is not None)))
     elif not isinstance(value, Value) or value.unit != "deg" or len(formulas) != len(sides) - at - 1:
         yield equation
     elif (repeated := _repeated(formulas[-1], value)) is not None:
@@ -53,6 +53,14 @@ def _told(equation: Equation) -> Iterator[Block]:
         arc = Math(sp.atan(RATIO), {RATIO: significant(told.number, told.figures)})
         turn = "" if abs(value.number) < RIGHT else " + 180°" if value.number > 0 else " - 180°"
         yield Equation((sides[0], line(arc, turn), value), note=equation.note)
+
+
+def _tangent(angle: Inline | Line) -> Line:
+    """tan φ; of a number with its unit, in brackets."""
+    texts = list((angle.values or {}).values()) if isinstance(angle, Math) else []
+    if not texts:
+        return line("tan ", angle)
+    return line("tan(", angle, ")" if all(t.endswith("°") for t in texts) else " rad)")
 
 
 def _parts(expr: object) -> tuple[sp.Expr, sp.Expr] | None:

@@ -12,13 +12,13 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.setup import ANGULAR_IMPULSE
 from planar_cli.principles.base import Moving
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.inertias import inertia_of
-from planar_cli.report.span_integrals import ANGULAR_IMPULSE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY

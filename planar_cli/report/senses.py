@@ -14,6 +14,7 @@ from planar_cli.problem.walk import walk
 from planar_cli.report.numbers import rotation_words, vector_words
 from planar_cli.report.sides import number_of
 from planar_cli.solve.solution import Found
+from planar_cli.units import ANGULAR_MOMENTUM
 
 WAYS = ("to the right", "upward", "to the left", "downward")
 TURNS = ("omega", "alpha", "moment", "H")
@@ -62,7 +63,8 @@ def _words(found: Found, positive: bool) -> str:
     what = found.find.found.what if found.find is not None else None
     if not isinstance(what, Quantity):
         return ""
-    if what.word in TURNS and not what.parts:
+    turns = what.word in TURNS or (what.word == "impulse" and found.unit.dimension == ANGULAR_MOMENTUM)
+    if turns and not what.parts:
         return rotation_words(1 if positive else -1)
     if what.word in MOVES and len(what.parts) == 1:
         (part,) = what.parts

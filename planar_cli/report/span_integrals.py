@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer
+from planar_cli.equation.setup import ANGULAR_IMPULSE
 from planar_cli.problem.dimensions import Lookup, dimension_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
@@ -22,7 +23,6 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit, parse_unit
 
-ANGULAR_IMPULSE = "N*m*s"
 NUMERICAL = {
     "quadrature": line("by numerical integration"),
     "flow": line("by numerical integration, with the motion"),
