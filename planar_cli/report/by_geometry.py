@@ -10,10 +10,20 @@ import sympy as sp
 
 from planar_cli.equation.counting import operations
 from planar_cli.equation.expansion import expanded
+from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import longer
+from planar_cli.solve.between.trace import MotionTrace, RouteStep, RouteTrace
 
 LONGEST = 40
 """A longer formula is left as it is."""
+
+
+def geometry_beside(leg: RouteStep, route: RouteTrace, found: MotionTrace) -> list[sp.Expr]:
+    """What vanishes by the relations of places in a step; a condition of forces, which holds speeds, is none."""
+    roles = found.ledger.roles
+    speeds = {own for own, general in found.general.items() if roles[general].kind is Kind.SPEED}
+    placed = (e.residual.xreplace(route.plain) for e in leg.relations if e.source is None and e.span is None)
+    return [residual for residual in placed if not speeds & residual.free_symbols]
 
 
 def by_geometry(expr: sp.Expr, residuals: Collection[sp.Expr], unknowns: Collection[sp.Symbol]) -> sp.Expr:

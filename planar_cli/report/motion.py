@@ -15,6 +15,7 @@ from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.by_data import by_data
+from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import asked_here, is_own_name
 from planar_cli.report.data_of_states import datum_blocks
@@ -280,8 +281,7 @@ class MotionTelling:
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
             self.between.plain, self.between.unknowns = route.plain, leg.unknowns
-            places = [x for x in leg.relations if x.source is None and x.span is None]
-            self.between.geometry = [x.residual.xreplace(route.plain) for x in places]
+            self.between.geometry = geometry_beside(leg, route, self.found)
             self.between.long = any(r.formula is not None and longer(r.formula, FEW) for r in leg.results)
             yield from self.between.blocks(e.source, self._number())
             return

@@ -342,8 +342,8 @@ class Router:
         return at_right_angles(residual, self._level) if e.kind == "blow" else residual
 
     def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
-        """Two equations in letters from which the square of one unknown goes; empty: it does not."""
-        if not self.symbolic or not len(pool) == len(left) == 2:
+        """Two equations from which the square of one unknown goes; empty: it does not."""
+        if not len(pool) == len(left) == 2:
             return []
         made = subtracted([Pending(r, ()) for r in pool], left, self.value, True)
         index = None if made is None else alone(made, left)

@@ -55,6 +55,21 @@ class Stretch:
     """The modes of what strikes; None: the first."""
 
 
+CALLED = {
+    "not compressed": "touch",
+    "not stretched": "taut",
+    "move apart": "taut",
+    "compressed": "free",
+    "stretched": "slack",
+    "the tension pulls": "slack",
+    "press": "leaves",
+    "within its limit": "slips",
+    "are apart": "meets",
+    "stops sliding": "stops",
+}
+"""What a state is called that is put in where an assumption ends, by the words of that; others are called `turn`."""
+
+
 @record
 class ModeSequence:
     """The states of a motion, and which modes hold from each to the next."""
@@ -115,8 +130,9 @@ class ModeSequence:
 
     def turned(self, i: int, expr: sp.Expr, words: str) -> ModeSequence:
         """A state put in on stretch i where an assumption ends."""
-        put_in = [s for s in self.states if s.name in self.turnings and not s.relations]
-        name = "turn" if not put_in else f"turn_{len(put_in) + 1}"
+        first = next((name for said, name in CALLED.items() if said in words), "turn")
+        put_in = [s for s in self.states if s.name.startswith(first) and s.name in self.turnings and not s.relations]
+        name = first if not put_in else f"{first}_{len(put_in) + 1}"
         while any(s.name == name for s in self.states):
             name += "_"
         state = State(name, (), self.states[i].mark)
