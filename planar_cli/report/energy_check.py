@@ -12,9 +12,10 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Sample
-from planar_cli.equation.ledger import Kind
+from planar_cli.equation.ledger import Kind, display
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.alike import WEIGHT
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.blocks import Inline, Line, Name, Value, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
@@ -27,10 +28,37 @@ MOST = 5
 
 def energy_check(motion: MotionTrace, phrases: Phrases) -> Line:
     """The balance of the first stretch on which energies with numbers change; empty where there is none."""
-    if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
+    if motion.symbolic:
         return ()
     found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
+    if isinstance(motion.value, Sample) and motion.value.drawn:
+        return next((told for b in motion.unused if (told := _by_one_work(b, found, motion, phrases))), ())
     return next((told for b in motion.unused if (told := _told(b, found, phrases))), ())
+
+
+def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: MotionTrace, phrases: Phrases) -> Line:
+    """The work of the only source, from rest: U = M θ_2 = 10 · 52.15 = 521.5 J = T_2. Letters without numbers stand
+    neither in it nor in the energy that it must make.
+    """
+    drawn = motion.value.drawn if isinstance(motion.value, Sample) else frozenset()
+    plain = dict(motion.route.plain)
+    before, after = (e.xreplace(plain) for e in (balance.before, balance.after))
+    works = [put for _, e in balance.brought if (put := simplified(e.xreplace(plain))) != 0]
+    if len(works) != 1 or before != 0 or (works[0].free_symbols | after.free_symbols) & drawn:
+        return ()
+    roles = phrases.ledger.roles
+    settled = all(s in motion.route.settled for s in after.free_symbols if s in roles and roles[s].kind is Kind.STATE)
+    work, energy = phrases.value.known(works[0]), phrases.value.known(after)
+    if not settled or work is None or energy is None or not agree([work], [energy]) or longer(works[0], MOST):
+        return ()
+    value = Value(
+        display(work, coherent_unit(ENERGY, False, phrases.ledger.us), phrases.ledger.us), "J", phrases.figures
+    )
+    certain = replace(phrases, lettered=frozenset())
+    sides: list[Inline] = [phrases.math(works[0]), *certain.substituted(works[0], value), value]
+    end = Name(f"{balance.law.letter}__{balance.stop}")
+    told = [p for side in sides for p in line(" = ", side)]
+    return line("work and energy: ", Name(balance.law.bring), *told, " = ", end)
 
 
 def root_check(motion: MotionTrace, phrases: Phrases) -> Line:

@@ -17,10 +17,11 @@ from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, 
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
-from planar_cli.report.conditions_of_states import asked_here, is_own_name
+from planar_cli.report.conditions_of_states import is_own_name
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.extremes import aim_blocks
 from planar_cli.report.harmonic import HarmonicTelling
+from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
@@ -161,7 +162,7 @@ class MotionTelling:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
-        yield from asked_here(leg, self.found, self.phrases)
+        yield from before_leg(leg, self.found, self.phrases)
         equations = leg.relations
         numbers = []
         single = len(equations) == 1

@@ -30,12 +30,29 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST):
             yield Note("Assume", line(phrases.math(_above_zero(expr))))
+    if light := _without_mass(part):
+        neglected = "it is neglected, or counted with another body"
+        yield Note("Assume", line(f"No mass of {' and of '.join(light)} is given: {neglected}."))
     if part.motion is None:
         return
     for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     for told in _taking_hold(part.motion.problem):
         yield Note("Assume", line(told))
+
+
+def _without_mass(part: PartSolution) -> dict[str, None]:
+    """Bodies that move on and turn, of which the file gives a moment of inertia alone."""
+    found: dict[str, None] = {}
+    for instant in part.instants:
+        motion, scene = instant.trial.system.motion, instant.instant.scene
+        for name, body in scene.bodies.items() if motion is not None else ():
+            if body.mass != 0 or body.inertia == 0 or not body.rigid or motion is None:
+                continue
+            v = motion.velocity(body.center, name)
+            if any(instant.value.known(p) != 0 for p in (v.x, v.y)):
+                found[name] = None
+    return found
 
 
 def _taking_hold(problem: Problem) -> Iterator[str]:

@@ -1,0 +1,97 @@
+"""Impulses over a time = momenta at its end, for each body that starts from rest: J_Ax → at A,  M t_2 ↻   =   I ω_2 ↺.
+
+They are the free-body diagrams of the motion with every force replaced by its impulse, where reactions have impulses
+that the equations of momentum do not leave out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import Kind
+from planar_cli.report.blocks import Block, Forces, Line, Math, Paragraph, Text, Value, line
+from planar_cli.report.conditions_of_states import asked_here
+from planar_cli.report.forces import force_rows
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
+
+ASSUMED = " (assumed)"
+
+
+def before_leg(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """What stands before the equations of a leg: what is asked and solved for, and diagrams of impulses."""
+    yield from asked_here(leg, found, phrases)
+    balances = [e.source for e in leg.relations if isinstance(e.source, BalanceTrace) and not e.source.law.letter]
+    spans = dict.fromkeys((b.since, b.stop) for b in balances)
+    for since, stop in spans:
+        own = [b for b in balances if (b.since, b.stop) == (since, stop)]
+        regime = next((r for r in found.regimes if (since, stop) in r.stretches), None)
+        rests = all(b.before.xreplace(dict(found.route.plain)) == 0 for b in own)
+        if regime is not None and rests:
+            yield from _rows(regime, own, found, phrases)
+
+
+def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """The diagrams of the bodies of these balances; nothing where no reaction has an impulse in them."""
+    solution, since, stop = regime.solution, own[0].since, own[0].stop
+    system = solution.trial.system
+    letters = {system.symbols[p.name]: sp.Symbol(f"J_{p.name}__{stop}", real=True) for p in system.pushes}
+    used = {s.name for b in own for s in b.gain.free_symbols}
+    stage = next((s for s in reversed(solution.stages) if s.level == "acceleration"), None)
+    time = _between(since, stop, found)
+    if stage is None or time is None or not used & {s.name for s in letters.values()}:
+        return
+    speeds = {rate: speed for speed, rate in system.rates().items()}
+    ends = {general: x for x, general in found.general.items() if found.ledger.roles[x].at == stop}
+    after = {rate: ends.get(speed, sp.Symbol(f"{speed.name}__{stop}", real=True)) for rate, speed in speeds.items()}
+    after |= {x.symbol: sp.Symbol(f"v{x.symbol.name[1:]}__{stop}", real=True) for x in stage.lines}
+    told = Phrases(solution.instant.scene.ledger, solution.value, phrases.figures, phrases.symbolic)
+    bodies = {body for b in own for body in b.law.bodies}
+    rows = []
+    for row in force_rows(solution, stage, told, inertia_as_force=False):
+        left, right = _impulses(row.left, letters, time, found), _momenta(row.right, after)
+        if row.body in bodies and (left is None or right is None):
+            return
+        if row.body in bodies and left is not None and right is not None:
+            rows.append(Forces(row.body, left, right))
+    yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} (J: impulse of a reaction)"))
+    yield from rows
+
+
+def _between(since: str, stop: str, found: MotionTrace) -> sp.Expr | None:
+    """The time between two states; None: it has no letter."""
+    times = {found.ledger.roles[x].at: x for x, g in found.general.items() if found.ledger.roles[g].kind is Kind.TIME}
+    if since not in times or stop not in times:
+        return None
+    return sp.sympify(times[stop] - times[since]).xreplace(dict(found.route.plain))
+
+
+def _impulses(row: Line, letters: Mapping[sp.Symbol, sp.Symbol], time: sp.Expr, found: MotionTrace) -> Line | None:
+    """What acts, by its impulses; None: a force varies, or is a number."""
+    pieces: list[Any] = []
+    for piece in row:
+        if isinstance(piece, Value) or (isinstance(piece, Math) and piece.expr.free_symbols & found.varying):
+            return None
+        if isinstance(piece, Math):
+            reaction = piece.expr.free_symbols & letters.keys()
+            put = piece.expr.xreplace(dict(letters)) if reaction else piece.expr * time
+            pieces.append(Math(put))
+        else:
+            pieces.append(Text(piece.text.replace(ASSUMED, "")) if isinstance(piece, Text) else piece)
+    return tuple(pieces)
+
+
+def _momenta(row: Line, after: Mapping[sp.Symbol, sp.Symbol]) -> Line | None:
+    """What they amount to at the end; None: an acceleration has no velocity of its own."""
+    pieces: list[Any] = []
+    for piece in row:
+        if isinstance(piece, Math):
+            if piece.values or not piece.expr.free_symbols & after.keys():
+                return None
+            pieces.append(Math(piece.expr.xreplace(dict(after))))
+        else:
+            pieces.append(piece)
+    return tuple(pieces)
