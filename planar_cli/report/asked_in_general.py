@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.telling import Telling
+from planar_cli.report.vectors import index_of
 from planar_cli.solve.between.trace import MotionTrace, Request
 
 LONGEST = 16
@@ -25,11 +29,37 @@ def with_asked(blocks: Sequence[Block], telling: Telling, motion: MotionTrace) -
     """The blocks of a general position, and at the end of its first step the points whose motion is asked."""
     if len(motion.regimes) > 1 or not blocks:
         return list(blocks)
-    added = [b for r in motion.requests for b in _asked(r, telling, motion)]
+    added = [*_relative(telling, motion), *(b for r in motion.requests for b in _asked(r, telling, motion))]
     end = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), len(blocks))
     told = [b.sides for b in blocks if isinstance(b, Equation)]
     own = [b for i, b in enumerate(added) if b.sides not in told and b not in added[:i]]
     return [*blocks[:end], *own, *blocks[end:]]
+
+
+def _relative(telling: Telling, motion: MotionTrace) -> Iterator[Equation]:
+    """v_B/A = v_B - v_A of bodies and points that do not turn, where the file states it at states."""
+    stated = [n for s in motion.problem.states for r in s.relations for n in walk(r) if isinstance(n, Quantity)]
+    for q in stated:
+        if q.word != "v" or len(q.things) != 2 or any(_turns(thing, telling) for thing in q.things):
+            continue
+        one, other = (index_of(thing) for thing in q.things)
+        vector = telling.system.quantities().any(replace(q, parts=(), at=None))
+        if not isinstance(vector, Vec):
+            continue
+        parts = [
+            sp.sympify(p.value).xreplace(dict.fromkeys(telling.vectors.zero, sp.S.Zero)) for p in (vector.x, vector.y)
+        ]
+        if any(longer(p, LONGEST) for p in parts):
+            continue
+        x, y = map(telling.phrases.math, parts)
+        difference = line(Name(f"v_{one}"), " - ", Name(f"v_{other}"))
+        yield Equation((line(Name(f"v_{one}/{other}")), difference, line("[", x, ", ", y, "]")))
+
+
+def _turns(thing: str, telling: Telling) -> bool:
+    """Is it a body that turns, or a point of one?"""
+    body = thing if thing in telling.scene.bodies else telling.scene.owner(thing)
+    return body == GROUND or telling.scene.rigid(body)
 
 
 def _solved(expr: sp.Expr, telling: Telling) -> sp.Expr:

@@ -6,6 +6,7 @@ import re
 from dataclasses import field, replace
 from decimal import Decimal
 
+from planar_cli.equation.ledger import Kind
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Relation
@@ -16,7 +17,7 @@ from planar_cli.report.sides import number_of, said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 
-GIVEN, DIFFERENTIATED = line("given:"), line("differentiated:")
+GIVEN, SOUGHT, DIFFERENTIATED = line("given:"), line("unknown:"), line("differentiated:")
 LOWER = ((re.compile("^alpha"), "omega"), (re.compile("^a(?=_)"), "v"), (re.compile("_ddot$"), "_dot"))
 """By what the name of an acceleration differs from that of its speed."""
 
@@ -40,7 +41,9 @@ class DataTelling:
             return self._differentiated(w, stated, Equation((letter, value), number))
         self.told.add(w.lead)
         if not w.right.is_number or w.right == 0:
-            return [Equation((letter, value), number, GIVEN)]
+            role = self.scene.ledger.roles.get(w.right)
+            sought = role is not None and role.kind is Kind.SOUGHT
+            return [Equation((letter, value), number, SOUGHT if sought else GIVEN)]
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN

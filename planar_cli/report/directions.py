@@ -52,7 +52,15 @@ def _told(equation: Equation) -> Iterator[Block]:
         yield replace(equation, sides=(tangent, *plain, told), note=())
         arc = Math(sp.atan(RATIO), {RATIO: significant(told.number, told.figures)})
         turn = "" if abs(value.number) < RIGHT else " + 180°" if value.number > 0 else " - 180°"
-        yield Equation((sides[0], line(arc, turn), value), note=equation.note)
+        yield Equation((sides[0], line(arc, turn), value), note=equation.note or _quadrant(formulas[0], value))
+
+
+def _quadrant(formula: Math, value: Value) -> Line:
+    """Which of the two angles of a tangent it is, by the sign of the component along x; nothing of an acute one."""
+    parts = _parts(formula.expr) if formula.values is None else None
+    if parts is None or not parts[1].is_Symbol or 0 <= value.number <= RIGHT:
+        return ()
+    return line("as ", Math(parts[1]), " > 0" if abs(value.number) < RIGHT else " < 0")
 
 
 def _tangent(angle: Inline | Line) -> Line:

@@ -41,6 +41,7 @@ from planar_cli.report.origins import (
     sides_of,
     told_once,
     turning_blocks,
+    without_number,
 )
 from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
@@ -322,6 +323,7 @@ class MotionTelling:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
             right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
             return self.phrases.math(left), self.phrases.math(right)
+        residual = without_number(residual) if e.kind == "given" else residual
         positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
         left = sp.Add(*positive)
         alone = next((a for a in reversed(positive) if a.is_Symbol), None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -40,6 +41,7 @@ KEPT = {
     "arcs rolled on each other": "at {} equal arcs roll on each other",
 }
 """What a joint keeps of places, by what follows its name in the title."""
+DIRECTION = re.compile(r"^[va]\([^()]*\)\.angle = (-?[\d.]+) deg$")
 PLACE, ACROSS = "place of ", " across its line"
 """What stands about the name of a point that a line leads."""
 
@@ -52,11 +54,23 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law, names["t"]), ":")
     if e.is_datum:
         words = turning(e.words) if e.kind == "turn" else e.words
+        words += components_of(e.words) if e.kind == "given" else ""
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
-    words += f", {DERIVATIVE}" if over_time(e) else ""
+    words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
     return spoken(f"{place}{words}:", names)
+
+
+def components_of(words: str) -> str:
+    """What a direction that the file gives in degrees says of the components; "" of other words."""
+    found = DIRECTION.search(words)
+    if found is None:
+        return ""
+    angle = Decimal(found[1])
+    if angle % 90 == 0:
+        return f", so that its {'y' if angle % 180 == 0 else 'x'} component is zero"
+    return f", so that its y component is tan({found[1]}°) times its x component"
 
 
 def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
@@ -159,6 +173,12 @@ def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
         elif not isinstance(block, Equation | Result):
             heading = None
         yield block
+
+
+def without_number(residual: sp.Expr) -> sp.Expr:
+    """What vanishes, without a number that all of it is multiplied by: √2/2 (v + w_y - w_x) says v + w_y - w_x = 0."""
+    numbers = [f for f in sp.Mul.make_args(residual) if f.is_number]
+    return residual if residual == 0 or not numbers else residual / sp.Mul(*numbers)
 
 
 def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:

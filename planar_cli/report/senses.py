@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 
 import sympy as sp
@@ -28,6 +29,19 @@ def direction_words(found: Found, number: Decimal, ledger: Ledger, value: Valuat
     if not number or found.values is None:
         return ""
     return _words(found, number > 0) or _oblique(found, number > 0, ledger, value)
+
+
+def steepness_words(found: Found, degrees: Decimal) -> str:
+    """An asked direction of a vector that is not between 0 and 90 degrees, from the nearer end of the x axis."""
+    what = found.find.found.what if found.find is not None else None
+    if not isinstance(what, Quantity) or what.word not in MOVES or not what.parts or what.parts[-1].kind != "angle":
+        return ""
+    if 0 <= degrees <= 90 or found.unit.text != "deg":
+        return ""
+    turn = float(degrees) * math.pi / 180
+    ends = {180: (-1, 0), -90: (0, -1), 270: (0, -1), -180: (-1, 0)}
+    x, y = ends.get(int(degrees) if degrees == int(degrees) else 0, (math.cos(turn), math.sin(turn)))
+    return f", that is {vector_words(Decimal(x), Decimal(y)).removeprefix('at ')}"
 
 
 def _oblique(found: Found, positive: bool, ledger: Ledger, value: Valuation) -> str:

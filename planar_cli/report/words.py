@@ -25,7 +25,7 @@ from planar_cli.report.numbers import quantity, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.report.rounding import rounded
-from planar_cli.report.senses import direction_words, sense_of_formula
+from planar_cli.report.senses import direction_words, sense_of_formula, steepness_words
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.trigonometric_numbers import in_radians, turned_angles
 from planar_cli.solve.passages import squared_radius
@@ -263,7 +263,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         return _vector_line(numbers, unit, phrases.figures, place)
     words = direction_words(found, numbers[0], phrases.ledger, phrases.value)
     shown = abs(numbers[0]) if words else numbers[0]
-    return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
+    steep = "" if words else steepness_words(found, numbers[0])
+    return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else steep))
 
 
 def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
