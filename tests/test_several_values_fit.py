@@ -4,10 +4,10 @@ in silence.
 
 from __future__ import annotations
 
-from math import asin, cos, degrees, radians
+from math import acos, asin, cos, degrees, radians
 
 import pytest
-from answered import assert_close, solve
+from answered import assert_close, number, solve
 
 from planar_cli.errors import NoSolution
 
@@ -67,3 +67,45 @@ states:
 find: {v_0: v_0}
 """)
     assert_close(found["v_0"], (2 * 9.81 * 5) ** 0.5)
+
+
+LET_GO = """
+title: Pendulum let go at an unknown angle
+plane: vertical
+given: {l: 2 m}
+unknowns: {phi: deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: phi - 90 deg}}
+bodies: {bob: {particle: P, mass: any}}
+joints:
+  - link: {between: [O, P]}
+states:
+  1: [t = 0, at rest, phi > 0]
+  2: [x(bob) = 0, v(bob).mag = 3 m/s]
+find: {phi: phi}
+"""
+CHUTE = """
+title: Quickest smooth chute from a point to a slope
+plane: vertical
+given: {beta: 30 deg, h: 2 m}
+unknowns: {phi: deg}
+points: {P: [0, h], Q: [0, 0]}
+surfaces: {chute: {through: P, angle: phi}}
+bodies: {bead: {particle: P, mass: any}}
+joints:
+  - guide: {point: P, along: chute}
+states:
+  1: [t = 0, at rest]
+  2: [y(bead) = -x(bead)*tan(beta), t is smallest, x(bead) < 0]
+find: {phi: phi}
+"""
+
+
+def test_an_angle_by_whole_turns_more_is_the_same_drawing() -> None:
+    """cos φ = 1 - v²/(2 g l); -φ is excluded, and so is what is drawn as it is: 4 turns - φ."""
+    angle = acos(1 - 9 / (2 * 9.81 * 2))
+    assert float(number(solve(LET_GO)["phi"])) == pytest.approx(angle)
+
+
+def test_a_line_has_two_directions() -> None:
+    """The chute halves the angle between the vertical and the normal of the slope: 75° and -105° are one line."""
+    assert float(number(solve(CHUTE)["phi"])) == pytest.approx(radians(75))

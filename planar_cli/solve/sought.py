@@ -17,6 +17,7 @@ from planar_cli.simulate.shooting_at_several import shooting_at_several
 from planar_cli.simulate.shooting_of_extremes import Best, best_value
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.solve.within_a_turn import within_a_turn
 from planar_cli.units import parse_unit
 
 OPEN = "PL623"
@@ -62,9 +63,10 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
             raise error
         text = f"no motion passes through these states, whatever {unknown.name} is"
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "follow it with `planar simulate --set`")]) from error
-    if len(roots) > 1:
-        raise _ambiguous(problem, [{unknown.name: root} for root in roots])
-    return {unknown.name: roots[0]}
+    fits = within_a_turn(problem, unknown.name, roots, roots)
+    if len(fits) > 1:
+        raise _ambiguous(problem, [{unknown.name: root} for root in fits])
+    return {unknown.name: fits[0]}
 
 
 def _says(error: Undecided | NoSolution, code: str) -> bool:

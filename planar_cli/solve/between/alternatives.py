@@ -22,6 +22,7 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand
+from planar_cli.solve.within_a_turn import within_a_turn
 
 SAME = Decimal("1e-12")
 ASIDE = Decimal("1e-4")
@@ -46,6 +47,10 @@ def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[Solved
     _demand_choice(course, [f.branch for f in fits])
     usual = [f for f in fits if all(f.branch.values.get(s, 0) >= 0 for s in course.sought())]
     fits = usual or fits
+    for constant in course.sought():
+        told = [f for f in fits if constant in f.branch.values]
+        if len(told) == len(fits):
+            fits = within_a_turn(course.problem, constant.name, fits, [float(f.branch.values[constant]) for f in fits])
     _demand_one(course, [f.branch for f in fits])
     return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
 
@@ -58,7 +63,8 @@ def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
     state, demand = found
     fitting: list[Branch] = []
     for branch in branches:
-        if not any(_same(course, branch, b) for b in fitting) and _is_top(course, branch, state, demand):
+        again = any(_same(course, branch, b) or _same_places(course, branch, b) for b in fitting)
+        if not again and _is_top(course, branch, state, demand):
             fitting.append(branch)
     if len(fitting) < 2:
         return
@@ -135,6 +141,21 @@ def _same(course: MotionEquations, one: Branch, other: Branch) -> bool:
             away -= 2 * PI * (away / (2 * PI)).to_integral_value()
         if abs(away) > SAME * max(abs(v), natural[s]):
             return False
+    return True
+
+
+def _same_places(course: MotionEquations, one: Branch, other: Branch) -> bool:
+    """Is everything at the same places at the same times? A line in the direction φ is that in φ + 180°, on which the
+    way counts the other way.
+    """
+    values = [course.base().extended(b.values) for b in (one, other)]
+    for state in course.states:
+        stop, scene = course.stops[state.name], course.readers[state.name].regime.general.instant.scene
+        places = [e for body in scene.bodies.values() for e in (body.center.x, body.center.y)]
+        for e in (stop.t, *map(stop.at, places)):
+            a, b = (v.known(e) for v in values)
+            if a is None or b is None or abs(a - b) > SAME * max(abs(a), abs(b), values[0].size(e)):
+                return False
     return True
 
 

@@ -6,7 +6,9 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Settled, Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import (
     letters,
     longer,
@@ -185,4 +187,9 @@ def closed_formula(expr: sp.Expr, route: Route, course: MotionEquations) -> sp.E
     if symbolic and not longer(expr, LONGEST):
         expr = with_whole_roots(expr, course.scene.root)
     most = LONGEST if symbolic else CLOSED_OPS
-    return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else with_short_roots(simplified(expr))
+    if expr.is_number or expr.is_Symbol or longer(expr, most):
+        return expr
+    found = with_short_roots(simplified(expr))
+    # What only a factor of a higher degree shows to be the same above and below.
+    plain = factored(found) if symbolic and not found.has(sp.Integral) else found
+    return plain if operations(plain) + 1 < operations(found) else found
