@@ -101,7 +101,8 @@ class BetweenTelling:
             yield Equation((line(Name(law.bring), f" of the {words}"), self.phrases.math(brought[i][1])))
         gain = sp.Add(*(put for _, put in brought))
         lead = line(Name(first), " + ", Name(law.bring), " = ", Name(last), ":")
-        yield Equation((self.phrases.math(before + gain), self.phrases.math(after)), number, lead)
+        told = self._ordered(before + gain, [before, *(put for _, put in brought)])
+        yield Equation((told, self.phrases.math(after)), number, lead)
 
     def _has_numbers(self, b: BalanceTrace) -> bool:
         """Has everything a number that is not sought?"""
@@ -156,9 +157,22 @@ class BetweenTelling:
         short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
         found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
         if found is None:
-            return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)
+            return Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
         self.counted.add(number)
         return Equation((found.left, found.right), number, lead, found.note)
+
+    def _ordered(self, left: sp.Expr, parts: Sequence[sp.Expr]) -> Math | Line:
+        """A side with its terms in the order in which they were told: the kinetic energy, then the works."""
+        shown = self.phrases.math(left)
+        terms = [self.phrases.math(p) for p in parts]
+        if len(parts) < 2 or {t.expr for t in terms} != set(sp.Add.make_args(shown.expr)):
+            return shown
+        pieces: list[Any] = []
+        for term in terms:
+            negative = bool(pieces) and term.expr.could_extract_minus_sign()
+            pieces += [" - " if negative else " + "] if pieces else []
+            pieces.append(Math(-term.expr) if negative else term)
+        return line(*pieces)
 
     def _is_plain(self, residual: sp.Expr) -> bool:
         """Does one unknown alone stand in it, as itself or as its square?"""

@@ -381,8 +381,8 @@ class MotionTelling:
         return in_known(r.formula, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
 
     def _shown(self, r: Result) -> Any:
-        if r.value.is_infinite():
-            return line("∞" if r.value > 0 else "-∞")
+        if r.value.is_infinite() or (self.phrases.symbolic and not r.value):
+            return line("0" if not r.value else "∞" if r.value > 0 else "-∞")
         shown = self.phrases.shown(r.unknown, r.value)
         # What is integrated over time is led in by what is integrated; an equation that is printed is no integration.
         if r.unknown in self.found.guessed and r.formula is not None and r.formula.has(sp.Integral):

@@ -1,0 +1,15 @@
+"""A balance of energies stands in the order of its heading: the kinetic energy before, then what is brought."""
+
+from __future__ import annotations
+
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def test_the_kinetic_energy_comes_first() -> None:
+    page = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-06.yaml")[0]))
+    assert "(3)  T_thrown + U = T_top:   1/2 m v0² + m g (h - y_ball,top) = 0" in page
+    assert "v_ball,y,top = 0\n" in page
