@@ -20,6 +20,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
+from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
@@ -118,8 +119,7 @@ class Router:
     def route(self, targets: Iterable[sp.Symbol]) -> Route:
         """The way to all targets that can be derived."""
         targets = list(targets)
-        edges = self._edges()
-        best = self._cheapest(edges)
+        best = self._cheapest(edges := self._edges())
         for more in (self._rings, self._large):
             if any(t not in best and t not in self.plain for t in targets):
                 edges += more()
@@ -132,12 +132,12 @@ class Router:
                     best = self._cheapest(edges)
         if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
             best = {**self._cheapest(self.followed.edges(edges)), **best}
+        best = by_targets(best, edges, targets)
         order: list[Derivation] = []
         # What only numbers tell, and nothing else rests on, comes last.
         for target in sorted(targets, key=lambda t: t in best and best[t].equations[0].kind == "followed"):
             self._collect(target, best, order)
-        formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
-        steps = []
+        formulas, steps = dict[sp.Symbol, sp.Expr](self.plain), list[DerivedStep]()
         for derivation in one_by_one(each_once(order), self._inside, self._regular):
             step = self._work(derivation)
             if step is None:

@@ -1,0 +1,47 @@
+"""A time by the velocity that is asked for the same state: t = (v_0 - v)/g, not the root of a quadratic equation."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+import sympy as sp
+
+from planar_cli.solve.between.derivation import Derivation, Edge
+
+Best = Mapping[sp.Symbol, Derivation]
+
+
+def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]) -> dict[sp.Symbol, Derivation]:
+    """The derivations, where a target that is a root of a place over time follows from a velocity that is a target."""
+    found = dict(best)
+    for x in targets:
+        own = found.get(x)
+        if own is None or len(own.equations) != 1 or own.equations[0].kind != "q(t)" or not _is_square(own, x):
+            continue
+        for equations, unknowns, needs, cost in edges:
+            (e, *more) = equations
+            if more or e.kind != "v(t)" or tuple(unknowns) != (x,) or not needs & set(targets):
+                continue
+            if e.residual.is_polynomial(x) and all(n in found for n in needs) and not _rests(needs, x, found):
+                found[x] = Derivation(equations, unknowns, needs, cost)
+                break
+    return found
+
+
+def _is_square(own: Derivation, x: sp.Symbol) -> bool:
+    residual = own.equations[0].residual
+    return bool(residual.is_polynomial(x)) and sp.degree(residual, x) == 2
+
+
+def _rests(needs: Collection[sp.Symbol], x: sp.Symbol, found: Best) -> bool:
+    """Does anything that is needed rest on x?"""
+    seen: set[sp.Symbol] = set()
+    waiting = list(needs)
+    while waiting:
+        s = waiting.pop()
+        if s == x:
+            return True
+        if s not in seen and s in found:
+            seen.add(s)
+            waiting += [*found[s].needs, *(u for u in found[s].unknowns if u != s)]
+    return False
