@@ -62,13 +62,16 @@ def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: Mo
 
 
 def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """The first balance of which one of several roots was taken, with that put in; empty where there is none."""
+    """The first balance of which one of several roots was taken, not of a square alone, with that put in; empty where
+    there is none.
+    """
     if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
         return ()
     found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
     for leg in motion.route.steps:
         (e, *more), (r, *others) = leg.relations, leg.results
-        if not more and not others and len(r.roots) > 1 and isinstance(e.source, BalanceTrace) and e.source.law.letter:
+        apart = {abs(x.value) for x in r.roots}
+        if not more and not others and len(apart) > 1 and isinstance(e.source, BalanceTrace) and e.source.law.letter:
             weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
             rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
             if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases):
