@@ -59,3 +59,7 @@ def test_motions_alone_tell_no_forces() -> None:
     told = _page("ex-4-07")
     assert "N_E" not in told
     assert "v_O/IO = 1/0.21213 = 4.714 rad/s, v_E/IE = 1/0.21213 = 4.714 rad/s" in told
+
+
+def test_the_vector_comes_before_the_component_that_is_given() -> None:
+    assert "v_O = ω_disk × r_O/C r_O/C = [0, 0.1] m Given: v_Ox = v_O (1) -r ω_disk = v_O" in _page("ex-4-07")

@@ -19,6 +19,7 @@ from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, measured, places
+from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
@@ -304,6 +305,7 @@ class Telling:
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         words = self.vectors.before(w, stage.level) or [Paragraph(length or self._named(self._relation_words(w)))]
+        words = [*vector_before(w, self.vectors, stage.level), *words]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
