@@ -50,6 +50,20 @@ def by_function(
     return lead, phrases.math(argument), *phrases.substituted(argument, value), value
 
 
+def by_tangent(residual: sp.Expr, r: Result, phrases: Phrases) -> tuple[Any, ...]:
+    """tan(2 β) = -10/3 = -3.333, from a sin(2 β) + b cos(2 β) = 0 with numbers a, b; empty: it is another equation."""
+    waves = residual.atoms(sp.sin, sp.cos)
+    inside = {f.args[0] for f in waves}
+    if phrases.symbolic or len(waves) != 2 or len(inside) != 1 or inside.pop().free_symbols != {r.unknown}:
+        return ()
+    (sine,), (cosine,) = ([f for f in waves if isinstance(f, kind)] for kind in (sp.sin, sp.cos))
+    a, b = (sp.expand(residual).coeff(f) for f in (sine, cosine))
+    if not (a.is_Rational and b.is_Rational and a != 0) or sp.expand(residual - a * sine - b * cosine) != 0:
+        return ()
+    ratio = -b / a
+    return phrases.math(sp.tan(sine.args[0])), phrases.math(ratio), Value(phrases.value(ratio), "", phrases.figures)
+
+
 def by_trial(leg: RouteStep, r: Result, sides: int) -> Line:
     """That a root was found in numbers, beside a value (`sides` with its letter: two) without a formula, where its
     equation has more than powers of the unknowns.

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import sympy as sp
+
 from planar_cli.report.between import BetweenTelling
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import AimTrace, MotionTrace, RouteStep
+from planar_cli.units import PURE, pretty_unit
 
 
 def aim_blocks(
@@ -15,9 +20,49 @@ def aim_blocks(
     """The balance that tells it, in the letters that are not known yet, and it as a formula. `leg`: the step whose
     condition this is; `number`: that of the balance.
     """
+    assert aim.law is not None
     steps = [step for step in found.route.steps if any(r.source == aim.law for r in step.relations)]
     unknowns = {x for step in (leg, *steps) for x in step.unknowns} | aim.quantity.free_symbols
     between.plain, between.unknowns = found.route.plain, tuple(unknowns)
     yield from between.blocks(aim.law, number)
     formula = aim.formula.xreplace(dict(found.route.plain))
     yield Equation((between.phrases.math(aim.quantity), between.phrases.math(formula)), None, line(f"({number}):"))
+
+
+def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """The equations of a motion that hold the time of a state, and what they say of a constant without it."""
+    plain = dict(found.route.plain)
+    times = {s for residual in aim.timed for s in residual.free_symbols if s.name.startswith("t__")}
+    yield Paragraph(line(f"At {stop}, by the laws of motion:"))
+    for residual in aim.timed:
+        terms = sp.Add.make_args(residual.xreplace(plain))
+        left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
+        right = left - sp.Add(*terms)
+        note = _counted_in(left - right, phrases) if _has_numbers(residual, phrases) else ()
+        yield Equation((phrases.math(left), phrases.math(right)), None, (), note)
+    named = [x for t in sorted(times, key=str) for x in (", ", Math(t))][1:]
+    formula = aim.formula.xreplace(plain)
+    free = sorted(formula.free_symbols & found.unknowns, key=str)
+    own = line(phrases.math(aim.quantity), *(("(", phrases.math(free[0]), ")") if len(free) == 1 else ()))
+    numeric = any(_has_numbers(residual.xreplace(plain), phrases) for residual in aim.timed)
+    note = _counted_in(aim.quantity, phrases) if numeric else ()
+    # As a function of the constant: what it comes to at the extreme follows below.
+    yield Equation((own, phrases.math(formula)), None, line("without ", *named, ":"), note)
+
+
+def _counted_in(left: sp.Expr, phrases: Phrases) -> Line:
+    """In which unit an equation counts that has numbers of the file in it: that of its first term of letters."""
+    for term in sp.Add.make_args(left):
+        powers = [f.as_base_exp() for f in sp.Mul.make_args(term)]
+        lettered = [(base, power) for base, power in powers if base.is_Symbol]
+        if lettered and all(p.is_Integer and base in phrases.ledger.units for base, p in lettered):
+            dimension = PURE
+            for base, power in lettered:
+                dimension = dimension * phrases.ledger.units[base].dimension ** int(power)
+            return line(f"in {pretty_unit(coherent_unit(dimension, us=phrases.ledger.us).text)}")
+    return ()
+
+
+def _has_numbers(residual: sp.Expr, phrases: Phrases) -> bool:
+    """Does a number of the file stand as a term of its own, so that it hides its unit?"""
+    return not phrases.symbolic and any(t.is_number and t != 0 for t in sp.Add.make_args(residual))

@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
-from planar_cli.report.angles_found import by_function, by_trial
+from planar_cli.report.angles_found import by_function, by_tangent, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
@@ -19,7 +19,7 @@ from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import is_own_name
 from planar_cli.report.data_of_states import datum_blocks
-from planar_cli.report.extremes import aim_blocks
+from planar_cli.report.extremes import aim_blocks, timed_blocks
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import solved_for
@@ -162,6 +162,14 @@ class MotionTelling:
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
+    def _aim(self, e: Relation, leg: RouteStep) -> Iterator[Block]:
+        """What is largest or smallest, as a formula of a constant."""
+        if e.aim is not None and e.aim.law is None:
+            yield from timed_blocks(e.aim, e.stop, self.found, self.phrases)
+        elif e.aim is not None and e.aim.law is not None:
+            self._aims.append((e.aim.law, self.next))
+            yield from aim_blocks(e.aim, leg, self.found, self.between, self._number())
+
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)
         equations = leg.relations
@@ -171,9 +179,7 @@ class MotionTelling:
             self.next += 1
             return (yield from by_phase)
         for e in equations:
-            if e.aim is not None:
-                self._aims.append((e.aim.law, self.next))
-                yield from aim_blocks(e.aim, leg, self.found, self.between, self._number())
+            yield from self._aim(e, leg)
             if told := [number for law, number in self._aims if law == e.source]:
                 numbers += told
                 continue
@@ -253,7 +259,8 @@ class MotionTelling:
         """The sine of an angle, from its equation in numbers where it stands so."""
         (e, *more) = leg.relations
         counted = not more and len(leg.unknowns) == 1 and set(numbers) <= self.between.counted
-        return by_function(r, sides_of(e, route) if counted else None, leg.unknowns, self.numeric)
+        sides = sides_of(e, route) if counted else None
+        return by_function(r, sides, leg.unknowns, self.numeric) or by_tangent(e.residual, r, self.numeric)
 
     def _is_told(self, r: Result) -> bool:
         """Does a formula stand before its value, or nothing at all?"""

@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.common_factors import together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.product_to_sum import as_sums
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.stationary_point import eliminated, proper, unchanged
@@ -26,8 +27,10 @@ class Aim:
     """A letter of a state, or its square, or what has such a one."""
     formula: sp.Expr
     """It as a formula of constants."""
-    law: Equation
-    """The balance from which that follows."""
+    law: Equation | None
+    """The balance from which that follows; None: it follows from equations that hold a time."""
+    timed: tuple[sp.Expr, ...] = ()
+    """Those equations, by their residuals."""
 
 
 def stationary(
@@ -56,13 +59,66 @@ def stationary(
         hint += "or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is smallest]`, "
         hint += "and give it in this one: `given: {mu: limit.mu}`"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
+    if reduced := _without_time(related, aim, letters, objective, like, sought):
+        return reduced
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
     return [*found, _condition(condition, [x for x in letters if x in kept], objective, like)]
 
 
+def _without_time(
+    related: Sequence[sp.Expr],
+    aim: sp.Expr,
+    letters: Sequence[sp.Symbol],
+    objective: sp.Expr,
+    like: Equation,
+    sought: frozenset[sp.Symbol],
+) -> list[Equation]:
+    """The condition in one constant, where the time at which something happens can be eliminated: of a throw
+    v_0² = g x²/(2 cos² β (x tan β - y)), of which the derivative for β is zero. Empty: it is not so.
+    """
+    times, free = [x for x in letters if x not in sought], [x for x in letters if x in sought and x != aim]
+    if len(times) != 1 or len(free) != 1:
+        return []
+    told, links = _of_one(list(related), aim, times[0], free[0], objective) or (None, [])
+    if told is None or not told[1].free_symbols & {free[0]} or told[1].free_symbols & {aim, times[0]}:
+        return []
+    above, below = sp.fraction(simplified(told[1]))
+    if free[0] not in above.free_symbols or free[0] not in below.free_symbols:
+        rate = simplified(sp.diff(as_sums(below if free[0] in below.free_symbols else above), free[0]))
+    else:
+        rate = simplified(sp.fraction(together(sp.diff(told[1], free[0])))[0])
+    shown = above / below if told[0] != objective or aim == times[0] else expanded(told[1])
+    source = Aim(told[0], shown, None, tuple(related))
+    found = [_condition(proper(rate, frozenset(free)), free, objective, like, source)]
+    if told[0] != objective or aim == times[0]:
+        words = f"with {times[0].name} eliminated" if aim != times[0] else "by the laws of motion"
+        found.append(Equation(told[0] - above / below, "link", words, like.stop))
+    return [*found, *(Equation(p, "link", "by the laws of motion", like.stop) for p in links)]
+
+
+def _of_one(
+    related: list[sp.Expr], aim: sp.Expr, time: sp.Symbol, free: sp.Symbol, objective: sp.Expr
+) -> tuple[tuple[sp.Expr, sp.Expr], list[sp.Expr]] | None:
+    """The quantity, or its square, as a formula of one constant, and the equation that tells the time then."""
+    if aim == time:
+        told = _solved(expanded(sp.fraction(together(related[0]))[0]), aim) if len(related) == 1 else None
+        return None if told is None else (told, [])
+    first = next((p for p in related if sp.diff(p, time) != 0 and sp.diff(p, time, 2) == 0), None)
+    if first is None:
+        return None
+    formula = -first.subs(time, 0) / sp.diff(first, time)
+    rest = [p for p in related if p is not first]
+    if aim.is_Symbol and len(rest) == 1:
+        told = _solved(expanded(sp.fraction(together(rest[0].xreplace({time: formula})))[0]), aim)
+        return None if told is None else (told, [first])
+    if rest or aim.is_Symbol or not objective.is_Symbol:
+        return None
+    return (objective, simplified(aim.xreplace({time: formula}))), [first]
+
+
 def with_aims(equations: Sequence[Equation]) -> list[Equation]:
     """The same equations; a balance by which something is largest is written anyway, and costs nothing."""
-    aims = [e.source.law for e in equations if isinstance(e.source, Aim)]
+    aims = [e.source.law for e in equations if isinstance(e.source, Aim) and e.source.law is not None]
     return [replace(e, surcharge=0.0) if e in aims else e for e in equations]
 
 

@@ -209,8 +209,10 @@ class _Tracer:
     def _relation(self, e: Equation) -> Relation:
         aim = e.source if isinstance(e.source, Aim) else None
         source = self._source(None if aim is not None else e.source)
-        law = None if aim is None else self._source(aim.law.source)
-        told = AimTrace(aim.quantity, aim.formula, law) if aim is not None and isinstance(law, BalanceTrace) else None
+        law = None if aim is None or aim.law is None else self._source(aim.law.source)
+        told = None
+        if aim is not None and (isinstance(law, BalanceTrace) or aim.timed):
+            told = AimTrace(aim.quantity, aim.formula, law if isinstance(law, BalanceTrace) else None, aim.timed)
         data = e.kind in DATA
         return Relation(e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told)
 

@@ -108,12 +108,13 @@ class ImpactEquation:
 @record
 class AimTrace:
     """What is largest or smallest over a constant that is sought: in a letter of a state, as a formula of constants,
-    and the balance from which that follows.
+    and the balance from which that follows; or the equations, by their residuals, from which a time was eliminated.
     """
 
     quantity: sp.Expr
     formula: sp.Expr
-    law: BalanceTrace
+    law: BalanceTrace | None
+    timed: tuple[sp.Expr, ...] = ()
 
 
 @record
