@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import sympy as sp
 
@@ -10,8 +11,17 @@ from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import AimTrace, MotionTrace, RouteStep
+from planar_cli.solve.between.trace import AimTrace, MotionTrace, Relation, RouteStep
 from planar_cli.units import PURE, pretty_unit
+
+
+def aims_told(e: Relation, leg: RouteStep, telling: Any) -> Iterator[Block]:
+    """What is largest or smallest, as a formula of a constant, in the telling of a motion."""
+    if e.aim is not None and e.aim.law is None:
+        yield from timed_blocks(e.aim, e.stop, telling.found, telling.numeric)
+    elif e.aim is not None:
+        telling.aims.append((e.aim.law, telling.next))
+        yield from aim_blocks(e.aim, leg, telling.found, telling.between, telling.number())
 
 
 def aim_blocks(

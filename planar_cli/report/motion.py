@@ -19,7 +19,7 @@ from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import is_own_name
 from planar_cli.report.data_of_states import datum_blocks
-from planar_cli.report.extremes import aim_blocks, timed_blocks
+from planar_cli.report.extremes import aims_told
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import solved_for
@@ -84,7 +84,7 @@ class MotionTelling:
         self._swings = HarmonicTelling(found.general, phrases)
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
-        self._aims: list[tuple[BalanceTrace, int]] = []
+        self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""
 
     def blocks(self, step: int) -> list[Block]:
@@ -162,14 +162,6 @@ class MotionTelling:
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
 
-    def _aim(self, e: Relation, leg: RouteStep) -> Iterator[Block]:
-        """What is largest or smallest, as a formula of a constant."""
-        if e.aim is not None and e.aim.law is None:
-            yield from timed_blocks(e.aim, e.stop, self.found, self.phrases)
-        elif e.aim is not None and e.aim.law is not None:
-            self._aims.append((e.aim.law, self.next))
-            yield from aim_blocks(e.aim, leg, self.found, self.between, self._number())
-
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)
         equations = leg.relations
@@ -179,8 +171,8 @@ class MotionTelling:
             self.next += 1
             return (yield from by_phase)
         for e in equations:
-            yield from self._aim(e, leg)
-            if told := [number for law, number in self._aims if law == e.source]:
+            yield from aims_told(e, leg, self)
+            if told := [number for law, number in self.aims if law == e.source]:
                 numbers += told
                 continue
             if single and e.kind == "link" and self._is_handed_on(leg.results[0]):
@@ -190,17 +182,17 @@ class MotionTelling:
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
-                yield Equation(self._chain(leg.results[0]), self._number())
+                yield Equation(self._chain(leg.results[0]), self.number())
                 return
             if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
-                yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self._number())
+                yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
             if single and leg.results[0].formula == 0:
-                yield from self._zero(e, Equation(self._chain(leg.results[0]), self._number()), route)
+                yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
@@ -279,7 +271,7 @@ class MotionTelling:
         yield Paragraph(head(e, self.found.ledger.symbols))
         yield result
 
-    def _number(self) -> int:
+    def number(self) -> int:
         self.next += 1
         return self.next - 1
 
@@ -292,11 +284,11 @@ class MotionTelling:
             self.between.plain, self.between.unknowns = route.plain, leg.unknowns
             self.between.geometry = geometry_beside(leg, route, self.found)
             self.between.long = any(r.formula is not None and longer(r.formula, FEW) for r in leg.results)
-            yield from self.between.blocks(e.source, self._number())
+            yield from self.between.blocks(e.source, self.number())
             return
         yield from self._law(e)
         yield Paragraph(head(e, self.found.ledger.symbols))
-        swings = self._swings.blocks(e, leg, route, number := self._number())
+        swings = self._swings.blocks(e, leg, route, number := self.number())
         yield from swings or (*self._integral(e, route), Equation(self._sides(e, route), number))
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
