@@ -253,3 +253,78 @@ def test_of_squares_no_distance_is_told() -> None:
     (why,) = caught.value.diagnostics
     assert why.code == "PL621"
     assert "0.09" not in f"{why.message} {why.hint}"
+
+
+SPINNING = """
+title: Rear wheels that spin
+plane: vertical
+given: {mu: 0.8}
+points: {B: [0, 0], F: [2.5 m, 0], G: [1.2 m, 0.5 m]}
+surfaces: {road: {through: B, angle: 0 deg}}
+bodies: {car: {points: [B, F], center: G, mass: 1500 kg, inertia: any}}
+joints:
+  - contact: {between: [car, road], at: B, mu: 0}
+  - contact: {between: [car, road], at: F, mu: 0}
+loads:
+  - force: {body: car, at: B, magnitude: mu*N(B), angle: 0 deg, name: drive}
+instant: [at rest]
+find: {a: a(car).x}
+"""
+LORRY = """
+title: Crate on an accelerating lorry
+plane: vertical
+unknowns: {a_0: m/s^2}
+points: {G: [0, 0.75 m], C: [0, 0]}
+surfaces: {bed: {through: C, angle: 0 deg, body: lorry}}
+bodies: {lorry: {particle: [3 m, 0]}, crate: {plate: G, width: 0.6 m, height: 1.5 m, mass: 1500 kg}}
+joints:
+  - guide: {body: lorry, along: 0 deg, name: road}
+  - contact: {between: [crate, bed], mu: 0.5, name: foot}
+instant: [at rest, a(lorry).x = a_0, mode(foot) = stick, a_0 is largest]
+find: {a_max: a_0}
+cases: {harder: {given: {a_0: 4.4 m/s^2}, find: {what: mode(foot)}}}
+"""
+LOOP = """
+title: Least speed for a loop
+plane: vertical
+symbols: {R: m}
+unknowns: {v_0: m/s}
+points: {O: [0, R], P: [0, 0]}
+surfaces: {loop: {center: O, radius: R}}
+bodies: {ball: {particle: P, mass: any}}
+joints: [{contact: {between: [ball, loop], mu: 0}}]
+states: {low: [t = 0, v(ball).x = v_0, v_0 > 0], high: [y(ball) = 2*R, v_0 is smallest]}
+find: {v_min: v_0}
+"""
+
+
+def why(text: str) -> Diagnostic:
+    with pytest.raises((FileProblem, NoSolution)) as wrong:
+        solve(text)
+    return wrong.value.diagnostics[0]
+
+
+def test_a_load_that_is_proportional_to_a_reaction() -> None:
+    told = why(SPINNING)
+    assert told.code == "PL555"
+    assert "`unknowns: {D: N}`, `magnitude: D`, `instant: [D = …N(B)]`" in (told.hint or "")
+    with_letter = SPINNING.replace("given: {mu: 0.8}", "given: {mu: 0.8}\nunknowns: {D: N}")
+    with_letter = with_letter.replace("magnitude: mu*N(B)", "magnitude: D").replace(
+        "[at rest]", "[at rest, D = mu*N(B)]"
+    )
+    assert_close(solve(with_letter)["a"], Decimal("0.8") * Decimal("9.81") * Decimal("1.3") / Decimal("2.1"))
+
+
+def test_a_case_that_gives_what_is_largest() -> None:
+    told = why(LORRY)
+    assert told.code == "PL431"
+    assert told.message.startswith("case harder: 'a_0 is largest'")
+    assert "write it in the case that asks for it" in (told.hint or "")
+
+
+def test_an_extreme_at_the_edge_of_reach_in_letters() -> None:
+    told = why(LOOP)
+    assert told.code == "PL623"
+    assert "`N(ball) = 0`" in (told.hint or "")
+    assert "simulate" not in (told.hint or "")
+    assert solve(LOOP.replace("v_0 is smallest", "N(ball) = 0"))["v_min"].expressions

@@ -299,9 +299,9 @@ class Quantities:
 
     def _forces(self, q: Quantity) -> Reactions:
         if self.reactions is None:
-            raise refuse(
-                q.mark, "PL555", f"{q.word}(…) can not stand here", "forces are not known before the motion is"
-            )
+            way = f"; for loads `unknowns: {{D: N}}`, `magnitude: D`, `instant: [D = …{q.word}({'/'.join(q.things)})]`"
+            hint = "forces are not known before the motion is" + ("" if self.scene.problem.states else way)
+            raise refuse(q.mark, "PL555", f"{q.word}(…) can not stand here", hint)
         return self.reactions
 
     def _q_n(self, q: Quantity) -> Jet:

@@ -15,7 +15,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
 from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting, WrittenScene
+from planar_cli.problem.setting import Setting, WrittenBody, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,11 +111,22 @@ class Rope(Joint):
                 yield Diagnostic(self.mark, "PL458", text, f"write `path: […, {body.name}]` where it hangs on the rope")
             if body.is_round and body.resists_turning and passed & {body.name, body.hub_point}:
                 text = f"{body.name} has mass, and a rope over it has one tension and does not turn it"
+                one, other = self._wound_on(body)
                 hint = (
-                    f"where it turns with the rope write two ropes wound on it, `[A, S on {body.name}]` and "
-                    f"`[T on {body.name}, B]`; where it is smooth, give the body `inertia: 0`"
+                    f"where it turns with the rope write two ropes wound on it, `{one}` and `{other}`, whose ends "
+                    "leave its rim; where it is smooth, give the body `inertia: 0`"
                 )
                 yield Diagnostic(self.mark, "PL457", text, hint)
+
+    def _wound_on(self, body: WrittenBody) -> tuple[str, str]:
+        """The two ropes in the place of one over a pulley, with points of its rim that the path does not name."""
+        at = next(i for i, stop in enumerate(self.path) if stop.name in (body.name, body.hub_point))
+        taken = {body.name, *(stop.name for stop in self.path)}
+        first, second = [letter for letter in "STUVWKL" if letter not in taken][:2]
+        before = [f"{stop.way} {stop.name}".removeprefix("point ") for stop in self.path[:at]]
+        after = [f"{stop.way} {stop.name}".removeprefix("point ") for stop in self.path[at + 1 :]]
+        one = ", ".join([*before, f"{first} on {body.name}"])
+        return f"[{one}]", f"[{', '.join([f'{second} on {body.name}', *after])}]"
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         segments, spins, actions = free_parts(self._route(), scene)

@@ -47,7 +47,13 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
     for statement in (*(p.instant or ()), *(s for state in p.states for s in state.relations)):
         if isinstance(statement, Extreme) and _is_known(statement.side, known):
             text = f"'{statement.text}': its value is given, so that nothing is largest or smallest"
-            yield Diagnostic(statement.mark, "PL431", text, "declare it under `unknowns`")
+            hint = "declare it under `unknowns`"
+            if scope.case:
+                text = f"case {scope.case}: {text}"
+                hint = (
+                    "what the file states holds in every case: write it in the case that asks for it and gives no value"
+                )
+            yield Diagnostic(statement.mark, "PL431", text, hint)
     for statement in p.assume:
         if not isinstance(statement, Relation):
             yield Diagnostic(

@@ -97,4 +97,4 @@ def scopes(problem: Problem) -> Iterator[Scope]:
     if problem.find or not problem.cases:
         yield Scope(problem, ())
     for index, case in enumerate(problem.cases):
-        yield Scope(case.problem, problem.cases[:index])
+        yield Scope(case.problem, problem.cases[:index], case.name)

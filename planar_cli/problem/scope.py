@@ -50,6 +50,8 @@ class Scope:
 
     problem: Problem
     earlier: tuple[Case, ...]
+    case: str = ""
+    """The name of the case."""
 
     @cached_property
     def numbers(self) -> dict[str, Symbol]:

@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
-from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided, undecided_at
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.expression import Extreme
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
@@ -82,9 +82,7 @@ def _chosen(problem: Problem, best: Best) -> dict[str, float]:
         state = next(s for s in problem.states if s.name == best.state)
         asked = next(r for r in state.relations if isinstance(r, Extreme))
         text = f"`{asked.text}` at about {number}, the last value with which state {best.state} is reached"
-        hint = "write in its place what ceases to hold there: `N(P) = 0` of a contact that is only just kept, "
-        hint += "`v(P).y = 0` of what only just comes so high"
-        raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)])
+        raise NoSolution([Diagnostic(unknown.mark, OPEN, text, _what_ceases(problem))])
     return {unknown.name: best.value}
 
 
@@ -120,16 +118,28 @@ def _number(unknown: Symbol, value: float, us: bool, figures: int = 6) -> str:
     return f"{unknown.name} = {rounded:.6g}{measure}"
 
 
-def _of_extreme(problem: Problem) -> Undecided | None:
+def _of_extreme(problem: Problem) -> NoSolution | None:
     """What is largest over the only unknown at a state that something else dates is not looked for in numbers."""
     extremes = [r for s in problem.states[1:] if len(s.relations) > 1 for r in s.relations if isinstance(r, Extreme)]
     if not extremes or len(problem.unknowns) != 1:
         return None
     name = problem.unknowns[0].name
     text = f"no formula tells for which {name} `{extremes[0].text}`"
-    return undecided_at(
-        extremes[0].mark, f"{text}; compare motions with values of it: `planar simulate --set {name}=…`"
-    )
+    hint = _what_ceases(problem)
+    if not problem.symbols:
+        hint += f"; else compare motions with values of it: `planar simulate --set {name}=…`"
+    return NoSolution([Diagnostic(extremes[0].mark, OPEN, text, hint)])
+
+
+def _what_ceases(problem: Problem) -> str:
+    """What to write in the place of an extreme that is the last value with which a state is reached."""
+    contact = next((j.name for j in problem.joints if j.touches), "")
+    rope = next((j.name for j in problem.joints if j.kind == "rope"), "")
+    kept = f"`N({contact}) = 0` of a contact that is only just kept, " if contact else ""
+    kept += f"`tension({rope}) = 0` of a rope that only just stays taut, " if rope else ""
+    body = problem.bodies[0].name if problem.bodies else "P"
+    moves = f"`v({body}).y = 0` of what only just comes so high"
+    return f"write in its place what ceases to hold there: {kept}{moves}"
 
 
 def by_motion(

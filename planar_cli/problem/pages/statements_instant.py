@@ -15,8 +15,9 @@ rest, and without acceleration. Each statement is a whole string in a list, with
 
 Nothing that is written is ignored. A relation between known numbers is checked. An inequality rejects modes and roots
 that make it false; where a speed stays open it tells its direction, and so which way friction acts:
-`instant: [v(crate).x > 0]`. Names that nothing uses are listed as `Not used`; where a mode rests on
-letters the page says on which side they lie (`Assume μ cos β > sin β`), and `assume: [mu < tan(beta)]` takes the other.
+`instant: [v(crate).x > 0]`. Names of `given` and `symbols` that nothing uses, and masses that drop out, are listed as
+`Not used`; where a mode rests on letters the page says on which side they lie (`Assume μ cos β > sin β`), and
+`assume: [mu < tan(beta)]` takes the other.
 
     relation  = side ("=" | "<" | ">" | "<=" | ">=") side | side "is" ("largest" | "smallest")
               | [name] "at rest" | "equilibrium" | "just after" state
