@@ -149,9 +149,8 @@ class Chain:
 
     def _holds(self, equation: Equation, value: Valuation) -> bool:
         try:
-            if not self._closes(equation.residual, value, self.agrees):
-                return False
-            return equation.trend is None or value(equation.trend) >= -AGREES
+            agrees = self._closes(equation.residual, value, self.agrees)
+            return agrees and (equation.trend is None or value(equation.trend) >= -AGREES)
         except NoValue:
             return False
         except Unvalued:
@@ -242,7 +241,7 @@ class Chain:
                 number = self.value.extended({**values, **{line.unknown: line.value for line in found}})(formula)
             except NoValue:
                 continue
-            if x not in self.truth or self._near(number, x):
+            if self._may_be(number, x) and (x not in self.truth or self._near(number, x)):
                 yield [*found, Line(x, formula, number, ())]
 
     def _closed(self, residual: sp.Expr, here: Valuation) -> bool:
@@ -265,7 +264,7 @@ class Chain:
         here = self.value.extended(values)
         if vanishes(residual, x, here):
             raise Undecided("these equations say the same")
-        every = self._roots(residual, x, here)
+        every = [r for r in self._roots(residual, x, here) if self._may_be(r.value, x)]
         others = [p for i, p in enumerate(pool) if i != index]
         nearest = min((abs(float(r.value) - self.tends[x]) for r in every), default=0.0) if x in self.tends else 0.0
         for taken, root in enumerate(every):
@@ -307,6 +306,10 @@ class Chain:
             if a and b and (a > 0) != (b > 0):
                 return Root(None, polish(value, low, high))
         return None
+
+    def _may_be(self, number: Decimal, x: sp.Symbol) -> bool:
+        """A distance is not negative."""
+        return not x.is_nonnegative or number >= -NOTHING * self.natural.get(x, Decimal(1))
 
     def _near(self, number: Decimal, x: sp.Symbol) -> bool:
         """Is a value the one that the motion which was followed shows?"""
