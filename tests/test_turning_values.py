@@ -25,3 +25,11 @@ def test_the_value_is_told_in_letters_of_the_file() -> None:
 
 def test_a_place_that_the_file_gives_over_time_has_a_line() -> None:
     assert "lift = y_follower,end = h = 0.03 m = 30 mm" in page_of_file("follower-with-cycloidal-lift")
+
+
+def test_a_formula_that_stands_in_its_line_is_not_said_once_more() -> None:
+    assert "in letters: a_max" not in page_of_file("follower-with-cycloidal-lift")
+
+
+def test_an_equation_that_stands_solved_is_not_repeated_in_letters() -> None:
+    assert page_of_file("wheel-pulled-uphill").count("a_By = R α") == 2

@@ -224,6 +224,10 @@ class BetweenTelling:
         self.named = None if self.phrases.symbolic else with_letters(e, left, right, self.phrases)
         if self.named is not None:
             left, right = self.named.left, self.named.right
+        terms = [t for side in (left, right) for t in sp.Add.make_args(side) if t != 0]
+        if e.law == "force" and not e.lead and e.along and all(t.could_extract_minus_sign() for t in terms):
+            # Counted in the sense in which its terms are positive.
+            left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
         yield Paragraph(line(*self._head(e), ":"))
         told = self._equation(left, right, number, self._lead(e))
         yield told if self.named is None or told.note else replace(told, note=self._arms(self.named))

@@ -61,6 +61,9 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
             continue
         lines = [i for i, block in enumerate(blocks) if _left(block) == called]
         block = blocks[lines[-1]] if lines else None
+        own_sides = block.sides if isinstance(block, Equation) else ()
+        if any(isinstance(side, Math) and side.expr == phrases.neat(closed) for side in own_sides):
+            continue
         if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
             head = block.sides[0] if isinstance(block.sides[0], tuple) else (block.sides[0],)
             told = (Text("in letters: "), *head, Text(" = "), Math(phrases.neat(closed)))

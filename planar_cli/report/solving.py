@@ -157,8 +157,13 @@ class SolvingTelling:
                 for i, s in enumerate(block.letters):
                     parts += [", " if i else "", Math(s)]
             blocks.append(Paragraph(line(*parts, ":")))
+            lines = [x for x in lines if not (x.letters and self._stands(x, block))]
         merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
         return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _stands(self, x: SolvedLine, block: SolvedBlock) -> bool:
+        """Does a line in letters stand as its equation already?"""
+        return any(w.number in x.equations and is_written(w, x, self.phrases) for w in block.equations)
 
     def _is_repeated(self, x: SolvedLine, block: SolvedBlock) -> bool:
         """Does a result without numbers stand as a line, or as an equation, before?"""
