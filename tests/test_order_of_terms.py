@@ -21,3 +21,4 @@ def test_a_time_by_the_velocity_that_is_asked_too() -> None:
     assert "v_ball,y,half = v0 - g t_half" in page
     assert "t_half = (v0 - v_ball,y,half)/g = (v0 + √(g h + v0²))/g" in page
     assert "as t_half > 0" not in page
+    assert "Check       y_ball,half = h + v0 t_half - 1/2 g t_half² = h/2" in page

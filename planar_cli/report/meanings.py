@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.scene import Rod
+from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.solve.between.trace import MotionTrace
@@ -66,4 +66,4 @@ def _meaning(c: Coordinate, scene: Scene) -> str:
     if isinstance(shape, Rod):
         ends = f"{shape.start}{shape.end}" if len(shape.start) <= SHORT and len(shape.end or "") <= SHORT else ""
         return f"the angle of {ends if shape.end and ends else c.body} from the x axis, counterclockwise"
-    return f"the angle by which {c.body} has turned, counterclockwise" if c.drawn == 0 else ""
+    return f"the angle by which {with_article(c.body)} has turned, counterclockwise" if c.drawn == 0 else ""

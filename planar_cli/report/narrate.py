@@ -55,6 +55,7 @@ from planar_cli.report.small_deviations import in_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.telling import Telling
+from planar_cli.report.time_check import time_check
 from planar_cli.report.told_before import ToldBefore
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
@@ -79,7 +80,7 @@ class Voice:
 
 
 STUDENT = Voice()
-MOTION_CHECKS = (energy_check, blow_check, law_check, root_check, passing_check, oscillation_check)
+MOTION_CHECKS = (energy_check, blow_check, law_check, root_check, passing_check, time_check, oscillation_check)
 """Checks of a motion that a person can make; the first that tells something stands on the page."""
 
 
