@@ -37,3 +37,8 @@ def test_a_grip_that_feels_no_blow() -> None:
     assert "STEP 1  Impulse and momentum" in page
     assert page.index("as given:      J_Ay = 0\n") < page.index("momentum along y")
     assert "The impulse of A from" not in page
+
+
+def test_an_angle_that_is_a_number_on_a_page_of_letters() -> None:
+    page = _page("energy/toppling-pole-that-stops-pressing")
+    assert "φ = π/2 - θ_2 = arccos(0.6) = 0.9273 rad = 53.13°\n" in page

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import longer
 from planar_cli.report.answer_letters import asked_symbol
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
@@ -30,6 +31,7 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
     if not phrases.letters:
         return _in_data(found, part, phrases)
     for answer in part.found:
+        _with_number(found, answer, part, phrases)
         if (
             answer.values is not None
             or answer.word
@@ -48,6 +50,28 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
             if given and not longer(expr, LONGEST):
                 found[given[-1]] = _ended(found[given[-1]], shown)
     return found
+
+
+def _with_number(blocks: list[Block], answer: Found, part: PartSolution, phrases: Phrases) -> None:
+    """Of letters, the line of an answer that is a number all the same: arccos(3/5) = 53.13°."""
+    closed = (answer.expressions or (sp.S.NaN,))[0]
+    if answer.kind != "number" or answer.word or answer.values is None or closed.free_symbols or not closed.is_real:
+        return
+    closed = closed.replace(lambda e: e.is_Add, _complement)
+    lines = [i for i, block in enumerate(blocks) if _left(block) in _names(answer, part)]
+    block = blocks[lines[-1]] if lines else None
+    if not isinstance(block, Equation) or len(block.sides) != 2 or not closed.has(sp.acos, sp.asin, sp.atan):
+        return
+    values = phrases.in_units(answer.values[0], answer.unit, answer.energy)
+    if answer.unit.angle and answer.unit.text == "rad":
+        values = [*values, Value(answer.values[0] * 180 / PI, "deg", phrases.figures)]
+    blocks[lines[-1]] = replace(block, sides=(*block.sides, Math(closed), *values))
+
+
+def _complement(total: sp.Expr) -> sp.Expr:
+    """π/2 - arcsin x is arccos x."""
+    inverse = [a for a in total.args if isinstance(-a, sp.asin)]
+    return sp.acos((-inverse[0]).args[0]) if len(inverse) == 1 and total == sp.pi / 2 + inverse[0] else total
 
 
 def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
