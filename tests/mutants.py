@@ -63,8 +63,12 @@ class _Walk:
         self._note(root, ())
         self.heavy = bool(_all_keys(root) & {"mass", "weight"})
         """Has anything mass?"""
+        self.places: dict[str, str] = {}
+        """Where points are drawn, as it is written."""
         for section in (root, *_cases(root)):
             for key, value in section.pairs:
+                if key.text == "points" and isinstance(value, Mapping):
+                    self.places |= {k.text: repr(_texts(v)) for k, v in value.pairs}
                 if key.text in NAMED and isinstance(value, Mapping):
                     known = self.names.setdefault(key.text, [])
                     known.extend(name for name in _keys(value) if name not in known)
@@ -163,6 +167,9 @@ class _Walk:
                     value = f"{float(value) * float(OFF):.6g}" if kind == "sign" else value
                     other = node.text[: token.start] + value + node.text[token.end :]
                 reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
+                if kind == "name" and self.places.get(token.text) == self.places.get(new, ""):
+                    # Two points at one place, of which a joint or a load may name either.
+                    reason = reason or "drawn"
                 yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
 
     def _reason_of(self, kind: str, keys: tuple[str, ...], text: str, start: int) -> str:
@@ -199,6 +206,14 @@ class _Walk:
         for names in self.names.values():
             if token.text in names and len(names) > 1:
                 yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+
+
+def _texts(node: Node) -> list[str]:
+    """All scalars of a node."""
+    if isinstance(node, Scalar):
+        return [node.text]
+    inside = (v for pair in node.pairs for v in pair) if isinstance(node, Mapping) else node.items
+    return [text for item in inside for text in _texts(item)]
 
 
 def _reason(keys: tuple[str, ...]) -> str:

@@ -75,3 +75,25 @@ def test_what_is_said_of_it(law: str, when: str, asked: str, place: tuple[int, i
     diagnostic = error.value.diagnostics[0]
     assert (diagnostic.code, (diagnostic.mark.line, diagnostic.mark.column)) == (code, place)
     assert words in diagnostic.message
+
+
+def test_a_rod_between_points_of_which_one_is_told_by_the_time() -> None:
+    """Its length and its ends say the same twice; that the time has no value yet is no fault."""
+    text = """title: Slider-crank driven in time
+plane: horizontal
+coordinates: {phi: deg, x: m}
+points: {O: [0, 0], A: {from: O, distance: 0.2 m, angle: phi}, B: [x, 0]}
+bodies: {crank: {rod: [O, A]}, rod: {rod: [A, B], mass: 2 kg, length: 0.6 m}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: A, between: [crank, rod]}
+  - guide: {point: B, along: 0 deg}
+motion: [phi = 6 rad/s * t]
+instant: [t = 0.1 s, x > 0]
+find: {v: v(B).x}
+"""
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    with pytest.raises(NoSolution) as error:
+        solve_problem(problem)
+    assert [d.code for d in error.value.diagnostics] == ["PL615"]

@@ -12,10 +12,11 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Earlier, Setup, first_unit
 from planar_cli.equation.system import Statements
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.keys import RopeStop
 from planar_cli.problem.scene import Body, Problem, Rod, Round
 from planar_cli.problem.scope import members_of
+from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.units import LENGTH, default_unit, parse_unit
 
@@ -34,7 +35,10 @@ def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     if not rods and not cords:
         return
     now: tuple[Any, ...] = problem.instant or (problem.states[0].relations if problem.states else ())
-    statements = Statements.of(tuple(law.statement for law in problem.motion), now)
+    # What is told by the time is open here, as any place is that is sought.
+    laws = (law.statement for law in problem.motion)
+    always = tuple(s for s in laws if not any(isinstance(n, Name) and n.name == "t" for n in walk(s)))
+    statements = Statements.of(always, now)
     scene = Setup(problem, statements, earlier, False).scene
     wrong = [d for d in (*(_unfit(scene, *r) for r in rods), *(_off_rim(scene, *c) for c in cords)) if d is not None]
     if wrong:
