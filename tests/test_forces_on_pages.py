@@ -140,3 +140,38 @@ def test_bodies_that_a_rope_pulls_apart_have_equations_of_their_own(tmp_path: Pa
     assert "where the total reaction" not in page
     assert "  B:  m_B g ↓ at B,  T_cord ↑,  T_cord ↑   =   m_B a_By ↑ at B\n" in page
     assert "(4)  → ΣF_x:   T_cord - μ N_A = m_A a_A" in page
+
+
+DISK_AND_BAR = """\
+title: Rolling disk with a bar hinged to its centre (after 4.20)
+plane: vertical
+given: {R: 0.3 m, l: 1.2 m}
+points:
+  C: [0, 0]
+  A: [0, R]
+  B: {from: A, distance: l, angle: -45 deg}
+surfaces: {shelf: {through: C, angle: 0 deg}}
+bodies:
+  disk: {disk: A, radius: R, mass: 15 kg}
+  bar: {rod: [A, B], mass: 10 kg}
+joints:
+  - rolling: {between: [disk, shelf], at: C}
+  - pin: {at: A, between: [disk, bar]}
+instant: [at rest]
+find:
+  a_A: a(A).x
+  alpha_bar: alpha(bar)
+  pin_on_bar: reaction(A/bar)
+  F: friction(C).x
+  N: N(C)
+"""
+
+
+def test_a_moment_centre_tells_what_does_not_enter(tmp_path: Path) -> None:
+    page = _page_of(tmp_path, DISK_AND_BAR)
+    assert "about K at (0, -0.8314 m), chosen so that A_y, α_bar do not enter:" in page
+    assert "virtual motion" not in page
+
+
+def test_no_side_of_an_energy_stands_twice(tmp_path: Path) -> None:
+    assert "T_2 = 1/2 m v_P,2² = 0.25 v_P,2²" in _page_of(tmp_path, BOWL % "")

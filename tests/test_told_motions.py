@@ -136,3 +136,21 @@ def test_a_condition_of_forces_is_no_geometry() -> None:
     )
     assert "θ_leaves = (R + r) arccos(4/7) / r" in found
     assert "solved numerically" not in found
+
+
+FALLS = """\
+title: Rod that falls on a smooth floor
+plane: vertical
+symbols: {l: m}
+points: {A: [0, 0], B: {from: A, distance: l, angle: 60 deg}}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: any}}
+joints: [{contact: {between: [rod, floor], at: A, mu: 0}}]
+states: {1: [at rest], 2: [theta(rod) = 0]}
+find: {omega: omega(rod) @ 2}
+"""
+
+
+def test_an_angle_has_an_angular_velocity_in_its_law() -> None:
+    """ω dω = α dθ is linear in ω², not in v²."""
+    assert "linear in v²" not in told(FALLS)

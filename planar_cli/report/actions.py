@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
@@ -14,6 +15,9 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
+
+LONGEST = 60
+"""A coordinate of more operations is left as it is."""
 
 
 def force_named(system: System, symbol: sp.Symbol) -> Line:
@@ -49,14 +53,25 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
     if through:
         one, other = (force_named(system, s) for s in through[:2])
         parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
+    elif gone := _left_out(w, stage):
+        listed = [piece for s in gone for piece in (", ", Math(s))][1:]
+        parts += [", chosen so that ", *listed, " do not enter:" if len(gone) > 1 else " does not enter:"]
     else:
-        parts += [", about which the group turns in a virtual motion:"]
+        parts += [":"]
     return line(*parts)
+
+
+def _left_out(w: Written, stage: Stage) -> list[sp.Symbol]:
+    """The unknowns of the other equations of the same bodies that an equation has not."""
+    others = [x for block in stage.blocks for x in block.equations if x.bodies == w.bodies and x.number != w.number]
+    inside = set().union(*(x.residual.free_symbols for x in others)) & set(stage.algebra.unknowns)
+    return by_name(inside - w.residual.free_symbols)
 
 
 def _length(phrases: Phrases, expr: sp.Expr) -> Math | Value:
     """A coordinate as a formula, or with its unit where numbers of the file without a name stand in it."""
     ledger = phrases.ledger
+    expr = expr if longer(expr, LONGEST) else simplified(expr)
     clean = expr == 0 or (is_clean(ledger, expr, dimension=LENGTH) and not expr.is_number)
     if clean or phrases.letters or not expr.free_symbols <= set(ledger.values):
         return phrases.math(expr)

@@ -21,6 +21,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.inertias import inertia_of
+from planar_cli.report.notation import plain
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
@@ -300,7 +301,9 @@ class EnergyTelling(EnergyPieces):
         yield self._line(lead, self._lettered(told, sizes), *self._numbers(put, self._with(told, ends, sizes)))
 
     def _line(self, *sides: Any, dimension: Dimension = ENERGY) -> Equation:
-        """One energy or length, with its unit where numbers stand beside unknowns."""
+        """One energy or length, with its unit where numbers stand beside unknowns; no side stands twice."""
+        shown = [plain(s.expr, s.values) if isinstance(s, Math) else "" for s in sides]
+        sides = tuple(s for i, s in enumerate(sides) if not i or not shown[i] or shown[i] != shown[i - 1])
         mixed = isinstance(sides[-1], Math) and sides[-1].values
         unit = coherent_unit(dimension, us=self.phrases.ledger.us)
         return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
