@@ -31,3 +31,8 @@ def test_a_slanting_damper_shows_the_rate_of_its_length_before_its_force() -> No
     assert "rate of its length, v_P along WP: -12 v_P/13 = -12 · 1.5 / 13 = -1.385 m/s it pushes" in page
     assert page.index("rate of its length") < page.index("F_dashpot = -12/13 c_d v_P")
     assert "(2): a_P = (12 F_dashpot/13 - 4/5 k_s (l_coil - l_0))/m = (12 (-41.54)/13" in page
+
+
+def test_a_spring_without_a_name_is_called_by_its_ends() -> None:
+    page = page_of_file("flat-faced-follower-about-to-lift")
+    assert "pull of the spring from T to H: F_T = k (-2 e - d)" in page

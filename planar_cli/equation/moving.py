@@ -175,7 +175,8 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
     kind = kind_of(wrench) or Load
-    title = kind.line.format(wrench.name, called=kind.phrase(wrench.name))
+    own = next((x for x in scene.problem.loads if (x.kind, x.name) == (wrench.kind, wrench.name)), None)
+    title = kind.line.format(wrench.name, called=kind.phrase(wrench.name) if own is None else own.called)
     ledger = scene.ledger
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:

@@ -59,6 +59,15 @@ class Load(Entry, ABC):
     turns_only: ClassVar[bool] = False
     """Is it a couple, which a particle cannot take?"""
 
+    @property
+    def called(self) -> str:
+        """By its ends where it has no name of its own: then it has that of its first point, perhaps with a number."""
+        ends: tuple[str, ...] = getattr(self, "between", ())
+        own = self.name.removeprefix(ends[0]).removeprefix("_") if ends else self.name
+        if own and not own.isdigit():
+            return self.phrase(self.name)
+        return f"the {self.kind} from {ends[0]} to {ends[1]}"
+
     def in_full(self) -> Self:
         """The load with what its short forms stand for, once its body is known."""
         return self
