@@ -99,7 +99,7 @@ def test_an_assumption_holds_up_to_its_end() -> None:
 
 
 def test_what_a_joint_keeps() -> None:
-    assert kept("B: distance from the edge") == "the distance from the line at B stays the same"
+    assert kept("B: distance from the edge") == "B is still on its line"
     assert kept("hook: place on ground and rod") == "hook belongs to the ground and to rod"
     assert kept("tip: stays on profile") == "tip stays on profile"
     assert kept("odd title") == "odd title"
