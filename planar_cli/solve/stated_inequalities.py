@@ -1,7 +1,7 @@
-"""The inequalities of a file's states, looked at where the motion has come to these states.
+"""The inequalities and modes of a file's states, looked at where the motion has come to these states.
 
 Those of places and velocities choose among roots already; here it is seen that none is false, of whatever it speaks:
-forces, accelerations, the time, numbers of the file.
+forces, accelerations, the time, numbers of the file, how contacts and ropes hold.
 """
 
 from __future__ import annotations
@@ -11,13 +11,14 @@ from dataclasses import replace
 
 from planar_cli.base_units import in_base
 from planar_cli.equation.setup import first_unit
+from planar_cli.equation.system import mode_of
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.simulate.answers import usual_unit
-from planar_cli.simulate.measures import Moment
+from planar_cli.simulate.measures import Moment, modes_of
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.units import Unit, parse_unit
@@ -30,8 +31,10 @@ FALSE = "PL617"
 
 
 def demand_inequalities(problem: Problem, run: Run) -> None:
-    """NoSolution: an inequality is false at its state, where the motion came to it. Letters may have other numbers."""
-    wrong = [] if problem.symbols else list(_wrong(problem, run))
+    """NoSolution: an inequality or a mode is false at its state, where the motion came to it. Letters may have other
+    numbers.
+    """
+    wrong = [] if problem.symbols else [*_wrong(problem, run), *_wrong_modes(problem, run)]
     if wrong:
         raise NoSolution(wrong)
 
@@ -48,6 +51,22 @@ def _wrong(problem: Problem, run: Run) -> Iterator[Diagnostic]:
                 if all(found is not None and _is_false(problem, run, relation, found) for found in sides):
                     assert sides[0] is not None
                     yield _told(problem, state.name, relation, sides[0])
+
+
+def _wrong_modes(problem: Problem, run: Run) -> Iterator[Diagnostic]:
+    """Modes in which joints are neither when the motion comes to a state nor when it goes on from there."""
+    for state in problem.states:
+        moment = run.measures.moments.get(state.name)
+        for relation in state.relations if moment is not None else ():
+            said = mode_of(relation) if isinstance(relation, Relation) and relation.operator == "=" else None
+            if said is None:
+                continue
+            assert moment is not None
+            found = [m for m in (modes_of(moment.regime).get(said[0]), moment.modes.get(said[0])) if m is not None]
+            if found and said[1] not in found:
+                text = f"`{relation.text}` does not hold at {state.name}: there it is {found[-1]}"
+                hint = "leave it out, or ask for a state before that"
+                yield Diagnostic(relation.mark, FALSE, text, hint)
 
 
 def _sides(run: Run, relation: Relation, moment: Moment) -> tuple[float, float] | None:
