@@ -101,7 +101,9 @@ def _told(
     left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
     yield Equation((phrases.math(left), phrases.math(left - whole)), None, line("with the data of the start:"))
     told = with_unit(root, TIME, phrases.ledger, phrases.figures) or phrases.math(root)
-    yield Equation((phrases.math(other.unknown), told), None, line("so that, as ", Math(other.unknown), " ≠ 0:"))
+    none = whole.xreplace({other.unknown: sp.S.Zero}) == 0
+    why = line("so that, as ", Math(other.unknown), " ≠ 0:") if none else line("so that:")
+    yield Equation((phrases.math(other.unknown), told), None, why)
     for function, part, value in ((sp.cos, across, functions[0]), (sp.sin, up, functions[1])):
         above = line("(", Math(part), ")") if part.is_Add else line(Math(part))
         quotient = line(*above, "/(", Math(size), ")")
