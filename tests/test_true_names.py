@@ -52,6 +52,45 @@ states:
   second: [r(probe/O).mag = r_2, r(probe/O).angle = beta]
 find: {v_1: v_1, v_2: v(probe).mag @ second in km/s}
 """
+STRUCK = """
+title: Block slides down, strikes a hanging rod, and the rod swings up
+plane: vertical
+given: {m_b: 3 kg, m_r: 4 kg, l: 1.2 m, s: 2 m, beta: 30 deg, mu: 0.2, e: 0.6}
+points: {S: {from: K, distance: s, angle: 180 deg - beta}, K: [0, 0], B: [1 m, 0], O: [1 m, l]}
+surfaces: {incline: {through: K, angle: -beta}, floor: {through: K, angle: 0 deg}}
+bodies: {block: {particle: S, mass: m_b}, rod: {rod: [O, B], mass: m_r}}
+joints:
+  - contact: {between: [block, incline], at: S, mu: mu, during: top->knee}
+  - contact: {between: [block, floor], mu: 0, during: knee->up}
+  - pin: {at: O, between: [ground, rod]}
+  - impact: {between: [block, rod], restitution: e, during: hit->apart}
+states:
+  top: [t = 0, at rest]
+  knee: [x(block) = 0]
+  hit: [x(block) = 1 m]
+  apart: [just after hit]
+  up: [omega(rod) = 0]
+find: {v_2: v(block).x @ apart, phi: theta(rod) @ up - theta(rod) @ apart in deg}
+"""
+ON_TWO_CORDS = """
+title: Bullet strikes a plate hung on two cords
+plane: vertical
+given: {M: 8 kg, m: 0.02 kg, b: 400 mm, v_0: 260 m/s}
+points:
+  G: [0, 0]
+  L: [-b/2, b/2]
+  N: [b/2, b/2]
+  P: [-b/2, -50 mm]
+  L0: [-b/2, 1 m]
+  N0: [b/2, 1 m]
+bodies: {plate: {plate: G, width: b, height: b, mass: M, points: [L, N]}, bullet: {particle: P, mass: m}}
+joints:
+  - rope: {path: [L0, L], name: left}
+  - rope: {path: [N0, N], name: right}
+  - weld: {at: P, between: [plate, bullet], during: 1->2}
+states: {1: [plate at rest, v(bullet).x = v_0, v(bullet).y = 0], 2: [just after 1]}
+find: {omega: omega(plate) @ 2}
+"""
 
 
 def _page(text: str) -> str:
@@ -82,3 +121,18 @@ def test_an_equation_is_no_integration() -> None:
     assert re.search(r"_second = √\(.* = 14\d\d m/s the positive root", page)
     assert "by numerical integration the" not in page
     assert ", g = 9.81" not in page, "g_0 is no g"
+
+
+def test_a_blow_after_what_hung_still() -> None:
+    """It stays in equilibrium over several states, so that nothing is to be integrated: momentum and restitution."""
+    page = _page(STRUCK)
+    assert "θ_hit = θ_knee = -90° it stays at rest in equilibrium" in page
+    assert "Restitution between block and rod" in page
+    assert "numerical integration" not in page
+    assert "cos φ = 1 - l ω_apart²/(3 g)" in page
+
+
+def test_a_cord_that_goes_slack_in_a_blow_is_told() -> None:
+    page = _page(ON_TWO_CORDS)
+    assert "The rope right is slack in the blow: its ends do not move apart, and it exerts no impulse." in page
+    assert "rope left is slack" not in page

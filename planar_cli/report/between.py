@@ -211,6 +211,10 @@ class BetweenTelling:
         yield Paragraph(line(words))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
+        for mode in solution.trial.system.modes.values():
+            if mode.name == "slack":
+                words = f"{mode.words[:1].upper()}{mode.words[1:]} in the blow"
+                yield Paragraph(line(f"{words}: its ends do not move apart, and it exerts no impulse."))
         scene = solution.instant.scene
         for letter, side in impulse_letters(scene.problem).values():
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):

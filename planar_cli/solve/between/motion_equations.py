@@ -27,7 +27,7 @@ from planar_cli.solve.regimes.equations import (
     stated_equations,
 )
 from planar_cli.solve.regimes.mode_sequence import fixed_time
-from planar_cli.solve.regimes.standing import begun_at, standing_equations
+from planar_cli.solve.regimes.standing import begun_at, standing_at, standing_equations
 from planar_cli.solve.regimes.symmetric import symmetric_equations
 from planar_cli.solve.regimes.timeline import Stop
 from planar_cli.solve.regimes.transfer import later_equations, resting_equations
@@ -202,6 +202,7 @@ def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
 def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
     """What the motion from state to state says. `begun`: what is known of the letters of the first state."""
     found: list[Equation] = []
+    known = dict(begun)
     since = 0
     for i, state in enumerate(motion.states):
         stop = motion.stops[state.name]
@@ -218,7 +219,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
         by_laws = law_equations(laws, start, stop, regime, regime.general.value)
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
-        found += list(standing_equations(laws, start, stop, regime, begun))
+        standing = list(standing_equations(laws, start, stop, regime, known))
+        found, known = [*found, *standing], known | standing_at(standing, known)
         found += list(symmetric_equations(start, stop, regime, begun))
         found += list(kept_equations(regime, start, stop))
         balances = list(motion.between.equations(motion, i))

@@ -33,6 +33,16 @@ def standing_equations(
         yield Equation(stop.letters[speed], "link", WORDS, stop.name, since.name, family=(*family, "v"), rank=1)
 
 
+def standing_at(equations: Iterable[Equation], begun: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """The letters of the later state that these tell, as the equilibrium may last over several states."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for e in equations:
+        end, *more = e.residual.free_symbols - begun.keys() or (None,)
+        if end is not None and not more:
+            found[end] = (end - e.residual).xreplace(dict(begun))
+    return found
+
+
 def _holds(f: sp.Expr, q: sp.Symbol, v: sp.Symbol, place: sp.Expr, value: Valuation) -> bool:
     """Is f(q, v) zero at rest in this place, at all times, and does it drive back what leaves it?"""
     if not identically_zero(f.xreplace({v: sp.S.Zero, q: place})):
