@@ -41,7 +41,7 @@ def instant_of(name: str, seed: int) -> Instant:
     numbers |= {"a": f"{rng.uniform(100, 170):.1f}", "b": f"{rng.uniform(60, 85):.1f}"}
     text = Template(SCENES[name]).substitute(numbers)
     body = text.split("bodies: {")[1].split(":")[0]
-    text += f"plane: horizontal\ninstant: [at rest]\nfind: {{x: theta({body})}}\n"
+    text += f"plane: horizontal\ninstant: [at rest]\nfind: {{x: x({body})}}\n"
     problem, wrong = load_text(f"title: drawn at random\n{text}")
     assert problem is not None, [d.message for d in wrong]
     assert not wrong, [d.message for d in wrong]

@@ -288,7 +288,7 @@ def drawn(name: str, power: int) -> MovingScene:
     text = Template(TEMPLATES[name]).substitute(numbers)
     body = text.split("bodies: {")[1].split(":")[0]
     text = re.sub(r"(\d+(?:\.\d+)?) m\b", rf"\1e{power} m", text)
-    text += f"plane: horizontal\ninstant: [at rest]\nfind: {{x: theta({body})}}\n"
+    text += f"plane: horizontal\ninstant: [at rest]\nfind: {{x: x({body})}}\n"
     problem, wrong = load_text(f"title: drawn at random\n{text}")
     assert problem is not None, [d.message for d in wrong]
     return MovingScene(problem)
