@@ -31,7 +31,7 @@ def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
         ("crank-pin-in-a-slotted-arm", "(3) ω_crank constant: α_crank = 0"),
         ("crane-truck", "(6) v_C,boom constant: a_C,boom = 0"),
         ("ex-2-09", "(3) given: α_CD = 0.2 rad/s²"),
-        ("ex-1-13", "Given: the size of v_P = v, differentiated (2) a_Pt v_P = 0"),
+        ("ex-1-13", "(1) constant speed: v_P = v (2) v_P constant: a_Pt = 0"),
         ("follower-with-cycloidal-lift", "differentiated: (1) v_follower,y = h (1 - cos(2 π t/T)) / T"),
         ("follower-with-cycloidal-lift", "(2) differentiated: a_follower,y = 2 π h sin(2 π t/T)/T²"),
     ],

@@ -229,7 +229,7 @@ def _inertia(
     still = vanishing(stage)
     idle = _idle(instant, stage)
     components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
-    apart = [part for direction, component in components for part in in_plain_lengths(direction, component)]
+    apart = [part for direction, component in components for part in _apart(direction, component, instant, body)]
     for direction, component in apart if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
@@ -342,6 +342,14 @@ def _size(direction: Vec, instant: InstantSolution, body: str, phrases: Phrases)
     if short and is_clean(phrases.ledger, formula, dimension=LENGTH):
         return formula
     return sp.Rational(str(phrases.value(square).sqrt()))
+
+
+def _apart(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
+    """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG."""
+    parts = in_plain_lengths(direction, turning)
+    turned = sp.sympify(direction.x).has(sp.sin, sp.cos) or sp.sympify(direction.y).has(sp.sin, sp.cos)
+    arm = len(parts) > 1 and not turned and _distance(direction, turning, instant, body) is not None
+    return [(direction, turning)] if arm else parts
 
 
 def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> sp.Symbol | None:
