@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from typing import ClassVar, final
 
@@ -20,6 +21,8 @@ from planar_cli.integrators.base import OUTSIDE, Counts, Rates, Setting, StepToo
 
 FEW = 4
 """So few components are written out at once."""
+SEEN = 64 * sys.float_info.epsilon
+"""A smaller difference of places, in parts of their scale, is a rounding."""
 WORTH, MIDDLE, SOONER = 350, 30, 150
 """So many steps, behind or ahead, pay for writing out any number of components; for no more than the second so many as
 the third, as a motion is hardly ever followed just once."""
@@ -133,7 +136,7 @@ def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, scale
 
     The first half of the state holds positions, the second their rates. In a vibration accelerations differ by -ω²
     times what positions differ by; in a damped motion by a negative rate times what velocities differ by. What drives
-    apart, near an unstable equilibrium, is not fast in this sense: 0.
+    apart, near an unstable equilibrium, is not fast in this sense: 0. So is what has moved by a rounding alone.
     """
     half = len(new) // 2
     change = moved = sped = back = braked = 0.0
@@ -145,6 +148,8 @@ def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, scale
         sped += v * v / square
         back -= a * x / square
         braked -= a * v / square
+    if half and moved <= SEEN * SEEN * half:
+        return 0.0
     if half and back > 0.0:
         return math.sqrt(math.sqrt(change / moved))
     return math.sqrt(change / sped) if braked > 0.0 else 0.0
