@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, pi
 
 import pytest
 from answered import first, solve
@@ -143,3 +143,37 @@ find: {y: y(bead) @ e}
         solve(text.replace("MORE", ""))
     assert error.value.diagnostics[0].code == "PL623"
     assert first(solve(text.replace("MORE", ", x(bead) = 0"))["y"]) == pytest.approx(1 - 0.5 - 19.62 / 60)
+
+
+PENDULUM = """title: Pendulum that may hang or stand
+plane: vertical
+coordinates: {theta: deg}
+points: {O: [0, 0], P: {from: O, distance: 1 m, angle: theta}}
+bodies: {P: {particle: P, mass: 2 kg}}
+joints:
+  - link: {between: [O, P]}
+instant: [equilibriumMORE]
+find: {at: theta, across: x(P)}
+"""
+
+
+def test_positions_that_one_equation_tells_are_not_chosen_from() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(PENDULUM.replace("MORE", ""))
+    (diagnostic,) = error.value.diagnostics
+    assert diagnostic.code == "PL635"
+    assert diagnostic.message.startswith("theta = 90 deg; or theta = -90 deg: ")
+
+
+def test_the_file_chooses_a_position() -> None:
+    assert first(solve(PENDULUM.replace("MORE", ", theta < 0"))["at"]) == pytest.approx(-pi / 2)
+    assert first(solve(PENDULUM.replace("MORE", ", theta > 0"))["at"]) == pytest.approx(pi / 2)
+
+
+def test_what_is_the_same_in_all_positions_is_told() -> None:
+    text = PENDULUM.replace("MORE", "").replace("at: theta, ", "")
+    assert first(solve(text)["across"]) == pytest.approx(0, abs=1e-12)
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    page = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
+    assert "other roots: -90° (it holds as well, and what is asked is the same)" in page

@@ -19,6 +19,7 @@ from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.words import in_unit
+from planar_cli.solve.instant.branches import Choice
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.instant.seeker import Sought
 
@@ -39,31 +40,51 @@ def demand_one_way(instant: Instant, taken: Sought, asked: Asked, mark: Mark) ->
     sought = list(instant.scene.ledger.sought)
     others = []
     _demand_one_place(instant, taken, asked, mark)
+    here = asked(taken.trial.system)
+    of_place = any(_of_place(instant, c) for c in taken.branch.choices)
     for s in taken.others:
         rival = _same(s, taken, sought, sought)
-        if rival and not _same(s, taken, asked(s.trial.system), asked(taken.trial.system)):
+        alike = (rival or of_place) and _same(s, taken, asked(s.trial.system), here)
+        if rival and not alike:
             raise BothWays([_both(instant, taken, s, mark)])
-        others.append(replace(s, objection=SAME) if rival else s)
+        others.append(replace(s, objection=SAME) if alike else s)
     return replace(taken, others=others)
 
 
 def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark) -> None:
-    """NoSolution: equations in several unknowns hold in several ways, and the answers differ. None is the usual one."""
-    if not any(c.together for c in taken.branch.choices):
+    """NoSolution: equations in several unknowns hold in several ways, or forces balance in several positions, and the
+    answers differ. None is the usual one.
+    """
+    if not any(_of_place(instant, c) for c in taken.branch.choices):
         return
     here = asked(taken.trial.system)
-    others = [s for s in taken.others if not _same(s, taken, asked(s.trial.system), here)]
+    # A sought constant takes the positive one of its roots: that chooses between positions as well.
+    others = [s for s in taken.others if _negative(instant, s) == _negative(instant, taken)]
+    others = [s for s in others if not _same(s, taken, asked(s.trial.system), here)]
     if others:
-        ways = "; or ".join(_told(instant, s) for s in (taken, *others))
+        ways = "; or ".join(dict.fromkeys(_told(instant, s) for s in (taken, *others)))
         text = f"{ways}: with each of them all equations hold"
         hint = "say which is meant by an inequality that one alone fulfils, such as `y(P) < 0`"
         raise NoSolution([Diagnostic(mark, "PL635", text, hint)])
 
 
+def _of_place(instant: Instant, choice: Choice) -> bool:
+    """Is it one of roots that were looked for together, or a coordinate that equilibrium tells?"""
+    return choice.together or (
+        bool(instant.statements.equilibrium) and choice.symbol in instant.scene.ledger.coordinates
+    )
+
+
+def _negative(instant: Instant, s: Sought) -> int:
+    """How many sought constants are negative?"""
+    ledger, value = instant.scene.ledger, s.branch.algebra.value.values
+    return sum(value[c] < 0 for c in ledger.sought if c in value and c not in ledger.coordinates)
+
+
 def _told(instant: Instant, s: Sought) -> str:
     """The roots of one way, in the units of the file."""
     ledger = instant.scene.ledger
-    found = ((c.symbol, c.roots[c.taken].value) for c in s.branch.choices if c.together)
+    found = ((c.symbol, c.roots[c.taken].value) for c in s.branch.choices if _of_place(instant, c))
     return ", ".join(f"{x.name} = {in_unit(v, ledger.units[x], ledger.us)}" for x, v in found)
 
 
