@@ -82,7 +82,10 @@ def test_a_natural_length_may_be_zero(length: str) -> None:
 
 @pytest.mark.parametrize(
     ("gravity", "length", "words"),
-    [("9.81 m/s^2", "-0.1 m", "length of the spring P is negative"), ("-9.81 m/s^2", "0.1 m", "g is negative")],
+    [
+        ("9.81 m/s^2", "-0.1 m", "length of the spring from P to Q is negative"),
+        ("-9.81 m/s^2", "0.1 m", "g is negative"),
+    ],
 )
 def test_sizes_are_not_negative(gravity: str, length: str, words: str) -> None:
     with pytest.raises(FileProblem, match=words):
