@@ -17,6 +17,7 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.report.binomials import multiplied
 from planar_cli.report.divided import divided_out
 from planar_cli.report.durations import over_durations
 from planar_cli.report.logarithms import of_ratios
@@ -39,7 +40,7 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
-        expr = of_one(divided_out(of_ratios(expr, self.ledger)))
+        expr = of_one(multiplied(divided_out(of_ratios(expr, self.ledger))))
         if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):
             expr = over_durations(expr, times)
         if not isinstance(expr, sp.Add | sp.Mul | sp.Pow | sp.Abs) or not self._promising(expr):
