@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -15,7 +16,25 @@ from planar_cli.report.blocks import Block, Equation, Math, Text, Value
 from planar_cli.units import parse_unit
 
 NEAR, ROUNDING = 1.03, 1e-9
+MARKS = re.compile(r"([\[\],/])")
+SIGNS = {" + ": 1, " - ": -1}
 PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
+
+
+@dataclass(frozen=True)
+class Sum:
+    """A side that is written as a sum of formulas, in an order of its own."""
+
+    parts: tuple[Math | Value, ...]
+    signs: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """A component of a vector that is written as [a, b]/c."""
+
+    part: Math | Value
+    divisor: Math | Value
 
 
 @dataclass
@@ -48,6 +67,15 @@ class Page:
 
     def _number(self, side: Any) -> tuple[float, float] | None:
         """A side, and the size of its terms; None: it holds what has no number here."""
+        if isinstance(side, Sum):
+            terms = [self._number(part) for part in side.parts]
+            told = [t for t in terms if t is not None]
+            if len(told) < len(terms):
+                return None
+            return sum(sign * x for sign, (x, _) in zip(side.signs, told, strict=True)), sum(size for _, size in told)
+        if isinstance(side, Quotient):
+            part, divisor = self._number(side.part), self._number(side.divisor)
+            return None if part is None or divisor is None else (part[0] / divisor[0], part[1] / abs(divisor[0]))
         if isinstance(side, Value):
             factor = in_base(parse_unit(side.unit), self.us) if side.unit else 1.0
             return float(side.number) * factor, abs(float(side.number) * factor)
@@ -72,17 +100,46 @@ def equations(blocks: tuple[Block, ...]) -> Iterator[Equation]:
 
 def _chains(block: Equation) -> Iterator[list[Any]]:
     """The sides that are equal to each other: one line may hold several equations, separated by commas."""
+    vectors = [v for side in block.sides if isinstance(side, tuple) and (v := _components(side))]
+    if len(vectors) > 1:
+        yield from map(list, zip(*vectors, strict=True))
+        return
     chain: list[Any] = []
     for side in block.sides:
-        parts = side if isinstance(side, tuple) else (side,)
+        parts = _summed(side) if isinstance(side, tuple) else (side,)
         for i, part in enumerate(parts):
             if isinstance(part, Text) and part.text.strip() == ",":
                 yield chain
                 chain = []
             # What stands among words is no side: only what they end with.
-            elif isinstance(part, Math | Value) and (i + 1 == len(parts) or _divides(parts[i + 1])):
+            elif isinstance(part, Math | Value | Sum) and (i + 1 == len(parts) or _divides(parts[i + 1])):
                 chain.append(part)
     yield chain
+
+
+def _components(parts: tuple[Any, ...]) -> list[Any]:
+    """The components of [a, b] or [a, b]/c, both pure numbers or formulas; none: it is something else."""
+    tokens: list[Any] = []
+    for part in parts:
+        tokens += [t.strip() for t in MARKS.split(part.text) if t.strip()] if isinstance(part, Text) else [part]
+    tokens = [Math(sp.Integer(t)) if isinstance(t, str) and t.isdigit() else t for t in tokens]
+    marks = "".join(t if isinstance(t, str) else "x" if isinstance(t, Math | Value) else "?" for t in tokens)
+    if marks == "[x,x]":
+        return [tokens[1], tokens[3]]
+    return [Quotient(tokens[i], tokens[-1]) for i in (1, 3)] if marks == "[x,x]/x" else []
+
+
+def _summed(parts: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The parts of a line, with formulas that a plus or a minus joins as one sum."""
+    joined: list[Any] = []
+    for part in parts:
+        sign = SIGNS.get(joined[-1].text) if joined and isinstance(joined[-1], Text) else None
+        if sign and len(joined) > 1 and isinstance(joined[-2], Math | Value | Sum) and isinstance(part, Math | Value):
+            before = joined[-2] if isinstance(joined[-2], Sum) else Sum((joined[-2],), (1,))
+            joined[-2:] = [Sum((*before.parts, part), (*before.signs, sign))]
+        else:
+            joined.append(part)
+    return tuple(joined)
 
 
 def _divides(part: Any) -> bool:
