@@ -74,8 +74,8 @@ class Page:
                 return None
             return sum(sign * x for sign, (x, _) in zip(side.signs, told, strict=True)), sum(size for _, size in told)
         if isinstance(side, Quotient):
-            part, divisor = self._number(side.part), self._number(side.divisor)
-            return None if part is None or divisor is None else (part[0] / divisor[0], part[1] / abs(divisor[0]))
+            above, below = self._number(side.part), self._number(side.divisor)
+            return None if above is None or below is None else (above[0] / below[0], above[1] / abs(below[0]))
         if isinstance(side, Value):
             factor = in_base(parse_unit(side.unit), self.us) if side.unit else 1.0
             return float(side.number) * factor, abs(float(side.number) * factor)

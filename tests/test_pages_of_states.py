@@ -210,8 +210,9 @@ def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
 
 
 def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
-    """The tension of a pendulum from the speed that was just found."""
+    """The tension of a pendulum from the speed that was just found, both where the sense of the motion is kept."""
     solution, _ = worked(ROOT / "problems" / "oscillations" / "simple-pendulum.yaml")
     page = " ".join(Terminal(width=110).render(narrate(solution)).split())
-    assert "S throughout the motion: S = m (g cos θ + l" in page
+    assert "ω_squared from 1 to 2, as a function of θ: From 1 on, ω dω = α dθ:" in page
+    assert "S from 1 to 2, as a function of θ: S = m (g cos θ + l" in page
     assert page.count("From 1 on, ") == 1
