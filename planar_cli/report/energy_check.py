@@ -51,9 +51,9 @@ def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: Mo
     work, energy = phrases.value.known(works[0]), phrases.value.known(after)
     if not settled or work is None or energy is None or not agree([work], [energy]) or longer(works[0], MOST):
         return ()
-    value = Value(
-        display(work, coherent_unit(ENERGY, False, phrases.ledger.us), phrases.ledger.us), "J", phrases.figures
-    )
+    us = phrases.ledger.us
+    unit = coherent_unit(ENERGY, False, us)
+    value = Value(display(work, unit, us), unit.text if us else "J", phrases.figures)
     certain = replace(phrases, lettered=frozenset())
     sides: list[Inline] = [phrases.math(works[0]), *certain.substituted(works[0], value), value]
     end = Name(f"{balance.law.letter}__{balance.stop}")

@@ -347,7 +347,8 @@ def phrases_in(part: PartSolution, figures: int) -> Phrases:
         return phrases_of(part.instants[-1], figures)
     from planar_cli.report.read_off import phrases_without_letters
 
-    return phrases_without_letters(figures)
+    us = part.followed is not None and part.followed.run.problem.us
+    return phrases_without_letters(figures, us)
 
 
 def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phrases) -> Phrases:

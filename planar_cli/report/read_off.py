@@ -29,9 +29,9 @@ UNIFORM = 1e-8
 _POINT = re.compile(r"\((.*)\)")
 
 
-def phrases_without_letters(figures: int) -> Phrases:
-    """How numbers are told that rest on no letter."""
-    return Phrases(Ledger(), Valuation({}), figures, False)
+def phrases_without_letters(figures: int, us: bool) -> Phrases:
+    """How numbers are told that rest on no letter. `us`: they are in feet, slugs and seconds."""
+    return Phrases(Ledger(us=us), Valuation({}), figures, False)
 
 
 def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
