@@ -22,7 +22,7 @@ from planar_cli.integrators.base import OUTSIDE, Counts, Rates, Setting, StepToo
 FEW = 4
 """So few components are written out at once."""
 SEEN = 64 * sys.float_info.epsilon
-"""A smaller difference of places, in parts of their scale, is a rounding."""
+"""A smaller difference of accelerations, in parts of what the scales of speed and place make, is a rounding."""
 WORTH, MIDDLE, SOONER = 350, 30, 150
 """So many steps, behind or ahead, pay for writing out any number of components; for no more than the second so many as
 the third, as a motion is hardly ever followed just once."""
@@ -136,20 +136,21 @@ def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, scale
 
     The first half of the state holds positions, the second their rates. In a vibration accelerations differ by -ω²
     times what positions differ by; in a damped motion by a negative rate times what velocities differ by. What drives
-    apart, near an unstable equilibrium, is not fast in this sense: 0. So is what has moved by a rounding alone.
+    apart, near an unstable equilibrium, is not fast in this sense: 0. Nor is a rounding.
     """
     half = len(new) // 2
     change = moved = sped = back = braked = 0.0
     for i, s in enumerate(scale[: len(new) - half]):
         x, v, a = last[i] - new[i], last[half + i] - new[half + i], last_rates[half + i] - rates[half + i]
         square = s * s
+        # Near an equilibrium forces cancel but for a rounding, which is no difference of rates.
+        if abs(a) <= SEEN * scale[half + i] ** 2 / s:
+            continue
         change += a * a / square
         moved += x * x / square
         sped += v * v / square
         back -= a * x / square
         braked -= a * v / square
-    if half and moved <= SEEN * SEEN * half:
-        return 0.0
     if half and back > 0.0:
         return math.sqrt(math.sqrt(change / moved))
     return math.sqrt(change / sped) if braked > 0.0 else 0.0
