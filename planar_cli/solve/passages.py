@@ -69,7 +69,7 @@ def beside(passages: tuple[Passage, ...], whole: bool) -> tuple[Passage, ...]:
     """The passages of a part; where its instants tell the answers by their equations, the derivatives of places say no
     more.
     """
-    return () if not whole and all(p.kind in (PLACES, RATES) for p in passages) else passages
+    return () if not whole and all(p.kind in (PLACES, RATES, SECOND_RATES) for p in passages) else passages
 
 
 def told_function(function: Any) -> Row:
