@@ -308,8 +308,8 @@ class Chain:
         return None
 
     def _may_be(self, number: Decimal, x: sp.Symbol) -> bool:
-        """A distance is not negative."""
-        return not x.is_nonnegative or number >= -NOTHING * self.natural.get(x, Decimal(1))
+        """A distance is not negative; a coefficient that the data make negative is left to what tells that."""
+        return not x.is_nonnegative or bool(x.is_positive) or number >= -NOTHING * self.natural.get(x, Decimal(1))
 
     def _near(self, number: Decimal, x: sp.Symbol) -> bool:
         """Is a value the one that the motion which was followed shows?"""
