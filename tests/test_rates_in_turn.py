@@ -40,6 +40,7 @@ def test_a_point_that_is_written_with_a_coordinate_is_differentiated_at_once() -
     assert "x_A = -r/sin θ differentiated; given: v_Ax = -u:\n    (1)         r θ̇ cos θ / sin² θ = -u\n" in page
     assert "ω = θ̇ = -u sin² θ / (r cos θ)\n" in page
     assert "α = dω/dt = -u θ̇ sin(θ) (1 + cos² θ) / (r cos² θ) = " in page
+    assert "Position vectors, differentiated: v = dr/dt, a = dv/dt.\n" in page
     assert "v_AB" not in page
     assert "Places and curves" not in page
 

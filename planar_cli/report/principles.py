@@ -30,12 +30,13 @@ DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in eq
 @record
 class Printed:
     """Formulas of kinematics that a page prints. `names`: in its equations; `levels`: v, a of the points of bodies that
-    turn; `coriolis`: 2 ω × v_rel.
+    turn; `coriolis`: 2 ω × v_rel; `in_turn`: what is asked as the derivative of what stands before it.
     """
 
     names: frozenset[str]
     levels: frozenset[str]
     coriolis: bool
+    in_turn: bool
 
 
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
@@ -59,7 +60,7 @@ def _last(uses: Uses) -> Iterator[str]:
 def _printed(page: Sequence[Block]) -> Printed:
     names: set[str] = set()
     levels: set[str] = set()
-    coriolis = False
+    coriolis = in_turn = False
     for block in page:
         if not isinstance(block, Equation):
             continue
@@ -67,10 +68,11 @@ def _printed(page: Sequence[Block]) -> Printed:
         heads = [p.name for p in own if isinstance(p, Name)]
         texts = [p.text for p in own if isinstance(p, Text)]
         names |= set(heads)
+        in_turn |= "/dt" in texts
         if CROSS in texts:
             levels |= {h[0] for h in heads[:1] if h[:2] in ("v_", "a_")}
             coriolis |= DOUBLED in texts
-    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names)
+    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names, in_turn)
 
 
 def _laws(uses: Uses, page: Printed) -> Iterator[str]:
@@ -125,8 +127,8 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
     if "e_n" in page.names or ALONG in uses.passages:
         yield "Path coordinates: a = v̇ e_t + v²/ρ e_n."
     if RATES in uses.passages:
-        twice = ", a = dv/dt" if SECOND_RATES in uses.passages else ""
-        yield f"Position vectors, differentiated: v = dr/dt{twice}."
+        again = SECOND_RATES in uses.passages or (page.in_turn and uses.asked & {"a", "ddot", "alpha"})
+        yield f"Position vectors, differentiated: v = dr/dt{', a = dv/dt' if again else ''}."
     elif PLACES in uses.passages:
         yield POSITIONS
     if CURVE in uses.passages:
