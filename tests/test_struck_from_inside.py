@@ -93,9 +93,24 @@ find: {{w: omega(rod) @ 2}}
 """
 
 
-def test_a_normal_that_turns_with_a_body_is_written_with_its_coordinate() -> None:
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_normal_counted_from_the_angle_of_a_body_is_the_one_by_its_coordinate(way: int) -> None:
+    text = STRUCK_ROD.format(angle=30 + 90 * way).replace("theta + 90", "theta(rod) + 90")
+    assert first(solve(text)["w"]) == pytest.approx(way * 1.5 * 4 / (1 + 1))
+
+
+def test_a_normal_counted_from_what_has_no_angle_is_refused() -> None:
     with pytest.raises(FileProblem) as wrong:
-        solve(STRUCK_ROD.format(angle=120).replace("theta + 90", "theta(rod) + 90"))
+        solve(STRUCK_ROD.format(angle=120).replace("theta + 90", "theta(ball) + 90"))
+    (told,) = wrong.value.diagnostics
+    assert told.code == "PL420"
+    assert "ball is a particle: it has no angle" in told.message
+
+
+def test_a_direction_of_a_load_that_turns_with_a_body_is_written_with_its_coordinate() -> None:
+    force = "loads: [{force: {at: B, magnitude: 1 N, angle: theta(rod) + 90 deg}}]\nstates:"
+    with pytest.raises(FileProblem) as wrong:
+        solve(STRUCK_ROD.format(angle=120).replace("states:", force))
     (told,) = wrong.value.diagnostics
     assert told.code == "PL413"
     assert "and here `phi + 90 deg`" in (told.hint or "")

@@ -83,4 +83,4 @@ def test_what_is_largest_where_a_state_is_only_just_reached() -> None:
         solve(thrown.replace("bodies:", "unknowns: {v_0: m/s}\nbodies:").replace("met: reached(top)", "v: v_0"))
     told = wrong.value.diagnostics[0]
     assert told.message == "`x(b) is largest` at about v_0 = 9.81 m/s, the last value with which state top is reached"
-    assert "`v(P).y = 0`" in (told.hint or "")
+    assert "`v(b).y = 0`" in (told.hint or "")
