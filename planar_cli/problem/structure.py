@@ -13,6 +13,7 @@ from planar_cli.loads.base import Load
 from planar_cli.problem import read_sections as sections
 from planar_cli.problem import reading
 from planar_cli.problem.assumed_of_unknowns import with_assumed
+from planar_cli.problem.called_by_points import with_joints_called
 from planar_cli.problem.checks import check
 from planar_cli.problem.customary import is_us
 from planar_cli.problem.fields import Fields
@@ -185,7 +186,7 @@ def _read(file: str, whole: Fields) -> Problem:
         us=False,
     )
     problem = replace(problem, us=is_us(problem))
-    return with_later_meetings(with_placed_particles(with_assumed(problem)))
+    return with_joints_called(with_later_meetings(with_placed_particles(with_assumed(problem))))
 
 
 def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
