@@ -34,7 +34,7 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * SAME + TINY]
     others = [x.value for x in left]
     if r.unknown in found.named:
-        yield from _of_asked(found, r, others)
+        yield from _of_asked(found, r, others, phrases)
         return
     if (said := other_kind(found, r, left, phrases)) is not None:
         yield said
@@ -56,12 +56,36 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
         yield Paragraph(line(*parts, ": ", *why))
 
 
-def _of_asked(found: MotionTrace, r: Result, others: list[Decimal]) -> Iterator[Block]:
-    """The root nought of what is asked as the change of a place is the place before; nothing of any other root."""
-    places = {found.ledger.roles[s].at for s in found.named[r.unknown].free_symbols if s in found.ledger.roles}
-    before = [s for s in found.states if s in places][:1]
-    if before and any(abs(v) <= TINY for v in others) and all(v * r.value <= TINY for v in others):
-        yield Paragraph(line("not ", Math(r.unknown), " = 0: that is state ", before[0]))
+def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phrases) -> Iterator[Block]:
+    """The root of what is asked that only tells of a state before: not nearest = 0.82 m: that is state 1."""
+    asked = found.named[r.unknown]
+    stop = max((found.states.index(at) for s in asked.free_symbols if (at := _at(found, s)) in found.states), default=0)
+    for before in found.states[:stop]:
+        was = _at_state(found, asked, found.states[stop], before)
+        same = [v for v in others if was is not None and (_close(v, was) or max(abs(v), abs(was)) <= TINY)]
+        if same:
+            shown: Any = "0" if abs(same[0]) <= TINY else phrases.shown(r.unknown, same[0])
+            if shown == "0" or not phrases.symbolic:
+                yield Paragraph(line("not ", Math(r.unknown), " = ", shown, ": that is state ", before))
+            return
+
+
+def _at(found: MotionTrace, symbol: sp.Symbol) -> str | None:
+    """The state to which a letter belongs."""
+    role = found.ledger.roles.get(symbol)
+    return role.at if role is not None else None
+
+
+def _at_state(found: MotionTrace, expr: sp.Expr, stop: str, before: str) -> Decimal | None:
+    """What a quantity of one state is in a state before it; None: it is not known there."""
+    moved = {}
+    for s in (s for s in expr.free_symbols if _at(found, s) == stop):
+        own = (x for x, g in found.general.items() if g == found.general.get(s) and _at(found, x) == before)
+        moved[s] = next(own, None)
+    if None in moved.values():
+        return None
+    was = expr.xreplace(moved)
+    return found.value(was) if all(found.value.known(s) is not None for s in was.free_symbols) else None
 
 
 def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collection[sp.Symbol]) -> Line:

@@ -61,10 +61,11 @@ def oscillation_blocks(
     phrases: Phrases,
     symbolic: bool,
     period: str = "T",
-    formulas: bool = False,
+    general: Line = (),
 ) -> Iterator[Block]:
     """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed; `period`: how the
-    file calls the period; `formulas`: frequency and period stay formulas, as they have to tell a constant first.
+    file calls the period; `general`: what it is called where frequency and period stay formulas, as they have to tell
+    a constant first.
     """
     state = found.state
     laws = [(rate, _law(law, value, phrases, symbolic)) for rate, law in found.motion]
@@ -75,7 +76,7 @@ def oscillation_blocks(
         for rate, law in laws:
             yield Equation((phrases.math(rate), law))
     if len(found.motion) == 1:
-        yield from _single(found, value, phrases, symbolic, period, formulas)
+        yield from _single(found, value, phrases, symbolic, period, general)
     else:
         yield from _several(found)
     yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
@@ -104,7 +105,7 @@ def period_line(found: OscillationTrace, value: Valuation, phrases: Phrases, nam
 
 
 def _single(
-    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, formulas: bool
+    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, general: Line
 ) -> Iterator[Block]:
     w2, c = found.stiffness, found.damping
     speed, rate = RATES
@@ -130,10 +131,10 @@ def _single(
         return
     square = found.square
     natural = sp.Symbol("omega_0", real=True)
-    if formulas:
+    if general:
         yield Equation((phrases.math(natural), phrases.math(sp.sqrt(w2))))
         sides = (phrases.math(2 * sp.pi / natural), phrases.math(found.period))
-        yield Equation((phrases.math(sp.Symbol(name)), *sides))
+        yield Equation((general, *sides))
         return
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
     if c != 0:

@@ -6,14 +6,14 @@ T = 2 π/ω_0 = 2 π √((k² + a²)/(g a)); the period is T_A: k = …
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.blocks import Block, Equation, Line, line
 from planar_cli.report.equilibrium_places import place_blocks
 from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula
 from planar_cli.report.words import Phrases
@@ -50,15 +50,25 @@ def swings(found: MotionTrace, phrases: Phrases, leg_of: Callable[[RouteStep], I
         if not legs:
             yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name)
             continue
-        yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, formulas=True)
+        general = _as_function(name, legs, phrases)
+        yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, general)
         for leg in legs:
-            yield from _derived(leg, swing, phrases, name)
+            yield from _derived(leg, swing, phrases, general)
             yield from leg_of(leg)
         if swing.state in periods and not phrases.symbolic:
             yield period_line(swing, found.value, phrases, name)
 
 
-def _derived(leg: RouteStep, swing: OscillationTrace, phrases: Phrases, name: str) -> Iterator[Block]:
+def _as_function(name: str, legs: Sequence[RouteStep], phrases: Phrases) -> Line:
+    """What the period is called before its constant is known: T(b) where the name is that of its smallest value."""
+    if not any(e.kind == "extreme" for leg in legs for e in leg.relations):
+        return line(phrases.math(sp.Symbol(name)))
+    of = sorted({x for leg in legs for x in leg.unknowns}, key=str)
+    letters = [part for x in of for part in (", ", phrases.math(x))][1:]
+    return line(phrases.math(sp.Symbol("T")), "(", *letters, ")")
+
+
+def _derived(leg: RouteStep, swing: OscillationTrace, phrases: Phrases, name: Line) -> Iterator[Block]:
     """Where a period is smallest: what of it depends on the constant, and its derivative."""
     (e, *more) = leg.relations
     if more or e.kind != "extreme" or len(leg.unknowns) != 1 or not e.words.startswith("period("):
@@ -71,7 +81,7 @@ def _derived(leg: RouteStep, swing: OscillationTrace, phrases: Phrases, name: st
         return
     least = factored(depends) if not longer(depends, LONGEST) else inside
     how = "smallest" if "smallest" in e.words else "largest"
-    lead = line(phrases.math(sp.Symbol(name)), f" is {how} where this is:")
+    lead = line(*name, f" is {how} where this is:")
     yield Equation((phrases.math(least), phrases.math(inside)), None, lead)
     slope = line("d/d", phrases.math(x), ":")
     yield Equation((phrases.math(rate), phrases.math(sp.S.Zero)), None, slope)
