@@ -109,7 +109,7 @@ def test_a_force_between_two_bodies_does_work_on_each(stem: str, line: str) -> N
 
 
 def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None:
-    assert "3 equations, 3 unknowns: a_Ay, α, T_cord; in terms of F" in page("ex-4-09")
+    assert "(2) to (4), 3 unknowns: a_Ay, α, T_cord; in terms of F" in page("ex-4-09")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -123,3 +123,9 @@ def test_a_balance_is_in_letters_before_its_numbers(stem: str, line: str) -> Non
 
 def test_a_guide_keeps_a_point_on_its_line() -> None:
     assert "At 2, B stays on its line: (2) θ_2 = 0°" in page("ex-4-10")
+
+
+def test_equations_that_are_counted_are_those_that_are_named() -> None:
+    """Not `3 equations` below four numbers."""
+    assert "(1), (3), (4), 3 unknowns: a_G, α, k_G" in page("ex-4-05")
+    assert "3 equations, 3 unknowns: a_G, α, F_C" in page("ex-4-05")

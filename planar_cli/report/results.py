@@ -107,7 +107,11 @@ def _objection(other: Any, phrases: Phrases) -> Line:
 
 def numbered(numbers: Sequence[int]) -> str:
     """Equations by their numbers: (1), (3); of three or more in a row (2) to (5)."""
-    numbers = sorted(numbers)
-    if len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1:
-        return f"({numbers[0]}) to ({numbers[-1]})"
-    return ", ".join(f"({n})" for n in numbers)
+    runs: list[list[int]] = []
+    for n in sorted(numbers):
+        if runs and n == runs[-1][-1] + 1:
+            runs[-1].append(n)
+        else:
+            runs.append([n])
+    told = [f"({r[0]}) to ({r[-1]})" if len(r) > 2 else ", ".join(f"({n})" for n in r) for r in runs]
+    return ", ".join(told)

@@ -82,13 +82,19 @@ class SolvingTelling:
         told = self.constants is not None and self.phrases.symbolic
         return told and self.constants is not None and self.constants.value.known(symbol) is not None
 
-    def count(self, stage: Stage) -> Line:
-        """How many equations there are, and which unknowns."""
+    def count(self, stage: Stage, last: int) -> Line:
+        """How many equations there are, and which unknowns; by their numbers where they are not all from (1) to the
+        last one that has a number.
+        """
         blocks = self._left(stage)
         named = self._named(stage, [w for b in blocks for w in b.equations])
         equations = sum(len(b.equations) for b in blocks) + len(named)
         unknowns = [*named, *(u for b in blocks for u in b.unknowns)]
+        numbers = {*named.values(), *(w.number for b in blocks for w in b.equations)}
+        printed = sorted({self.number(stage, n) for n in numbers})
         head = f"{equations} equation{'s' if equations != 1 else ''}, "
+        if equations > 1 and printed != list(range(1, last + 1)):
+            head = f"{numbered(printed)}, "
         head += f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "
         alone = 1 < len(unknowns) <= FEW and not named and all(self._is_alone(b, unknowns) for b in blocks)
         parts: list[Any] = [f"{SINGLE} each: " if alone else head]

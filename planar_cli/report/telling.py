@@ -120,7 +120,7 @@ class Telling:
             blocks += zero_reactions(self.instant, last, self.phrases, bodies)
             blocks += self._equations([w for w in written if w.source == "extreme"], last)
         if last is not None and self.solving.is_needed(last):
-            blocks.append(self._step(SOLVING, self.solving.count(last)))
+            blocks.append(self._step(SOLVING, self.solving.count(last, self.count)))
             blocks += self.solving.blocks(last)
         return blocks
 
