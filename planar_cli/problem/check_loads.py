@@ -1,13 +1,16 @@
-"""Checks of where loads act."""
+"""Checks of what moves with what: where loads and joints act on a particle, and what a coordinate moves."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.scene import Body
-from planar_cli.problem.scope import Scope
+from planar_cli.problem.expression import Quantity, Relation, Statement
+from planar_cli.problem.scene import Body, Particle
+from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
+from planar_cli.problem.unused import coordinates_behind, idle_coordinates, names_of
+from planar_cli.problem.walk import walk
 
 
 def particles_have_one_point(scope: Scope) -> Iterator[Diagnostic]:
@@ -23,6 +26,41 @@ def particles_have_one_point(scope: Scope) -> Iterator[Diagnostic]:
                 text = f"{point} is a point of {others[0]}; {load.called} acts on {name}, which is a particle elsewhere"
                 hint = f"leave `at` out, or let it act on {others[0]}"
                 yield Diagnostic(load.mark, "PL465", text, hint)
+
+
+def particles_move_with_their_points(scope: Scope) -> Iterator[Diagnostic]:
+    """A point at which something holds or acts on a particle is written with the same coordinates as the particle."""
+    particles = {b.name: b.shape for b in scope.problem.bodies if isinstance(b.shape, Particle) and b.shape.place}
+    known = set().union(*({b.name, *_points(b)} for b in scope.problem.bodies))
+    for member in members_of(scope.problem):
+        for point, name in member.attachments():
+            if name not in particles or point in known or not point:
+                continue
+            apart = coordinates_behind({point}, scope.problem) - coordinates_behind({name}, scope.problem)
+            if apart:
+                with_it = ", ".join(sorted(apart))
+                place = particles[name].place
+                where = place if isinstance(place, str) else "its own place"
+                text = f"{point} moves with {with_it}; {member.called} acts on {name}, which is a particle at {where}"
+                hint = f"put the particle there: `{name}: {{particle: {point}, …}}`, or leave {point} out here"
+                yield Diagnostic(member.mark, "PL465", text, hint)
+
+
+def coordinates_move_something(scope: Scope) -> Iterator[Diagnostic]:
+    """A coordinate that states follow from one to the next moves something, or a law tells how it varies."""
+    relations = [s for state in scope.problem.states for s in state.relations]
+    idle = idle_coordinates(scope.problem) if len(scope.problem.states) > 1 else []
+    for coordinate in (c for c in scope.problem.coordinates if c.name in idle):
+        told = [s for s in relations if isinstance(s, Relation) and coordinate.name in names_of(s)]
+        if told and all(_tells_only_numbers(s) for s in told):
+            text = f"nothing moves with {coordinate.name}: no body, joint or load stands at a point written with it"
+            hint = f"write the place of a body with it, or tell how it varies: `motion: [{coordinate.name} = …]`"
+            yield Diagnostic(coordinate.mark, "PL463", text, hint)
+
+
+def _tells_only_numbers(statement: Statement) -> bool:
+    """Does a statement say nothing of the scene but what numbers and their rates are?"""
+    return all(not isinstance(n, Quantity) or n.word in ("dot", "ddot") for n in walk(statement))
 
 
 def _points(body: Body) -> set[str]:

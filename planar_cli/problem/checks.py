@@ -9,7 +9,11 @@ from planar_cli.problem.chains import long_chains
 from planar_cli.problem.check_answers import check_answers
 from planar_cli.problem.check_dimensions import dimensions_agree
 from planar_cli.problem.check_formulas import formulas_name_known_things
-from planar_cli.problem.check_loads import particles_have_one_point
+from planar_cli.problem.check_loads import (
+    coordinates_move_something,
+    particles_have_one_point,
+    particles_move_with_their_points,
+)
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
@@ -57,6 +61,8 @@ CHECKS: tuple[Check, ...] = (
     places_on_surfaces,
     members_act,
     particles_have_one_point,
+    particles_move_with_their_points,
+    coordinates_move_something,
     points_of_joints_are_carried,
     instant_or_states,
     statements_in_place,

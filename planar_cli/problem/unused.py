@@ -38,16 +38,33 @@ def unused(problem: Problem) -> list[str]:
 def used_names(problem: Problem) -> set[str]:
     """Every name that bodies, joints, loads, statements or finds rest on, directly or by other names."""
     known = {s.name for s in (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)}
-    rests: dict[str, set[str]] = {s.name: _named(s.value) for s in problem.given}
-    rests.update({p.name: _named(p.place) for p in problem.points})
-    rests.update({s.name: _named((s.shape, s.speed, s.body)) for s in problem.surfaces})
     stated = [*problem.assume, *(law.statement for law in problem.motion), *(problem.instant or ())]
     stated += [s for state in problem.states for s in state.relations]
     ties = [names for s in stated if (names := only_names(s, known)) is not None]
     scene = (problem.bodies, problem.joints, problem.loads, [s for s in stated if only_names(s, known) is None])
-    roots = _named(scene) | _named([f.found.what for f in problem.find])
+    roots = names_of(scene) | names_of([f.found.what for f in problem.find])
     # Weight and the friction of what lies on a table rest on g without naming it.
-    return _reached(roots, rests, ties) | {"g"}
+    return _reached(roots, _rests(problem), ties) | {"g"}
+
+
+def idle_coordinates(problem: Problem) -> list[str]:
+    """The coordinates with which nothing of the scene moves, and of whose motion no law tells either."""
+    roots = names_of((problem.bodies, problem.joints, problem.loads, [law.statement for law in problem.motion]))
+    used = coordinates_behind(roots, problem)
+    return [c.name for c in problem.coordinates if c.name not in used]
+
+
+def coordinates_behind(names: set[str], problem: Problem) -> set[str]:
+    """The coordinates with which numbers, points or surfaces are written, directly or by others."""
+    return _reached(names, _rests(problem), []) & {c.name for c in problem.coordinates}
+
+
+def _rests(problem: Problem) -> dict[str, set[str]]:
+    """The names on which a number, a point or a surface rests directly."""
+    rests: dict[str, set[str]] = {s.name: names_of(s.value) for s in problem.given}
+    rests.update({p.name: names_of(p.place) for p in problem.points})
+    rests.update({s.name: names_of((s.shape, s.speed, s.body)) for s in problem.surfaces})
+    return rests
 
 
 def _reached(roots: set[str], rests: Mapping[str, set[str]], ties: list[set[str]]) -> set[str]:
@@ -70,11 +87,11 @@ def only_names(statement: Statement, known: set[str]) -> set[str] | None:
     return names if names <= known and not any(isinstance(n, Quantity) for n in nodes) else None
 
 
-def _named(value: Any) -> set[str]:
+def names_of(value: Any) -> set[str]:
     """All words in a value: names, and what may be one."""
     if isinstance(value, str):
         return {value}
     if isinstance(value, tuple | list | frozenset):
-        return set().union(*(_named(v) for v in value))
+        return set().union(*(names_of(v) for v in value))
     slots = [s for kind in type(value).__mro__ for s in getattr(kind, "__slots__", ()) if s not in UNNAMED]
-    return set().union(*(_named(getattr(value, s)) for s in slots))
+    return set().union(*(names_of(getattr(value, s)) for s in slots))

@@ -96,10 +96,18 @@ class Finisher:
         """
         problem = self.scene.problem
         if missing and problem.method is None:
-            mark = next((u.mark for u in problem.unknowns if u.name == missing[0].name), finds[0].mark)
+            pairs = self.scene.evaluator.motions.items()
+            rates = {s: f"{word}({q})" for q, pair in pairs for word, s in zip(("dot", "ddot"), pair, strict=True)}
+            names = [rates.get(s, s.name) for s in missing]
+            declared = (*problem.unknowns, *problem.coordinates)
+            mark = next(
+                (u.mark for u in declared if u.name in (names[0], names[0].partition("(")[2][:-1])), finds[0].mark
+            )
             stand = "they stand" if missing[1:] else "it stands"
-            text = f"nothing tells {listed(s.name for s in missing)}: {stand} in no equation"
-            hint = f"let a load have it, such as `magnitude: {missing[0].name}`, a place, or a relation; else state it"
+            text = f"nothing tells {listed(names)}: {stand} in no equation"
+            hint = f"let a load have it, such as `magnitude: {names[0]}`, a place, or a relation; else state it"
+            if missing[0] in rates:
+                hint = "let a body have its place there, tell it under `motion`, or state it"
             raise NoSolution([Diagnostic(mark, "PL606", text, hint)])
         if missing:
             raise not_reached(problem.method, [s.name for s in missing], finds[0].mark)

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import NoValue
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import Regime
@@ -71,6 +72,6 @@ def _driven_alike(regime: Regime, pairs: Mapping[sp.Symbol, sp.Expr]) -> bool:
         try:
             if theirs is None or not value.is_zero(rate.xreplace(exchange) - sense * theirs):
                 return False
-        except NoValue:
+        except (NoValue, Unvalued):
             return False
     return True
