@@ -108,6 +108,10 @@ LAWS: dict[str, tuple[int, sp.Expr, dict[Any, str], str]] = {
     "any force on a spring": (2, -K * Q - C * V + sp.exp(-(T**2)), {K: "9", C: "1"}, LINEAR),
     "linear in the square": (2, -G * sp.sin(Q) - C * V**2, {G: "9.81", C: "0.3", "t": "0.2", "v0": "3"}, "v(q)"),
     "separated by place": (2, -K * Q * V, {K: "0.4"}, "v(q)"),
+    "growing mass": (2, (P - K * V) / (M + K * T), {P: "3", K: "0.7", M: "2"}, LINEAR),
+    "growing mass, from later on": (2, -G - K * V / (M + K * T), {G: "9.81", K: "0.7", M: "2", "t0": "0.3"}, LINEAR),
+    "burning mass in air": (2, (P - C * V) / (M - K * T), {P: "3", C: "0.5", K: "0.2", M: "2"}, LINEAR),
+    "damper that stiffens": (2, A * T - K * T * V, {A: "2", K: "0.7"}, "v(t)"),
     "separated by time": (2, -K * T * V**2, {K: "0.4"}, "v(t)"),
 }
 

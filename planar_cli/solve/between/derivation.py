@@ -7,7 +7,7 @@ from dataclasses import field
 
 import sympy as sp
 
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.records import record
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.regimes.equations import Equation
@@ -85,6 +85,7 @@ def levels(formulas: Iterable[tuple[sp.Symbol, sp.Expr | None]]) -> dict[sp.Symb
 
 
 def at_right_angles(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """A formula with the sines and cosines of such angles put in."""
+    """A formula with the sines and cosines of such angles put in; a long one is not made plainer."""
     inside = {f: f.xreplace(dict(known)) for f in expr.atoms(sp.sin, sp.cos, sp.tan) if f.free_symbols & known.keys()}
-    return simplified(expr.xreplace(inside)) if inside else expr
+    put_in = expr.xreplace(inside)
+    return simplified(put_in) if inside and not longer(put_in, 3 * MANY) else put_in
