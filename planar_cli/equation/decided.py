@@ -18,6 +18,7 @@ from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
+from planar_cli.problem.shapes import drawn_by
 from planar_cli.problem.walk import walk
 
 FEW = 12
@@ -48,6 +49,10 @@ class Decided:
     if TYPE_CHECKING:
 
         def value(self, side: Side) -> sp.Expr: ...
+
+    def drawn_by(self, body: str) -> tuple[str, ...]:
+        """The points by which a body of no particular shape is drawn; of any other body none."""
+        return next((drawn_by(b) for b in self.problem.bodies if b.name == body), ())
 
     def faced(self, joint: str) -> int:
         """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""

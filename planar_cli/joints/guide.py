@@ -94,6 +94,7 @@ class Guide(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)
+        self._demand_slot_told(scene, joining)
         tangent = joining.path.tangent if joining.path else normal
         n = self._push(f"N_{self.name}", "normal", joining, normal)
         pushes = [n]
@@ -128,6 +129,23 @@ class Guide(Joint):
         tangent, curvature = track.tangent or Vec(1, 0), track.curvature
         turns = self.body is None or not scene.vanishes(curvature)
         return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
+
+    def _demand_slot_told(self, scene: Setting, joining: Joining) -> None:
+        """A body that is drawn by points alone has no line: its slot lies at 0 deg, as its points have to tell."""
+        along = self.along if isinstance(self.along, str) else getattr(self.along, "name", "")
+        names = scene.drawn_by(along) if along == joining.base else ()
+        places = [scene.point(name) for name in names]
+        # A block lies somewhere on a cart, but a slot in which a point runs goes through the point.
+        here = joining.point if self.point is not None else places[0] if places else joining.point
+        reaches = [r for r in (place - here for place in places) if not scene.is_zero(r.dot(r))]
+        level = [r for r in reaches if scene.is_zero(r.cross(scene.direction(along)))]
+        spread = self.point is None and any(not scene.is_zero(r.cross(reaches[0])) for r in reaches)
+        if reaches and not level and not spread:
+            ends = list(dict.fromkeys([*names, joining.place] if self.point is not None else names))[:2]
+            text = f"{along} is drawn by points, so that its slot lies at 0 deg, and not along {'/'.join(ends)}"
+            hint = f"draw it as `{{rod: [{', '.join(ends)}]}}`, or fix a line to it: `surfaces: {{slot: {{through: "
+            hint += f"{ends[0]}, angle: 30 deg, body: {along}}}}}` and `along: slot`"
+            raise scene.refuse(self.mark, "PL538", text, hint)
 
     def _turning(self, scene: Setting, joining: Joining, sharpening: Any) -> tuple[Row, ...]:
         """A body that cannot turn against a curved track turns with its tangent: ω - ω_base = κ · speed along it."""

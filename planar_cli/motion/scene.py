@@ -38,6 +38,7 @@ from planar_cli.problem.masses import placed
 from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
 from planar_cli.problem.relaxed import reach_of, relaxed_at
 from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
+from planar_cli.problem.shapes import drawn_by
 from planar_cli.units import parse_unit
 
 
@@ -110,6 +111,9 @@ class MovingScene(Carried):
         base = self.carrier(name) if self.names_carrier(name) else GROUND
         self._steady(base, () if isinstance(along, str) else (along,), mark)
         return Outline("straight", base, self.direction(along), self.graph.number(0.0))
+
+    def drawn_by(self, body: str) -> tuple[str, ...]:
+        return next((drawn_by(b) for b in self.problem.bodies if b.name == body), ())
 
     def spot(self, partner: str, point: Vec, during: Span) -> Vec:
         return spot_of(self, self.problem.states, during, partner, point)

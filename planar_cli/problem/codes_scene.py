@@ -88,6 +88,11 @@ _SCENE = {
         "comes: which of its points is there by then must be told. Begin with the state in which it takes hold, or "
         "name the point that is caught among the `points` of the body."
     ),
+    "PL538": (
+        "A body that is drawn by points alone (`points: [A, B]`) has no line of its own; as drawn its angle is zero, "
+        "as is that of a slot in it. Draw a bar as `rod: [A, B]`, or fix a line to the body: `surfaces: {slot: "
+        "{through: A, angle: 30 deg, body: b}}`."
+    ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": (
         "The ends of a spring, damper, link or part of a rope, or the centres of the disks of a belt, are at the same "

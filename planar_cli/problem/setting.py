@@ -72,6 +72,9 @@ class Setting(Protocol):
     def track(self, along: Side | str, point: Vec, mark: Mark) -> Outline:
         """What a point slides along there: a straight line, an arc or a curve, never a corner."""
 
+    def drawn_by(self, body: str) -> Sequence[str]:
+        """The points by which a body of no particular shape is drawn; of any other body none."""
+
     def pulley(self, stop: str) -> str: ...
     def heaviness(self, body: str) -> Any: ...
     def middle(self) -> Vec: ...

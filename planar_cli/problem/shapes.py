@@ -28,3 +28,8 @@ def own_points(shape: Any) -> tuple[str, ...]:
     if pieces is not None:
         return tuple(p for piece in pieces for p in own_points(piece.shape))
     return (shape.center,)
+
+
+def drawn_by(body: Body) -> tuple[str, ...]:
+    """The points by which a body of no particular shape is drawn; of any other body none."""
+    return tuple(dict.fromkeys((*own_points(body.shape), *body.points))) if isinstance(body.shape, Outline) else ()
