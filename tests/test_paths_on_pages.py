@@ -18,7 +18,7 @@ def _page(name: str) -> str:
     "words",
     [
         "constant speed: v_P = v (2) v_P constant: a_Pt = 0",
-        "y′ = x = 2 lengths in m y″ = 1/m",
+        "y′ = x = 2 lengths in m y″ = 1 ρ",
         "e_t = [1, y′]/√(1 + y′²) = [√5/5, 2 √5/5]",
         "at right angles to e_t, to the hollow side",
         "a_P = v_P²/ρ e_n = [-(0.08/m) v_P², (0.04/m) v_P²]",

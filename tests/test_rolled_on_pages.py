@@ -13,7 +13,7 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
-ROLLS = "The disk rolls on the floor without slipping: G advances by the arc that has touched it."
+ROLLS = "The disk rolls on the floor without slipping: G advances from x = 0 by the arc that has come into contact with"
 TEXTBOOK = ROOT / "problems" / "textbook"
 
 
@@ -28,6 +28,8 @@ def test_a_wheel_placed_by_an_arc_rolls(stem: str) -> None:
     assert "x_P = x_G + r cos(270° - φ) = r φ - r sin φ = r (φ - sin φ)" in page
     assert "y_P = y_G + r sin(270° - φ) = r - r cos φ = r (1 - cos φ)" in page
     assert "Not used" not in page
+    # Where G is follows from that; it is no datum.
+    assert "G(r φ, r)" not in page
 
 
 def test_a_wheel_that_slips_does_not_roll(tmp_path: Path) -> None:

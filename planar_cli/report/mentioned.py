@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from planar_cli.records import record
 from planar_cli.report import blocks
-from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Text, Value
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Paragraph, Text, Value
 from planar_cli.report.blocks import Relation as Related
 from planar_cli.report.ordering import HELD
 
@@ -73,7 +73,14 @@ def _names_in(name: str) -> set[str]:
 
 
 def _built(block: Block) -> str:
-    """The point of which an equation says where it lies: `C is 0.5 m from B and 0.4 m from D: C = …`."""
+    """The point of which an equation says where it lies: `C is 0.5 m from B and 0.4 m from D: C = …`; or a sentence, as
+    that of a wheel which rolls from x = 0.
+    """
+    if isinstance(block, Paragraph):
+        advances = re.search(
+            r": (\w+) advances from x = 0 by the arc", "".join(p.text for p in block.line if isinstance(p, Text))
+        )
+        return advances[1] if advances else ""
     lead = block.lead[0] if isinstance(block, Equation) and block.lead else None
     found = re.match(r"(\w+) is ", lead.text) if isinstance(lead, Text) else None
     return found[1] if found else ""

@@ -124,12 +124,14 @@ class PathTelling:
         """y′ and y″ as functions of x with their values, and ρ = (1 + y′²)^(3/2)/|y″|."""
         phrases, ((slope, _), (bend, _)) = self.phrases, bends
         sizes: dict[sp.Symbol, Decimal] = {}
+        in_metres = False
         for symbol, (expr, general), dimension in zip((SLOPE, BEND), bends, (PURE, PURE / LENGTH), strict=True):
             sides: list[Any] = [Math(symbol)]
             # Only numbers and x: with lengths in the unit of the page.
             bare = general.free_symbols and not expr.free_symbols and not longer(general, SHORT)
             bare = bool(bare) and not phrases.ledger.us
             sides += [Math(general)] if bare else []
+            in_metres |= bare and symbol == SLOPE
             clean = bool(expr.free_symbols) and (
                 phrases.symbolic or is_clean(phrases.ledger, expr, dimension=dimension)
             )
@@ -137,7 +139,8 @@ class PathTelling:
             if not (phrases.symbolic and expr.free_symbols):
                 value = phrases.of_dimension(phrases.certain(expr), dimension)
                 sizes[symbol] = value.number
-                shown = value if dimension == PURE else line(replace(value, unit="1"), value.unit[1:])
+                per_length = "" if in_metres else value.unit[1:]
+                shown = value if dimension == PURE else line(replace(value, unit="1"), per_length)
                 sides += [*(phrases.substituted(expr, value) if clean else ()), shown]
             yield Equation(tuple(sides), None, (), line("lengths in m") if bare and symbol == SLOPE else ())
         size = -BEND if phrases.value(bend) < 0 else BEND

@@ -113,7 +113,9 @@ class Story:
         for r in rolled(self.quantities):
             body, surface = with_article(r.body), with_article(r.surface)
             rolls = f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: "
-            yield Passage(f"{rolls}{r.centre} advances by the arc that has touched it.", (), ROLLING)
+            start = " from x = 0" if r.from_origin else ""
+            advances = f"{r.centre} advances{start} by the arc that has come into contact with {surface}."
+            yield Passage(rolls + advances, (), ROLLING)
 
     def _origin(self, thing: str) -> str:
         """The point that moves and from which the file measures another; "" where there is none."""

@@ -17,6 +17,8 @@ class Rolled:
     body: str
     centre: str
     surface: str
+    from_origin: bool
+    """Does its centre start at x = 0, where the coordinates are zero?"""
 
 
 def rolled(quantities: Quantities) -> Iterator[Rolled]:
@@ -37,4 +39,6 @@ def rolled(quantities: Quantities) -> Iterator[Rolled]:
             moves = motion.velocity(centre, body.name)
             touches = identically_zero(reach**2 - radius**2)
             if touches and identically_zero(v.x) and identically_zero(v.y) and (moves.x, moves.y) != (0, 0):
-                yield Rolled(body.name, shape.center, surface.name)
+                zero = {s: 0 for s in centre.x.free_symbols if s.name in {c.name for c in scene.problem.coordinates}}
+                starts = bool(zero) and normal.x == 0 and centre.x.subs(zero) == 0
+                yield Rolled(body.name, shape.center, surface.name, starts)
