@@ -29,6 +29,26 @@ def test_an_acceleration_that_is_zero_is_not_drawn(name: str, row: str) -> None:
     assert row in _page(name)
 
 
+@pytest.mark.parametrize(
+    ("name", "row"),
+    [
+        ("momentum/leaking-bucket", "bucket:  g (M - q t) ↓,  F ↑   =   (M - q t) a_P ↑\n"),
+        ("momentum/rocket-up-and-along", "rocket:  g (M - q t) ↓,  u q ↑   =   (M - q t) a_P ↑\n"),
+        ("impact/ball-dropped-on-a-sprung-plate", "plate:  J_N,ball ↓   =   m_B v_B,3 ↑\n"),
+    ],
+)
+def test_a_guide_that_keeps_nothing_on_its_line_is_not_drawn(name: str, row: str) -> None:
+    """Nor is its force said to do no work."""
+    page = _page(name)
+    assert row in page
+    assert "N_shaft" not in page
+    assert "N_track ←" not in page
+
+
+def test_a_guide_that_carries_a_weight_is_drawn() -> None:
+    assert "rocket:  g (M - q t) ↓,  u q →,  N_track ↑   =" in _page("momentum/rocket-up-and-along")
+
+
 def test_a_normal_force_of_a_check_has_its_sum_of_forces() -> None:
     page = _page("friction/heaviest-weight-before-a-box-slips")
     assert "N_A = m_cart g + N_B = 42 lbf > 0" in page

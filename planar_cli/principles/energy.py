@@ -8,6 +8,7 @@ from typing import Any, ClassVar, final
 import sympy as sp
 
 from planar_cli.equation.expansion import expanded
+from planar_cli.equation.guided import guides_nothing
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
@@ -220,11 +221,12 @@ def _power(w: Wrench, motion: Motion) -> sp.Expr:
 
 
 def _ideal(position: Position, bodies: tuple[str, ...]) -> list[Push]:
-    """The reactions on bodies that do no work in all: those of ideal joints."""
+    """The reactions on bodies that do no work in all: those of ideal joints, as far as they are not nought."""
     system = position.system
     followers = {law.push for law in system.laws}
     own = [p for p in system.pushes if any(a.body in bodies for a in p.actions)]
-    return [p for p in own if p.name not in followers and p.kind != "drive"]
+    drawn = [p for p in own if not guides_nothing(system, p)]
+    return [p for p in drawn if p.name not in followers and p.kind != "drive"]
 
 
 def _is_internal(push: Push) -> bool:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.guided import guides_nothing
 from planar_cli.equation.ledger import display
 from planar_cli.equation.one_way import one_way
 from planar_cli.equation.plain import longer, simplified
@@ -102,7 +103,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     absent = _absent(instant, stage)
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
-        if push.name in absent or (idle and push.kind == "friction"):
+        if push.name in absent or (idle and (push.kind == "friction" or guides_nothing(system, push))):
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
