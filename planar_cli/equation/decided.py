@@ -176,6 +176,10 @@ class Decided:
         """What is positive in the scene as it was drawn, though letters may be had with which it is not."""
         return self.not_always_positive(e * sign for e, sign in self._decided.items() if e.free_symbols)
 
+    def decided_with(self, symbols: frozenset[Any]) -> tuple[Any, ...]:
+        """What was decided to be positive of expressions in which some of these stand."""
+        return tuple(e * sign for e, sign in self._decided.items() if e.free_symbols & symbols)
+
     def not_always_positive(self, exprs: Iterable[Any]) -> tuple[Any, ...]:
         """Those of the expressions that are negative for some letters with which `assume` holds."""
         told = list(dict.fromkeys(exprs))

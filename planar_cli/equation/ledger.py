@@ -26,6 +26,8 @@ from planar_cli.records import changing, record
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
+ROUGH = Decimal("0.3")
+"""An ordinary coefficient of friction."""
 TRIES_FROM = 10_000
 """Streams of random numbers of all tries after the first begin here."""
 
@@ -72,7 +74,7 @@ class Ledger:
     where in parts of its size (of a radian, for an angle). `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
     the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene. `above_zero`: sums that
-    the file assumes to be positive.
+    the file assumes to be positive. `coefficients`: the names of letters that are coefficients of friction.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -92,6 +94,7 @@ class Ledger:
     reserved: frozenset[str] = frozenset()
     scales: Scales = field(default_factory=Scales)
     above_zero: tuple[sp.Expr, ...] = ()
+    coefficients: frozenset[str] = frozenset()
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""
@@ -275,7 +278,8 @@ class Ledger:
             return low + (high - low) * number
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * (Decimal("0.08") + Decimal("0.36") * number)
-        return (Decimal("0.5") + Decimal("1.5") * number) * self.natural(symbol)
+        size = ROUGH if symbol.name in self.coefficients else self.natural(symbol)
+        return (Decimal("0.5") + Decimal("1.5") * number) * size
 
     def _far(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
         """A draw from some decades, or of any acute angle."""

@@ -10,6 +10,7 @@ from planar_cli.problem.walk import walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
+COEFFICIENTS = ("mu", "mu_s", "mu_k")
 RATES = ("stiffness", "coefficient", "natural_length", "linear", "quadratic")
 """Keys of springs, dampers and drags."""
 SIZES = ("radius", "hub", "width", "height", "length")
@@ -20,6 +21,12 @@ AMOUNTS = ("mass", "weight", "inertia", "gyration")
 def limits_of_friction(problem: Problem) -> frozenset[str]:
     """The names of the unknowns that say alone how much friction there is at most."""
     return _sought(problem, (getattr(j, key, None) for j in problem.joints for key in FRICTION))
+
+
+def coefficients_in_letters(problem: Problem) -> frozenset[str]:
+    """The names of the letters that stand alone for coefficients of friction."""
+    named = {s.name for j in problem.joints for k in COEFFICIENTS if isinstance(s := getattr(j, k, None), Name)}
+    return frozenset(named & {symbol.name for symbol in problem.symbols})
 
 
 def not_negative(problem: Problem) -> frozenset[str]:

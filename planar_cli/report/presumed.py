@@ -9,27 +9,34 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
-from planar_cli.problem.expression import JustAfter
+from planar_cli.problem.expression import JustAfter, Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solved_problem import PartSolution
 
 LONGEST = 30
+SIGNS = {"<": sp.StrictLessThan, ">": sp.StrictGreaterThan, "<=": sp.LessThan, ">=": sp.GreaterThan}
 
 
 def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr, ...] = ()) -> Iterator[Note]:
     """One line for each sign: the file may `assume` it, or the other; `positive`: the side on which the answers hold.
     One for each corner, where a state `just after` would be a blow.
     """
+    stated = dict.fromkeys(assumed_in_file(part))
+    for relation in stated:
+        yield Note("Assume", line(phrases.math(relation)))
     signs = list(positive)
     signs += [e for instant in part.instants for e in instant.instant.scene.presumed()]
-    signs += [e for instant in part.instants for e in instant.conditions]
+    provisos = [p for instant in part.instants for p in instant.conditions]
+    signs += [p.positive for p in provisos]
     if part.motion is not None:
         signs += part.motion.presumed
     for expr in dict.fromkeys(signs):
-        if not longer(expr, LONGEST):
-            yield Note("Assume", line(phrases.math(_above_zero(expr))))
+        if not longer(expr, LONGEST) and (above := _above_zero(expr)) not in stated and above.reversed not in stated:
+            yield Note("Assume", line(phrases.math(above)))
+    for words in dict.fromkeys(p.words for p in provisos if p.words and longer(p.positive, LONGEST)):
+        yield Note("Assume", line(f"{words}; whether it is so depends on the letters"))
     if light := _without_mass(part):
         neglected = "it is neglected, or counted with another body"
         yield Note("Assume", line(f"No mass of {' and of '.join(light)} is given: {neglected}."))
@@ -39,6 +46,17 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     for told in _taking_hold(part.motion.problem):
         yield Note("Assume", line(told))
+
+
+def assumed_in_file(part: PartSolution) -> Iterator[sp.Expr]:
+    """What the file itself assumes of letters and of what is sought: the answers are those for which it holds."""
+    scene = part.instants[0].instant.scene
+    open_names = {*scene.ledger.letters, *scene.ledger.sought}
+    for relation in scene.problem.assume:
+        if isinstance(relation, Relation) and relation.operator in SIGNS:
+            sides = [scene.value(side) for side in (relation.left, relation.right)]
+            if open_names & (sides[0].free_symbols | sides[1].free_symbols):
+                yield SIGNS[relation.operator](*sides, evaluate=False)
 
 
 def _without_mass(part: PartSolution) -> dict[str, None]:

@@ -11,6 +11,7 @@ from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.records import changing, record
+from planar_cli.solve.instant.conditions import Proviso
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit
@@ -69,7 +70,7 @@ class InstantSolution:
     sought: Any = None
     left_out: tuple[Any, ...] = ()
     quiet: bool = False
-    conditions: tuple[sp.Expr, ...] = ()
+    conditions: tuple[Proviso, ...] = ()
 
     @property
     def open_speeds(self) -> frozenset[sp.Symbol]:

@@ -11,6 +11,7 @@ from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Diagnostic, NoValue
 from planar_cli.solve.diagnosis.open_data import demand
 from planar_cli.solve.diagnosis.words import listed, one_of, unknown_name
+from planar_cli.solve.instant.beyond import STILL
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.plan import Planner
@@ -30,6 +31,11 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     said = list(dict.fromkeys(o for o in objections if o))
     names = [unknown_name(trial.system, s) for s in loose]
     hanging = [o for o in said if LOOSE in o]
+    if extremes and (beyond := next((o for o in said if o.endswith(STILL)), "")):
+        wanted, word = extremes[0].text.split(" is ")
+        text = f"{wanted} has no {word} value: where an assumption reaches its limit, {beyond}"
+        hint = "ask for the other end, or state what else must hold; what friction wedges in holds whatever pushes it"
+        return Diagnostic(extremes[0].mark, "PL613", text, hint)
     if extremes and not said:
         wanted = extremes[0].text.split(" is ")[0]
         problem = instant.scene.problem

@@ -10,26 +10,66 @@ import sympy as sp
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Test
+from planar_cli.records import record
 from planar_cli.solve.instant.instant import TINY, Trial
+from planar_cli.solve.instant.seeker import Sought
+from planar_cli.solve.instant.worked import unknowns_of
 
 LONGEST = 60
-"""A condition of more operations is not told."""
+"""A condition of more operations is left as it comes."""
 
 
-def conditions(trial: Trial, formulas: Callable[[list[sp.Expr]], list[sp.Expr]]) -> tuple[sp.Expr, ...]:
-    """Expressions in letters of the file that are positive as the modes are assumed, and need not be. `formulas`:
-    what expressions of the unknowns are in names of the file.
-    """
+Formulas = Callable[[list[sp.Expr]], list[sp.Expr]]
+"""What expressions of the unknowns are in names of the file."""
+
+
+@record
+class Proviso:
+    """What is `positive` as an answer is assumed to hold, and need not be; in `words`, where a formula is too long."""
+
+    positive: sp.Expr
+    words: str
+
+
+def conditions(trial: Trial, formulas: Formulas) -> tuple[Proviso, ...]:
+    """What must be positive, in letters of the file, for the modes of a trial."""
     system, scene = trial.system, trial.system.scene
     if not scene.ledger.symbolic or not any(b.mass != 0 for b in scene.bodies.values()):
         return ()
-    exprs = [e for mode in system.modes.values() for t in mode.tests if (e := _tested(trial, t)) is not None]
-    if not exprs:
+    tests = [t for mode in system.modes.values() for t in mode.tests]
+    return _doubtful(scene, [(e, t.words) for t in tests if (e := _tested(trial, t)) is not None], formulas)
+
+
+def conditions_beside(sought: Sought, formulas: Formulas) -> tuple[Proviso, ...]:
+    """The same of a branch, for the assumptions that are not at their limit there, and for the sides on which places
+    lie that what is sought moves.
+    """
+    trial, scene = sought.trial, sought.trial.system.scene
+    if not scene.ledger.symbolic or not trial.outcomes or trial.system.reactions is None:
+        return ()
+    numbers = trial.outcomes[0].value.extended(unknowns_of(trial.system, trial.outcomes[0]))
+    numbers = numbers.extended(sought.branch.algebra.value.values)
+    values = {p.name: e for p, e in trial.system.reactions.pushes}
+    told = [(e, "") for e in scene.decided_with(frozenset(scene.ledger.sought)) if (numbers.known(e) or 0) > TINY]
+    for test in (t for mode in trial.system.modes.values() for t in mode.tests if t.pushes):
+        if not all(n in values for n, _ in test.pushes):
+            continue
+        expr = sp.Add(*(c * values[n] for n, c in test.pushes), sp.sympify(test.constant))
+        if (numbers.known(expr) or 0) > TINY:
+            told.append((expr, test.words))
+    return _doubtful(scene, told, formulas)
+
+
+def _doubtful(scene: Any, told: list[tuple[sp.Expr, str]], formulas: Formulas) -> tuple[Proviso, ...]:
+    """Those that are negative for some letters, without factors that are positive for all."""
+    if not told:
         return ()
     letters = set(scene.ledger.letters)
-    told = [e for e in formulas(exprs) if e.free_symbols <= letters and not longer(e, LONGEST)]
-    plain = [_without_factors(scene, e) for e in told]
-    return tuple(scene.not_always_positive(e for e in plain if e.free_symbols))
+    found: dict[sp.Expr, str] = {}
+    for expr, (_, words) in zip(formulas([e for e, _ in told]), told, strict=True):
+        if expr.free_symbols and expr.free_symbols <= letters:
+            found.setdefault(expr if longer(expr, LONGEST) else _without_factors(scene, expr), words)
+    return tuple(Proviso(e, found[e]) for e in scene.not_always_positive(e for e in found if e.free_symbols))
 
 
 def _tested(trial: Trial, test: Test) -> sp.Expr | None:
@@ -47,4 +87,10 @@ def _without_factors(scene: Any, expr: sp.Expr) -> sp.Expr:
     factors = sp.Mul.make_args(factor_terms(expr))
     doubtful = scene.not_always_positive(f for f in factors if f.free_symbols)
     signs = [sp.sign(f) for f in factors if f.is_number]
-    return sp.Mul(*signs, *doubtful)
+    return sp.Mul(*signs, *(_base(f) for f in doubtful))
+
+
+def _base(factor: sp.Expr) -> sp.Expr:
+    """What has the sign of a factor: of an odd power, its base."""
+    odd = factor.is_Pow and factor.exp.is_Integer and factor.exp % 2 == 1
+    return factor.base if odd else factor

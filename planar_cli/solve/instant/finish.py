@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from decimal import Decimal
+from functools import partial
 
 import sympy as sp
 
@@ -20,7 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.words import listed, names_of
-from planar_cli.solve.instant.conditions import conditions
+from planar_cli.solve.instant.conditions import conditions, conditions_beside
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
@@ -29,6 +31,8 @@ from planar_cli.solve.instant.verify import verify
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
 
+SAME = Decimal("1e-20")
+"""Two branches whose constants differ by less, as a part of them, are one."""
 CLOSED_OPS, MOST_OPS = 90, 600
 """A formula of more operations is not printed; one of more than the second number is left as it comes."""
 
@@ -121,9 +125,20 @@ class Finisher:
         """As `solve`, where constants, angles, speeds or extremes were sought."""
         quantities = self.system.quantities()
         sides = {f.name: self._expressions(f, quantities) for f in finds}
+        stage = self._stage_of(sought)
+        value = self._values([stage])
+        solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), stage.lines, value)
+        solution.sought = sought
+        solution.conditions = conditions_beside(sought, partial(self._formulas_beside, sought))
+        if self.trial.outcomes:
+            solution.checks = verify(self.trial, value.values).report()
+        return solution, [self._found(f, sides[f.name], value, [stage], quantities) for f in finds]
+
+    def _stage_of(self, sought: Sought) -> Stage:
+        """A branch as the only stage."""
         branch, writer, offer = sought.branch, sought.writer, sought.offer
         nils = offer.first if offer is not None else ()
-        stage = Stage(
+        return Stage(
             "acceleration",
             sought.plan,
             (*(nil.told(self.system, writer.next_number + i) for i, nil in enumerate(nils)), *branch.blocks),
@@ -134,12 +149,22 @@ class Finisher:
             branch.algebra,
             writer.named,
         )
-        value = self._values([stage])
-        solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), tuple(writer.lines), value)
-        solution.sought = sought
-        if self.trial.outcomes:
-            solution.checks = verify(self.trial, value.values).report()
-        return solution, [self._found(f, sides[f.name], value, [stage], quantities) for f in finds]
+
+    def _formulas_beside(self, sought: Sought, exprs: list[sp.Expr]) -> list[sp.Expr]:
+        """Expressions of the unknowns in names of the file, by the plan of a branch that leads to them too; what none
+        leads to stays as it is.
+        """
+        seeker, solved = sought.seeker, sought.branch.algebra.value.values
+        if seeker is None:
+            return exprs
+        wanted = {s for e in exprs for s in e.free_symbols & set(seeker.unknowns)}
+        constants = {s: solved[s] for s in self.ledger.sought if s in solved}
+        for other in seeker.branches(wanted | constants.keys(), sought.limits):
+            there = other.branch.algebra.value.values
+            apart = max((abs(there[s] - v) / max(abs(v), Decimal(1)) for s, v in constants.items()), default=Decimal(0))
+            if not other.objection and apart <= SAME:
+                return [self.closed(e, [self._stage_of(other)]) for e in exprs]
+        return exprs if len(exprs) == 1 else [f for e in exprs for f in self._formulas_beside(sought, [e])]
 
     def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
         """The numbers of everything but the unknowns."""

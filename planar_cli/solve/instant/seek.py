@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
+from planar_cli.solve.instant.beyond import not_bounded
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
 from planar_cli.solve.instant.stationary import stationary_branches
@@ -23,14 +24,29 @@ from planar_cli.units import PURE
 
 MOST_CHOICES = 40
 MOST_LIMITS = 2
+MOST_DRAWS = 4
+"""So many numbers of the letters are tried where an extreme is sought that need not be there for all of them."""
 CLOSE = Decimal("1e-25")
 
 
 def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
-    """The branch that holds, over all choices of modes in natural order, and those that do not.
-
-    `targets_of(system)`: the symbols that the finds need.
+    """The branch that holds, over all choices of modes in natural order, and those that do not; an extreme in letters
+    where it is there for some of them. `targets_of(system)`: the symbols that the finds need.
     """
+    scene = instant.scene
+    tried = [scene.valuations[0]]
+    while True:
+        try:
+            return _seek(instant, targets_of)
+        except NoSolution:
+            others = instant.statements.extremes and scene.ledger.symbolic and len(tried) < MOST_DRAWS
+            if not others or not scene.redraw(lambda v: all(v.values != old.values for old in tried)):
+                raise
+            tried.append(scene.valuations[0])
+
+
+def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
+    """The same with the numbers that are drawn now."""
     rejected: list[Sought] = []
     undecided: Undecided | None = None
     plain = False
@@ -108,6 +124,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
                     if sought.trial.outcomes
                     else None
                 )
+                sought.objection = sought.objection or not_bounded(seeker, sought, side, extremes[0])
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break

@@ -50,7 +50,10 @@ LOOSE = "is open"
 
 @changing
 class Sought:
-    """One branch with its trial: the values of all unknowns, and why it is rejected ("" when it holds)."""
+    """One branch with its trial: the values of all unknowns, and why it is rejected ("" when it holds).
+
+    `limits`: what is added to the equations of its `seeker`, as what is sought is extreme there.
+    """
 
     branch: Branch
     plan: Plan
@@ -61,6 +64,8 @@ class Sought:
     objective: Decimal | None = None
     others: list[Sought] = field(default_factory=list)
     offer: Offered | None = None
+    limits: tuple[Condition, ...] = ()
+    seeker: Seeker | None = None
 
 
 class Seeker:
@@ -192,7 +197,8 @@ class Seeker:
             writer = Writer(self.system, numbers)
             work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
             brancher = Brancher(numbers.unknowns, self._angles(numbers), self.ledger.symbolic, self.ledger.natural)
-            found = [replace(s, offer=offer) for s in self._followed(brancher, work, plan, writer, numbers)]
+            followed = self._followed(brancher, work, plan, writer, numbers)
+            found = [replace(s, offer=offer, limits=limits, seeker=self) for s in followed]
             yield from found
             told = [(w.number, e) for b, written in work for w, e in zip(written, b.equations, strict=True)]
             repeated = tuple(e for number, e in told if number in brancher.repeated)
