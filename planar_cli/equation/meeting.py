@@ -203,8 +203,7 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
     if a.particle and b.particle:
         assert a.center is not None
         assert b.center is not None
-        reach = b.center - a.center
-        return None if scene.is_zero(reach.dot(reach)) else _unit(scene, reach)
+        return _between_points(scene, b.center - a.center)
     for partner in (a, b):
         if partner.name in scene.surfaces or partner.name in scene.bodies:
             try:
@@ -214,6 +213,16 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
             if tangent is not None:
                 return _turned(tangent)
     return None
+
+
+def _between_points(scene: Scene, reach: Vec) -> Vec | None:
+    """Along the line on which two points are drawn. On one line throughout it is the drawn one: where they meet nothing
+    is left of the way between them.
+    """
+    drawn = Vec(scene.as_drawn(reach.x), scene.as_drawn(reach.y))
+    if scene.is_zero(drawn.dot(drawn)):
+        return None
+    return _unit(scene, drawn if scene.is_zero(reach.cross(drawn)) else reach)
 
 
 def _is_struck_anywhere(scene: Scene, partner: Partner, normal: Vec) -> bool:

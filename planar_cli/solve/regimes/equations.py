@@ -174,11 +174,10 @@ def _second_order(
     c = next(c for c in regime.coordinates if c.symbol == symbol)
     factor = simplified(regime.rates[symbol] / u)
     f = regime.accelerations[u] * factor
-    start = start_of(regime.coordinates)
     for link in links:
         other = link.coordinate.symbol
         if other in letters(f) and set(link.factors) == {symbol} and link.drift == 0:
-            f = f.subs(other, start[other] + link.factors[symbol] * (symbol - start[symbol]))
+            f = f.subs(other, _linked_place(regime, link, c))
     f = replaced(f, _timed(regime))
     v = sp.Dummy("v", real=True)
     f = replaced(f, {u: v / factor})
@@ -189,6 +188,21 @@ def _second_order(
     if any(roles[s].kind is Kind.ACCELERATION for s in letters(f) if s in roles):
         return None
     return Law(c, 2, f, v, u, factor, effort(regime, f))
+
+
+def _linked_place(regime: Regime, link: Link, master: Coordinate) -> sp.Expr:
+    """A coordinate that follows another: as what joins them now says, else as they were when that took hold, else as
+    they are drawn.
+    """
+    other, symbol = link.coordinate, master.symbol
+    pair, own = {other.symbol, symbol}, {s for c in regime.coordinates for s in (c.symbol, c.start)}
+    for constraint in regime.general.constraints:
+        slope = derivative(constraint.residual, other.symbol)
+        if constraint.residual.free_symbols & own == pair and slope != 0 and not slope.free_symbols & own:
+            return simplified(other.symbol - constraint.residual / slope)
+    taken = any(pair <= k.residual.free_symbols for k in regime.general.kept)
+    start = {c.symbol: c.start for c in (other, master)} if taken else start_of(regime.coordinates)
+    return start[other.symbol] + link.factors[symbol] * (symbol - start[symbol])
 
 
 def _timed(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
@@ -230,12 +244,14 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         if law.vibration is not None:
             spans = in_letters(spans, law.vibration, time, start, end)
         explicit = any(s.kind == "q(t)" for s in spans)
+        begun = {c.start: since.letters[c.symbol] for c in regime.coordinates if c.drawn is not None}
+        told = replace(law, f=replaced(law.f, begun))
         for span in spans:
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
                 continue
             shown = _renamed(span, others)
             yield Equation(
-                shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=law
+                shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=told
             )
 
 
