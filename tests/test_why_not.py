@@ -194,9 +194,45 @@ find: {v: v(pin).mag}
 """
 
 
+VANE = """
+title: Vane without mass before a jet
+plane: horizontal
+given: {u: 30 m/s, c: 5 kg/m}
+unknowns: {V: m/s}
+points: {P: [0, 0]}
+bodies: {vane: {particle: P}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - stream:
+      name: jet
+      body: vane
+      rate: c*(u - V)
+      enters: {at: P, speed: u - V, angle: 0 deg}
+      leaves: {at: P, speed: u - V, angle: 120 deg}
+instant: [v(vane).x = V, power(jet) is largest]
+find: {V: V}
+"""
+CAR = """
+title: Car whose pull falls with its speed
+plane: horizontal
+given: {m: 900 kg, F: 4 kN, u: 50 m/s}
+points: {P: [0, 0]}
+bodies: {car: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - force: {body: car, magnitude: F*(1 - v(car).x/u), angle: 0 deg, name: pull}
+instant: [power(pull) is largest]
+find: {P: power(pull)}
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "code", "message", "hint"),
     [
+        (VANE, "PL613", "vane has no mass, so that the forces on it must balance", "`v(vane).x = V`"),
+        (CAR, "PL613", "what power(pull) may rest on, v(P), is left open", "`unknowns: {V: m/s}`"),
         (
             WALL,
             "PL619",

@@ -37,18 +37,7 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
         hint = "ask for the other end, or state what else must hold; what friction wedges in holds whatever pushes it"
         return Diagnostic(extremes[0].mark, "PL613", text, hint)
     if extremes and not said:
-        wanted = extremes[0].text.split(" is ")[0]
-        problem = instant.scene.problem
-        if not problem.unknowns and not problem.coordinates:
-            text = f"{wanted} is what the places as drawn make it: nothing is open that could make it more or less"
-            hint = "write the points with an angle or a length under `coordinates`, or ask for it in a state on the way"
-            return Diagnostic(extremes[0].mark, "PL613", text, hint)
-        text = (
-            f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"
-        )
-        return Diagnostic(
-            extremes[0].mark, "PL613", text, "state what must hold, such as `mode(C) = stick`, or give a limit"
-        )
+        return _no_extreme(instant, trial, names)
     if hanging:
         name = hanging[0].split(f" {LOOSE}")[0]
         hint = f"give {name}, or state the case: `mode(C) = stick`, or ask for the limit: `{name} is smallest`"
@@ -59,6 +48,39 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
         return Diagnostic(find.mark, "PL606", text, one_of(names))
     text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
     return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
+
+
+def _no_extreme(instant: Instant, trial: Trial, names: list[str]) -> Diagnostic:
+    """Why nothing is largest or smallest. `names`: what no equation determines."""
+    extreme, problem = instant.statements.extremes[0], instant.scene.problem
+    wanted = extreme.text.split(" is ")[0]
+    light = [b for b in dict.fromkeys(w.body for w in trial.system.wrenches) if _driven_by_forces(trial, b)]
+    if light:
+        text = (
+            f"{light[0]} has no mass, so that the forces on it must balance: that leaves nothing to choose for {wanted}"
+        )
+        hint = f"give {light[0]} a mass, or write under `motion` how it moves, as in `v({light[0]}).x = V`"
+    elif names and not problem.unknowns:
+        text = f"what {wanted} may rest on, {listed(names)}, is left open by the equations, and no letter stands for it"
+        hint = "name it: `unknowns: {V: m/s}`, and under `instant` what it is, as in `v(b).x = V`"
+    elif not problem.unknowns and not problem.coordinates:
+        text = f"{wanted} is what the places as drawn make it: nothing is open that could make it more or less"
+        hint = "write the points with an angle or a length under `coordinates`, or ask for it in a state on the way"
+    else:
+        text = (
+            f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"
+        )
+        hint = "state what must hold, such as `mode(C) = stick`, or give a limit"
+    return Diagnostic(extreme.mark, "PL613", text, hint)
+
+
+def _driven_by_forces(trial: Trial, name: str) -> bool:
+    """Has a body no mass, and do forces alone tell how it moves?"""
+    body = trial.system.scene.bodies.get(name)
+    edge = next((e for e in trial.system.tree.edges if e.body == name), None)
+    if body is None or body.mass != 0 or edge is None:
+        return False
+    return any(rate is not None for rate in (edge.spin_rate, edge.slide_rate, edge.rise_rate))
 
 
 def contradiction(seeker: Seeker) -> Diagnostic | None:
