@@ -202,7 +202,7 @@ def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
 def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
     """What the motion from state to state says. `begun`: what is known of the letters of the first state."""
     found: list[Equation] = []
-    known = dict(begun)
+    known, settled = dict(begun), motion.settled()
     since = 0
     for i, state in enumerate(motion.states):
         stop = motion.stops[state.name]
@@ -215,8 +215,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
         if i >= 2 and (i - 2 in motion.blows or motion.regimes[i - 1] is not motion.regimes[i - 2]):
             since = i - 1
         start = motion.stops[motion.states[since].name]
-        laws = motion.laws[i - 1]
-        by_laws = law_equations(laws, start, stop, regime, regime.general.value)
+        laws, value = motion.laws[i - 1], regime.general.value.extended(settled)
+        by_laws = law_equations(laws, start, stop, regime, value)
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
         standing = list(standing_equations(laws, start, stop, regime, known))

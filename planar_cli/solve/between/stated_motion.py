@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 
 import sympy as sp
 
@@ -81,6 +82,10 @@ class StatedMotion(RegimeSequence):
         """Numbers of everything that is known, also of the equilibrium states."""
         return self.given().extended(self.equilibria.branch.values).defining(self.rates.formulas)
 
+    def settled(self) -> dict[sp.Symbol, Decimal]:
+        """The constants that are sought and that an equilibrium tells."""
+        return told_constants(self, self.equilibria)
+
     def parameters(self) -> set[sp.Symbol]:
         """What has no number of its own: letters of the file, as they were drawn."""
         return set(self.base().drawn)
@@ -108,7 +113,8 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     equilibria = solve_equilibria(motion, beside, demands)
     laws = tuple(laws_of(r) if r.runs else Laws((), (), ()) for r in motion.regimes)
     begins = [state.name for state in states][: len(laws)]
-    naming = (motion.regimes, begins, motion.given(), motion.ledger, motion.workshop.letters)
+    value = motion.given().extended(told_constants(motion, equilibria))
+    naming = (motion.regimes, begins, value, motion.ledger, motion.workshop.letters)
     rates = constant_rates(laws, *naming)
     laws, vibrating = with_vibrations(rates.laws, *naming)
     rates = replace(rates, formulas={**rates.formulas, **vibrating})
@@ -126,6 +132,12 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
         between=between,
         rates=rates,
     )
+
+
+def told_constants(motion: RegimeSequence, equilibria: Equilibria) -> dict[sp.Symbol, Decimal]:
+    """The constants that are sought and that an equilibrium tells."""
+    told = equilibria.branch.values
+    return {c: told[c] for c in motion.sought() if c in told}
 
 
 def _ask_transfers(motion: RegimeSequence) -> dict[int, dict[sp.Symbol, sp.Expr]]:
