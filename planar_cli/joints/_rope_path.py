@@ -54,7 +54,8 @@ def free_parts(
     stops = stops_of(rope, scene)
     segments, actions = [], []
     spins: list[tuple[str, Any]] = []
-    for start, end in pairwise(stops):
+    for (start, end), ends in zip(pairwise(stops), pairwise(rope.stops), strict=True):
+        _demand_along(rope, scene, (start.rim or start.center, end.rim or end.center), ends)
         direction, length = _tangent(rope, scene, start, end)
         segments.append(Segment(Anchor(start.body, start.center), Anchor(end.body, end.center), direction, length))
         for stop, pull in ((start, direction), (end, -direction)):
@@ -130,6 +131,17 @@ def _tangent(rope: RopePath, scene: Setting, start: Stop, end: Stop) -> tuple[Ve
     # What hangs straight down keeps its part of the rope upright, as do parts along the line of what slides.
     steady = scene.steady(direction)
     return (direction, length) if steady is None else (steady, reach.dot(steady))
+
+
+def _demand_along(rope: RopePath, scene: Setting, places: tuple[Vec, Vec], ends: tuple[RopeStop, RopeStop]) -> None:
+    """Refuse a part at right angles to the direction that all parts are said to have: its length would not count."""
+    reach = places[1] - places[0]
+    if rope.along is None or not scene.is_zero(reach.dot(scene.unit(rope.along))) or scene.is_zero(reach.dot(reach)):
+        return
+    first, second = ends
+    text = f"{rope.name}: its part from {first.name} to {second.name} runs across its direction `along`"
+    hint = "leave `along` out, and draw parallel parts parallel, or give each pulley a radius: `over D`, `under E`"
+    raise scene.refuse(rope.mark, "PL539", text, hint)
 
 
 def _demand_apart(rope: RopePath, scene: Setting, reach: Vec) -> None:

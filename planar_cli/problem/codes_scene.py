@@ -93,6 +93,10 @@ _SCENE = {
         "as is that of a slot in it. Draw a bar as `rod: [A, B]`, or fix a line to the body: `surfaces: {slot: "
         "{through: A, angle: 30 deg, body: b}}`."
     ),
+    "PL539": (
+        "`along` of a rope says that all its parts are parallel to one direction. A part that is drawn across it, such "
+        "as one over a table, would not count in the length of the rope: leave `along` out, and draw the pulleys."
+    ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": (
         "The ends of a spring, damper, link or part of a rope, or the centres of the disks of a belt, are at the same "
