@@ -9,6 +9,7 @@ from answered import solve
 from conftest import ROOT
 from worked import worked
 
+from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
 
@@ -116,3 +117,35 @@ def test_what_is_asked_of_several_states_is_told_by_states() -> None:
     assert "For the angle of the wheel:" in page
     assert page.index("Hence, at 1:") < page.index("v_E = r_h ω") < page.index("At 2:") < page.index("r_B_at_2s, x")
     assert "0.6 cos(0.6667 rad) = 0.4715 m" in page
+
+
+PULLEY = (ROOT / "problems/systems/double-pulley.yaml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("drawn", "instead", "line", "message"),
+    [
+        ("[R, -1 m]", "[R + 0.05 m, -1 m]", 18, "the cord A leaves pulley at T at right angles to the radius there, "),
+        (
+            "[-r_i, -1.2 m]",
+            "[-0.3 m, -1.2 m]",
+            19,
+            "the cord B leaves pulley at S at right angles to the radius there, ",
+        ),
+    ],
+)
+def test_a_block_that_is_not_drawn_below_its_rim_point_is_refused(
+    drawn: str, instead: str, line: int, message: str
+) -> None:
+    with pytest.raises(NoSolution) as refused:
+        solve(PULLEY.replace(drawn, instead))
+    why = refused.value.diagnostics[0]
+    assert (why.code, why.mark.line) == ("PL522", line)
+    assert why.message.startswith(message)
+
+
+@pytest.mark.parametrize(("old", "new"), [("v(A).y = -3 ft/s", "v(D).y = -3 ft/s")])
+def test_a_speed_of_a_fixed_point_contradicts_it(old: str, new: str) -> None:
+    text = (ROOT / "problems/kinematics/three-blocks-on-one-cable.yaml").read_text(encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"but the joints make v\(D\)\.y = 0 ft/s"):
+        solve(text.replace(old, new))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
+from planar_cli.problem.scene import GROUND
 
 
 def is_written(scene: Scene, motion: Motion, name: str, body: str) -> bool:
     """Is it a point, written with coordinates, of a body without mass that nothing else holds? What the file says of
     such a point is said of its coordinates.
     """
-    if not scene.rigid(body) or scene.bodies[body].mass != 0 or name not in scene.own_points:
+    if body == GROUND or not scene.rigid(body) or scene.bodies[body].mass != 0 or name not in scene.own_points:
         return False
     formula, tree = scene.formulas.get(name), motion.tree
     if formula is None or any(body in (j.mover, j.base) for j in tree.closures):

@@ -49,7 +49,8 @@ _SCENE = {
     ),
     "PL522": (
         "The point of contact is not on the rim or edge of the body: its distance from the centre is neither "
-        "the radius nor the hub, or it is inside the rectangle. So must a cord leave a drum at a rim."
+        "the radius nor the hub, or it is inside the rectangle. So must a cord leave a drum at a rim, at right angles "
+        "to the radius there."
     ),
     "PL523": "A corner can not roll. Rolling needs a round rim on a rim, a rack or a surface.",
     "PL524": "The point of a guide belongs to no body that could slide. Name it among the points of its body.",

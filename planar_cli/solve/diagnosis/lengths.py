@@ -27,11 +27,13 @@ Length = tuple[Body, str, str, Side]
 """A rod, its two points, and its length."""
 Cord = tuple[Round, str, str, Mark]
 """A round body, its name, the point where a cord leaves it, and where that is said."""
+Line = tuple[Round, str, str, str, str, Mark]
+"""A round body, its name, the point where a cord leaves it, where the cord leads to, what it is called, and where."""
 
 
 def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     """NoSolution: a rod is not as long as its ends are apart, or a cord leaves a drum where there is no rim."""
-    rods, cords = list(_rods(problem)), list(_cords(problem))
+    rods, cords, lines = list(_rods(problem)), list(_cords(problem)), list(_lines(problem))
     if not rods and not cords:
         return
     now: tuple[Any, ...] = problem.instant or (problem.states[0].relations if problem.states else ())
@@ -41,6 +43,7 @@ def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     statements = Statements.of(always, now)
     scene = Setup(problem, statements, earlier, False).scene
     wrong = [d for d in (*(_unfit(scene, *r) for r in rods), *(_off_rim(scene, *c) for c in cords)) if d is not None]
+    wrong = wrong or [d for line in lines if (d := _off_tangent(scene, line)) is not None]
     if wrong:
         raise NoSolution(wrong)
 
@@ -61,6 +64,18 @@ def _cords(problem: Problem) -> Iterator[Cord]:
         for body, point in named:
             if body in drums and point:
                 yield drums[body], body, point, member.mark
+
+
+def _lines(problem: Problem) -> Iterator[Line]:
+    """Parts of ropes between a drum and a point, or two drums, that run straight where places tell."""
+    drums = {b.name: b.shape for b in problem.bodies if isinstance(b.shape, Round)}
+    for joint in problem.joints:
+        path: tuple[RopeStop, ...] = getattr(joint, "path", ())
+        if not path or getattr(joint, "along", None) is not None:
+            continue
+        for drum, other in ((path[0], path[1]), (path[-1], path[-2])):
+            if drum.body in drums and other.way in ("point", "on"):
+                yield drums[drum.body], drum.body, drum.name, other.name, joint.called, joint.mark
 
 
 def _unfit(scene: Scene, body: Body, start: str, end: str, side: Side) -> Diagnostic | None:
@@ -94,6 +109,25 @@ def _off_rim(scene: Scene, shape: Round, body: str, point: str, mark: Mark) -> D
         sizes = " or ".join(_shown(scene, value(r), s) for r, s in zip(radii, rims, strict=True))
         text += f": {_shown(scene, far, shape.radius)} from its centre, and not {sizes}"
     return Diagnostic(mark, "PL522", text, f"draw {point} on the rim, or correct `radius:` or `hub:`")
+
+
+def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
+    """A cord leaves a rim at right angles to the radius: what it leads to lies on this line."""
+    shape, body, rim, other, cord, mark = line
+    value = scene.valuations[0]
+    arm, reach = scene.point(rim) - scene.point(shape.center), scene.point(other) - scene.point(rim)
+    inward = sp.sympify(reach.dot(arm))
+    if scene.rests_on_sought(inward):
+        return None
+    aside = abs(value(inward)) / value(sp.sympify(arm.dot(arm))).sqrt()
+    if aside <= ROUNDED * value(sp.sympify(reach.dot(reach))).sqrt():
+        return None
+    text = f"{cord} leaves {body} at {rim} at right angles to the radius there, and {other} is not on that line"
+    if not scene.ledger.symbolic:
+        text += f", but {_shown(scene, aside, shape.radius)} beside it"
+    return Diagnostic(
+        mark, "PL522", text, f"draw {other} on that line, or {rim} where the cord to {other} leaves the rim"
+    )
 
 
 def _shown(scene: Scene, value: Decimal, side: Side) -> str:
