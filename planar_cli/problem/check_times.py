@@ -10,6 +10,7 @@ from planar_cli.problem.check_names import missing_state, points_of_place
 from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Quantity, Relation, Word
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.reading import listed
+from planar_cli.problem.scene import Symbol
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.walk import Tree, children, is_endless, walk
 
@@ -173,6 +174,36 @@ def finds_say_when(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(
                 name.mark, "PL435", f"the find {find.name} asks for the time, but not of which state", f"write {states}"
             )
+
+
+def states_of_what_varies(scope: Scope) -> Iterator[Diagnostic]:
+    """`N(C)/W @ 1` reads W at state 1, which is the same at every state, and leaves open at which N(C) is meant."""
+    constants = {s.name for s in (*scope.problem.given, *scope.problem.symbols) if _is_constant(s)}
+    for find in scope.problem.find if scope.states else ():
+        what = find.found.what
+        idle = [n for n in walk(what) if isinstance(n, Name) and n.at is not None and n.name in constants]
+        if idle and (open_one := next(_without_state(what), None)) is not None:
+            text = f"`{idle[0].name} @ {idle[0].at}`: {idle[0].name} is the same at every state, and {open_one.word}"
+            text += f"({'/'.join(open_one.things)}) has none"
+            hint = f"`@` belongs to what stands just before it: `{open_one.word}(…) @ {idle[0].at}/{idle[0].name}`"
+            yield Diagnostic(idle[0].mark, "PL435", text, hint)
+
+
+def _is_constant(symbol: Symbol) -> bool:
+    """Does its value rest on numbers alone?"""
+    return symbol.value is None or not any(isinstance(n, Quantity | Name) for n in walk(symbol.value))
+
+
+def _without_state(tree: Tree) -> Iterator[Quantity]:
+    """The quantities of a find of which no state is told."""
+    if isinstance(tree, Grouped) and tree.at is not None:
+        return
+    if isinstance(tree, Quantity):
+        if tree.at is None and tree.things:
+            yield tree
+        return
+    for child in children(tree):
+        yield from _without_state(child)
 
 
 def _open_times(tree: Tree) -> Iterator[Name]:

@@ -36,6 +36,7 @@ from planar_cli.problem.check_times import (
     one_mode_at_a_time,
     spans_in_order,
     statements_in_place,
+    states_of_what_varies,
 )
 from planar_cli.problem.check_values import answers_are_numbers, letters_grow_slowly, values_are_numbers
 from planar_cli.problem.check_vectors import vectors_are_vectors
@@ -71,6 +72,7 @@ CHECKS: tuple[Check, ...] = (
     lengths_taken_up,
     one_mode_at_a_time,
     finds_say_when,
+    states_of_what_varies,
     no_circles,
     dimensions_agree,
     vectors_are_vectors,

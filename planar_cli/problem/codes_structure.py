@@ -140,7 +140,10 @@ _NAMES = {
         "nothing an impact may leave `during` out: it happens whenever the bodies meet."
     ),
     "PL434": "A span runs from one state to another, and a mean over it ends at a state that is reached.",
-    "PL435": "In a file with states the time of one of them is `t @ 2`.",
+    "PL435": (
+        "In a file with states the time of one of them is `t @ 2`. `@` belongs to the quantity, name or bracket just "
+        "before it: `N(C) @ 1/W`, or `(N(C)/W) @ 1`."
+    ),
     "PL436": "Something is defined by itself, perhaps through others. Then its value cannot be found.",
     "PL437": "One joint has two modes at the same instant. Keep the one that is meant; another state may have others.",
     "PL438": (

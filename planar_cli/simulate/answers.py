@@ -216,9 +216,13 @@ class Answers:
             assert isinstance(side, Quantity)
             return self._mode(stated[0], side.at) == stated[1]
         left, right = self.value(relation.left), self.value(relation.right)
-        if relation.operator == "=":
-            size = max((abs(v) for v in (*left, *right)), default=0.0)
-            return all(abs(a - b) <= EQUAL * size for a, b in zip(left, right, strict=True))
+        size = max((abs(v) for v in (*left, *right)), default=0.0)
+        # A state is found to some rounding, so that what is zero there is one beside the ordinary sizes of the scene.
+        measured = any(isinstance(n, Quantity) for n in walk(relation))
+        usual = Timetable(self.problem, self.measures).scale(relation.left, relation.right) if measured else 0.0
+        same = all(abs(a - b) <= EQUAL * max(size, usual) for a, b in zip(left, right, strict=True))
+        if relation.operator == "=" or same:
+            return same and relation.operator in ("=", "<=", ">=")
         less = left[0] < right[0] if relation.operator in ("<", ">=") else left[0] > right[0]
         return less if relation.operator in ("<", ">") else not less
 
