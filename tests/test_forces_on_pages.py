@@ -45,6 +45,38 @@ def test_a_guide_that_keeps_nothing_on_its_line_is_not_drawn(name: str, row: str
     assert "N_track ←" not in page
 
 
+DAMPED = """\
+title: Block with a damper let go
+text: A block is tied to a wall by a spring and a damper and let go from rest. Where does it turn back?
+plane: vertical
+given: {m: 2 kg, k: 200 N/m, l: 0.5 m, c: 10 N*s/m, d: 0.1 m}
+coordinates: {x: m}
+points: {W: [0, 0], P: [x, 0]}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg, name: rail}
+loads:
+  - spring: {between: [W, P], stiffness: k, natural_length: l}
+  - damper: {between: [W, P], coefficient: c}
+states:
+  1: [x = l + d, at rest]
+  2: [v(P).x = 0]
+find: {x_2: x(P) @ 2}
+"""
+
+
+def test_a_damper_at_rest_has_the_sense_in_which_it_counts(tmp_path: Path) -> None:
+    path = tmp_path / "damped.yaml"
+    path.write_text(DAMPED, encoding="utf-8")
+    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(path)))[0]))
+    assert "k (x - l) ←,  c x\u0307 ←,  N_rail ↑   =" in page
+
+
+def test_a_force_that_is_given_as_zero_is_not_drawn() -> None:
+    free = _page("friction/block-held-on-slope").partition("CASE  free")[2]
+    assert "block:  m g ↓,  N_A ↖,  F_A ↗ (assumed)   =   0\n" in free
+
+
 def test_a_guide_that_carries_a_weight_is_drawn() -> None:
     assert "rocket:  g (M - q t) ↓,  u q →,  N_track ↑   =" in _page("momentum/rocket-up-and-along")
 

@@ -85,7 +85,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     rigid = instant.instant.scene.bodies[body].rigid
     parts: list[list[Any]] = []
     for w in system.wrenches:
-        if w.body == body and not (w.kind == "momentum" and phrases.value.is_zero(w.magnitude)):
+        if w.body == body and not _is_nought(w, instant.instant.scene, phrases):
             named = f" at {w.place}" if w.place and w.place != body else _at(instant, w.point, body)
             where = named if rigid else ""
             lasting = PURE if w.kind not in SUDDEN else TIME
@@ -116,6 +116,13 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
+
+
+def _is_nought(w: Wrench, scene: Scene, phrases: Phrases) -> bool:
+    """Is it no force: a momentum of what is at rest, or a force that the file gives as zero?"""
+    size = sp.sympify(w.magnitude)
+    given = bool(size.free_symbols) and all(s in scene.ledger.values for s in size.free_symbols)
+    return (w.kind == "momentum" or (given and w.force is not None)) and phrases.value.is_zero(size)
 
 
 def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:
@@ -173,7 +180,11 @@ def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
         open_ = x.has(sp.Abs, sp.sign) or y.has(sp.Abs, sp.sign)
         return "against its velocity" if open_ or not phrases.ways else phrases.arrow(x, y)
     reversed_sense = ((phrases.drawn or phrases.value)(sp.sympify(w.magnitude)) < 0) != back
-    return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)
+    x, y = w.force.x, w.force.y
+    if not phrases.arrow(x, y) and w.magnitude != 0:
+        # Nought in the position that is drawn, as a damper at rest is: the sense in which its size counts.
+        x, y = (simplified(p / w.magnitude) for p in (x, y))
+    return phrases.arrow(-x, -y) if reversed_sense else phrases.arrow(x, y)
 
 
 def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str) -> list[Any]:
