@@ -11,6 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.growth import growth
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.turning import counted_angle
 from planar_cli.equation.written_points import is_written
@@ -333,10 +334,8 @@ class Quantities:
     def part(self, v: Vec, part: Part, q: Quantity) -> Jet | Vec:
         """One part of a vector."""
         match part.kind:
-            case "x":
-                return parts_of(v)[0]
-            case "y":
-                return parts_of(v)[1]
+            case "x" | "y":
+                return parts_of(v)[part.kind == "y"]
             case "mag":
                 return magnitude(v)
             case "angle":
@@ -367,7 +366,8 @@ class Quantities:
             return only(value.dot(velocity) / speed)
         body = self.frame_body(q)
         bend = Vec(jets.x.rate, jets.y.rate) if body is None else self.seen_from(q.things[0], body)[1]
-        return only(velocity.cross(value) * sp.sign(velocity.cross(bend)) / speed)
+        across = velocity.cross(value)
+        return only((sp.Abs(simplified(across)) if value == bend else across * sp.sign(velocity.cross(bend))) / speed)
 
     def direction(self, part: Part) -> Vec:
         """The unit vector of .along(…) as jets; of a body or two points it turns with them."""

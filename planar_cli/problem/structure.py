@@ -20,6 +20,7 @@ from planar_cli.problem.fields import Fields
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
 from planar_cli.problem.order_of_states import in_order
+from planar_cli.problem.osculating import with_osculating_circles
 from planar_cli.problem.placed_particles import with_placed_particles
 from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
@@ -186,6 +187,7 @@ def _read(file: str, whole: Fields) -> Problem:
         us=False,
     )
     problem = replace(problem, us=is_us(problem))
+    problem = with_osculating_circles(problem)
     return with_joints_called(with_later_meetings(with_placed_particles(with_assumed(problem))))
 
 

@@ -15,6 +15,8 @@
 Components
   v(P).t a(P).t a(P).n         along the velocity, and towards the centre of curvature: a.n = v^2/rho. Where the speed
                                is zero they mean nothing; on a circle use .across(P/O)
+                               A free particle of which these and rho(P) alone are told needs no direction:
+                               `instant: [v(P).mag = 15 m/s, a(P).t = 3 m/s^2, rho(P) = 50 m]`
   r(P).mag v(P).r v(P).theta   polar, along r and 90 deg counterclockwise of it: a.r = ddot(r) - r*dot(theta)^2
   v(P/A).r, a(P/O).theta       the same from A or O instead of the origin
 

@@ -261,11 +261,12 @@ def add_given(
         keys[symbol] = symbol.name
     present = {p.name for p in system.pushes}
     value = assembly.value.extended(moving)
+    still = {speed: sp.S.Zero for speed, v in moving.items() if v == 0}
     near = partial(tangent_in, keys=keys, system=system, free=free, value=value, known=known)
     nonlinear = []
     for condition in conditions:
         for expr in condition.rows():
-            if (form := _first_order(expr, keys, value, near)) is None:
+            if (form := _first_order(expr.xreplace(still), keys, value, near)) is None:
                 nonlinear.append(condition.text)
                 continue
             row: dict[int, Decimal] = {-1: form.constant}
