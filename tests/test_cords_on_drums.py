@@ -149,3 +149,10 @@ def test_a_speed_of_a_fixed_point_contradicts_it(old: str, new: str) -> None:
     text = (ROOT / "problems/kinematics/three-blocks-on-one-cable.yaml").read_text(encoding="utf-8")
     with pytest.raises(NoSolution, match=r"but the joints make v\(D\)\.y = 0 ft/s"):
         solve(text.replace(old, new))
+
+
+@pytest.mark.parametrize(("old", "new"), [("E: [(r - R)/2, -h]", "E: [-0.9 in, -h]"), ("(R + r)/2}", "4.5 in}")])
+def test_a_sheave_whose_rim_the_cord_does_not_touch_is_refused(old: str, new: str) -> None:
+    text = (ROOT / "problems/kinematics/differential-hoist.yaml").read_text(encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"and the rim of sheave is not on that line, but 0\.\d+ in beside it"):
+        solve(text.replace(old, new))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+import sympy as sp
 from answered import solve
 
 from planar_cli.errors import FileProblem
@@ -74,3 +75,27 @@ def test_a_block_slides_on_a_level_cart_and_not_on_one_whose_points_slope() -> N
     assert float(found[0]) == pytest.approx(1)
     with pytest.raises(FileProblem, match="not along A/B"):
         solve(CART.replace("HEIGHT", "0.2 m"))
+
+
+def test_a_disk_whose_pin_is_written_with_a_coordinate_turns_with_it() -> None:
+    text = """
+title: Geneva drive with a disk and a slotted rod that ends at the pin
+symbols: {R: m, l: m, w: rad/s}
+assume: [l > R]
+coordinates: {phi: deg}
+points: {O: [0, 0], B: [l, 0], P: {from: B, distance: R, angle: phi}}
+bodies:
+  D: {disk: B, radius: R, points: [P]}
+  S: {rod: [O, P]}
+joints:
+  - pin: {at: O, between: [ground, S]}
+  - pin: {at: B, between: [ground, D]}
+  - guide: {point: P, along: S}
+motion: [omega(D) = w]
+find: {omega_S: omega(S)}
+"""
+    formula = solve(text)["omega_S"].expressions
+    assert formula is not None
+    r, far, w, phi = (next(s for s in formula[0].free_symbols if s.name == n) for n in ("R", "l", "w", "phi"))
+    place = sp.atan2(r * sp.sin(phi), far + r * sp.cos(phi))
+    assert sp.simplify(formula[0] - sp.diff(place, phi) * w) == 0

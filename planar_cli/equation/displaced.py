@@ -51,6 +51,7 @@ class Displacer:
 
     def run(self) -> Displacement:
         """All bodies in the order of the tree, then the points of contact."""
+        self.formula |= {e.body for e in self.tree.edges if self._on_fixed_pin(e) and self._turned_by_points(e.body)}
         for edge in self.tree.edges:
             self._place(edge)
         return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula)
@@ -124,6 +125,13 @@ class Displacer:
             return Pose(body.center, center, body.theta, body.theta)
         before, now = self._angle(edge)
         return Pose(body.center, center, before, now)
+
+    @staticmethod
+    def _on_fixed_pin(edge: Edge) -> bool:
+        """Does the body only turn about a fixed point?"""
+        joining = edge.joining
+        fixed = joining is not None and joining.path is None and joining.rolling is None and joining.drift is None
+        return fixed and edge.parent == GROUND
 
     def _turned_by_points(self, name: str) -> bool:
         """Does the file place another point of the body as its angle grows?"""

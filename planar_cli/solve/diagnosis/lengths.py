@@ -27,7 +27,7 @@ Length = tuple[Body, str, str, Side]
 """A rod, its two points, and its length."""
 Cord = tuple[Round, str, str, Mark]
 """A round body, its name, the point where a cord leaves it, and where that is said."""
-Line = tuple[Round, str, str, str, str, Mark]
+Line = tuple[Round, str, str, RopeStop, str, Mark]
 """A round body, its name, the point where a cord leaves it, where the cord leads to, what it is called, and where."""
 
 
@@ -74,8 +74,8 @@ def _lines(problem: Problem) -> Iterator[Line]:
         if not path or getattr(joint, "along", None) is not None:
             continue
         for drum, other in ((path[0], path[1]), (path[-1], path[-2])):
-            if drum.body in drums and other.way in ("point", "on"):
-                yield drums[drum.body], drum.body, drum.name, other.name, joint.called, joint.mark
+            if drum.body in drums:
+                yield drums[drum.body], drum.body, drum.name, other, joint.called, joint.mark
 
 
 def _unfit(scene: Scene, body: Body, start: str, end: str, side: Side) -> Diagnostic | None:
@@ -112,17 +112,21 @@ def _off_rim(scene: Scene, shape: Round, body: str, point: str, mark: Mark) -> D
 
 
 def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
-    """A cord leaves a rim at right angles to the radius: what it leads to lies on this line."""
-    shape, body, rim, other, cord, mark = line
+    """A cord leaves a rim at right angles to the radius: what it leads to lies on this line, or has its rim there."""
+    shape, body, rim, stop, cord, mark = line
+    other = stop.name
     value = scene.valuations[0]
     arm, reach = scene.point(rim) - scene.point(shape.center), scene.point(other) - scene.point(rim)
     inward = sp.sympify(reach.dot(arm))
-    if scene.rests_on_sought(inward):
+    pulley = scene.pulley(other) if stop.way in ("over", "under") else ""
+    radius = sp.sympify(scene.radius(pulley) if pulley else 0)
+    if scene.rests_on_sought(inward) or scene.rests_on_sought(radius):
         return None
-    aside = abs(value(inward)) / value(sp.sympify(arm.dot(arm))).sqrt()
+    aside = abs(abs(value(inward)) / value(sp.sympify(arm.dot(arm))).sqrt() - value(radius))
     if aside <= ROUNDED * value(sp.sympify(reach.dot(reach))).sqrt():
         return None
-    text = f"{cord} leaves {body} at {rim} at right angles to the radius there, and {other} is not on that line"
+    there = f"the rim of {pulley}" if radius else other
+    text = f"{cord} leaves {body} at {rim} at right angles to the radius there, and {there} is not on that line"
     if not scene.ledger.symbolic:
         text += f", but {_shown(scene, aside, shape.radius)} beside it"
     return Diagnostic(
@@ -132,6 +136,8 @@ def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
 
 def _shown(scene: Scene, value: Decimal, side: Side) -> str:
     """A length in the unit of the file."""
+    if isinstance(side, Name):
+        side = next((g.value for g in scene.problem.given if g.name == side.name and g.value is not None), side)
     written = first_unit(side)
     us = scene.problem.us
     return in_unit(value, default_unit(LENGTH, us=us) if written is None else parse_unit(written), us)
