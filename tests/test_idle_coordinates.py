@@ -1,4 +1,4 @@
-"""A coordinate moves a body, or a law tells how it varies: what nothing moves is told where it is declared."""
+"""What a file says of coordinates and loads takes part: what nothing moves or turns is told where it is written."""
 
 from __future__ import annotations
 
@@ -64,3 +64,23 @@ def test_with_the_body_at_the_point_it_is_solved() -> None:
     found = solve(text.replace("MOMENT", STATES.replace("START", "at rest, s = 0")))["v"].values
     assert found is not None
     assert float(found[0]) == pytest.approx((2 * 3 * (320 / 40 - 9.81 * 0.3420201433)) ** 0.5)
+
+
+@pytest.mark.parametrize(
+    ("load", "moment"),
+    [
+        ("torque: {body: c, moment: 3 N*m}", "instant: [at rest]\nfind: {a: a(c).y}"),
+        ("torque: {between: [ground, c], moment: 3 N*m}", "instant: [at rest]\nfind: {a: a(c).y}"),
+        (
+            "impulse: {body: c, moment: 3 N*m*s, during: 1->2}",
+            "states: {1: [at rest], 2: [just after 1]}\nfind: {v: v(c).y @ 2}",
+        ),
+    ],
+)
+def test_no_moment_acts_on_a_particle(load: str, moment: str) -> None:
+    why = first_objection(
+        "title: moment on a particle\nplane: vertical\npoints: {O: [0, 0]}\nbodies: {c: {particle: O, mass: 2 kg}}\n"
+        f"loads:\n  - {load}\n{moment}\n"
+    )
+    assert (why.code, why.mark.line) == ("PL466", 6)
+    assert why.message.endswith("acts on c, which is a particle and does not turn")

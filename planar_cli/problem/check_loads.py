@@ -46,6 +46,19 @@ def particles_move_with_their_points(scope: Scope) -> Iterator[Diagnostic]:
                 yield Diagnostic(member.mark, "PL465", text, hint)
 
 
+def moments_act_on_bodies_with_size(scope: Scope) -> Iterator[Diagnostic]:
+    """A particle has no size and no angle: no torque turns it, and no blow with a moment."""
+    particles = {b.name for b in scope.problem.bodies if b.is_particle}
+    for load in scope.problem.loads:
+        if getattr(load, "moment", None) is None:
+            continue
+        turned = [n for n in (getattr(load, "body", None), *(getattr(load, "between", None) or ())) if n in particles]
+        for name in turned:
+            text = f"{load.called} acts on {name}, which is a particle and does not turn"
+            hint = "let it act on the body that turns, or give this one a shape: `disk`, `rod`, `plate`, `points`"
+            yield Diagnostic(load.mark, "PL466", text, hint)
+
+
 def coordinates_move_something(scope: Scope) -> Iterator[Diagnostic]:
     """A coordinate that states follow from one to the next moves something, or a law tells how it varies."""
     relations = [s for state in scope.problem.states for s in state.relations]

@@ -11,6 +11,7 @@ from planar_cli.problem.check_dimensions import dimensions_agree
 from planar_cli.problem.check_formulas import formulas_name_known_things
 from planar_cli.problem.check_loads import (
     coordinates_move_something,
+    moments_act_on_bodies_with_size,
     particles_have_one_point,
     particles_move_with_their_points,
 )
@@ -63,6 +64,7 @@ CHECKS: tuple[Check, ...] = (
     members_act,
     particles_have_one_point,
     particles_move_with_their_points,
+    moments_act_on_bodies_with_size,
     coordinates_move_something,
     points_of_joints_are_carried,
     instant_or_states,

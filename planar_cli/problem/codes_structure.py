@@ -201,6 +201,7 @@ _PHYSICS = {
         "A particle has one place, at which everything acts on it. A force on it `at` a point of another body is meant "
         "for that body, or for another particle."
     ),
+    "PL466": "A particle has no size and no angle, so that no moment turns it. Name the body that turns.",
 }
 
 CODES_STRUCTURE: Mapping[str, str] = MappingProxyType({**_FORM, **_NAMES, **_PHYSICS})
