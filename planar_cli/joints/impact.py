@@ -121,7 +121,7 @@ class Impact(Joint):
     def _push(self, stem: str, kind: str, a: str, b: str, point: Vec, along: Vec) -> Push:
         """On the second body along the direction, reversed on the first."""
         actions = opposed(b, a, point, along)
-        return Push(f"{stem}_{self.name}", kind, self.name, self.name, actions)
+        return Push(f"{stem}_{self.name}", kind, self.name, self.at or self.name, actions)
 
     def _approach(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Any:
         """(v_b1 - v_a1) · n, negative where they approach."""

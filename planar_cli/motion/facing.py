@@ -30,6 +30,8 @@ class Facing:
     """A distance that is none [m]."""
     side: float = 1.0
     """1: where it is drawn; -1: on the other side."""
+    told: bool = False
+    """Of two points that are drawn as one: has their motion told the side?"""
 
     def at(self, off: float) -> float:
         """The side last noted, wherever it is now."""
@@ -37,8 +39,15 @@ class Facing:
 
     def note(self, off: float, *within: float) -> None:
         """It is here now."""
-        if min(within) <= self.near < abs(off):
-            self.side = 1.0 if off > 0 else -1.0
+        if min(within, default=0.0) <= self.near < abs(off):
+            self.side, self.told = 1.0 if off > 0 else -1.0, True
+
+    def parts(self, rate: float) -> bool:
+        """Would two points, drawn as one, part at this rate, so that they come from the other side? That is noted."""
+        turned = rate > 0 and not self.told
+        self.side *= -1 if turned else 1
+        self.told = self.told or rate != 0
+        return turned
 
 
 @changing
@@ -49,22 +58,36 @@ class Facings:
     extent: float
     """Of the scene [m]."""
     members: list[Facing] = field(default_factory=list)
+    _points: dict[str, tuple[str, Term]] = field(default_factory=dict)
     _code: Code | None = None
 
-    def both_sides(self, gap: Gap) -> Gap:
-        """A gap as it is on the side where the partners are."""
+    def both_sides(self, gap: Gap, called: str) -> Gap:
+        """A gap as it is on the side where the partners are. `called`: by this two points keep their side."""
+        if gap.points and not gap.told:
+            if called not in self._points:
+                self._points[called] = self._side(Facing(gap.distance, (), NEAR * self.extent))
+            name, side = self._points[called]
+            return replace(gap, distance=side * gap.distance, normal=gap.normal * side, facing=name)
         if gap.thin is None:
             return gap
         center, radius = gap.thin
         facing = Facing(gap.distance + radius, gap.within, NEAR * self.extent)
+        _, side = self._side(facing)
+        point = center + (gap.point - center) * side
+        return replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
+
+    def _side(self, facing: Facing) -> tuple[str, Term]:
+        """The name of a member that is new, and its side."""
         self.members.append(facing)
         self._code = None
         name = f"facing{len(self.members)}"
         self.graph.others[name] = facing.at
         self.graph.slopes[name] = lambda off: self.graph.number(0.0)
-        side = self.graph.call(name, facing.off)
-        point = center + (gap.point - center) * side
-        return replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
+        return name, self.graph.call(name, facing.off)
+
+    def parts(self, name: str, rate: float) -> bool:
+        """Would the two points of a member part at this rate, so that they come from the other side?"""
+        return self.members[int(name.removeprefix("facing")) - 1].parts(rate)
 
     def note(self, state: Sequence[Term], time: Term, t: float, y: Sequence[float]) -> None:
         """From now on the sides of this state count. `state`: the variables that `y` holds."""
@@ -79,7 +102,7 @@ class Facings:
     def begin(self) -> None:
         """A motion begins anew, as drawn."""
         for facing in self.members:
-            facing.side = 1.0
+            facing.side, facing.told = 1.0, False
 
     def _terms(self) -> Iterator[Term]:
         for facing in self.members:

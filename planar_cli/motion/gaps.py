@@ -51,6 +51,8 @@ class Gap:
     """Do two points meet, which have no faces along which they could slide?"""
     thin: tuple[Vec, Term] | None = None
     """Of a rod's long side, which may be met from both: the centre of what meets it, and its radius [m]."""
+    facing: str = ""
+    """Of two points that are drawn as one: the name of that which notes their side."""
 
     def reversed(self) -> Gap:
         """The same with the partners exchanged."""

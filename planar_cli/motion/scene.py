@@ -286,4 +286,4 @@ class MovingScene(Carried):
         found = gaps_of(self, self.feet, between, None if normal is None else heading(self, normal), later, named)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
-        return tuple(self.facings.both_sides(g) for g in found)
+        return tuple(self.facings.both_sides(g, f"{joint.name}_{k}") for k, g in enumerate(found))

@@ -333,7 +333,7 @@ def stages_of(
     stages = SceneStages(scene)
     automaton = stages.automaton((problem.states[0].name,) if problem.states else ())
     pressing = any(m.side for modes in automaton.choices.values() for m in modes)
-    open_gaps = {j.name: gaps for j in problem.joints if j.strikes and (gaps := _untold(scene.gaps(j)))}
+    open_gaps = {j.name: gaps for j in distinct(problem.joints) if j.strikes and (gaps := _untold(scene.gaps(j)))}
     if not pressing and not open_gaps:
         return stages
     start = stages.start()

@@ -61,6 +61,8 @@ class Direction:
     """Do bodies exert it on each other alone?"""
     loose: bool = False
     """Is one partner a particle, which may be drawn beside what it strikes, and does nothing tell how far?"""
+    facing: str = ""
+    """Of two points that are drawn as one: the name of that which notes on which side of each other they are."""
 
 
 @changing
@@ -118,7 +120,8 @@ class Strikes:
             touches = apart <= reach + (nearest[d.name] if d.forced and forced else 0.0)
             # What strikes from afar, as the file has it, has no place at which both sides would act.
             inner = d.inner and apart <= MEETING
-            contact = StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu, inner)
+            towards = self._turned(d, normal, velocities) if touches and d.facing else normal
+            contact = StruckContact(d.name, towards, 0.0, tangent, belt, restitution, mu, inner)
             if indices.get(d.joint, 0) in d.holding or touches:
                 contacts.append(contact)
                 meet = meet or d.meets
@@ -130,6 +133,11 @@ class Strikes:
         frames = tuple((f.x, f.y, f.theta) for f in layout.frames.values())
         places = tuple((y[f.x], y[f.y]) for f in layout.frames.values())
         return Struck(velocities, masses, speeds, tuple(made), tuple(contacts), frames=frames, places=places)
+
+    def _turned(self, d: Direction, normal: tuple[float, ...], velocities: Sequence[float]) -> tuple[float, ...]:
+        """The normal of two points that are drawn as one: from the side from which they approach."""
+        rate = sum(a * v for a, v in zip(normal, velocities, strict=True))
+        return tuple(-x for x in normal) if self.model.scene.facings.parts(d.facing, rate) else normal
 
     def _undirected(self, t: float, y: Sequence[float]) -> NoSolution | Undecided:
         """What to say where the line has no direction along which two partners would strike each other."""
@@ -224,7 +232,8 @@ def _meeting(model: HybridModel, joint: Encounter, modes: Sequence[Mode]) -> Dir
     loose = any(f is not None and f.theta is None for f in frames) and not fixed(model, joint.distance)
     # Two particles stand for bodies of any size, so that nothing tells where they touch.
     inner = found.inner and any(f is None or f.theta is not None for f in frames)
-    return replace(found, restitution=joint.restitution, mu=joint.mu, loose=loose, inner=inner)
+    found = replace(found, loose=loose, inner=inner, facing=joint.gap.facing)
+    return replace(found, restitution=joint.restitution, mu=joint.mu)
 
 
 def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Direction:

@@ -100,7 +100,7 @@ def _told(impact: Impact, phrases: Phrases, several: bool) -> Line:
     if impact.solution is None:
         return ()
     numbers = _Blow(impact, phrases)
-    works = [w for w in numbers.works() if w.before + w.after]
+    works = [w for w in numbers.works() if not agree([w.before, w.after], [])]
     done = counting([w.done for w in works])
     before, after = numbers.energies()
     if len(done) > MOST or not (done or before) or not agree([*done, before], [after]):

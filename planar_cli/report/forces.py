@@ -109,7 +109,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
         idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
-            named = _end(instant, push, a, body) if push.kind == "tension" else f" at {push.place}"
+            named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             # What drives has the statement of the file for its place.
             parts.append(_push(push, expr, a, phrases, named if rigid and push.kind != "drive" else ""))
     joined: list[Any] = []
@@ -129,6 +129,11 @@ def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:
     """Where a tie pulls, as " at B"; nothing where its two parts leave the rim of a pulley: the axle stands for it."""
     here = [a.point for a in push.actions if a.body == body]
     return "" if sum(p == action.point for p in here) > 1 else _at(instant, action.point, body)
+
+
+def _place(instant: InstantSolution, push: Push, point: Any, body: str) -> str:
+    """Where a reaction acts, as " at P". A joint that is called by no point has the name of a point there, if any."""
+    return f" at {push.place}" if push.place in instant.instant.scene.points else _at(instant, point, body)
 
 
 def _used(stage: Stage) -> set[sp.Symbol]:

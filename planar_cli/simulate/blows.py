@@ -42,8 +42,10 @@ class Blows:
 
     def impulse(self, q: Quantity, about: str | None, x: Transition) -> list[float]:
         """What the joint or load named, or all forces on a body, give in one impact: on a body, or about a point."""
-        change = self._given(q.things[0], x)
-        if self._owned(q.things[0]):
+        # On a body only what a joint or load gives is told, also where that is called by another body.
+        whole = self._owned(q.things[0]) and (len(q.things) == 1 or about is not None)
+        change = self._given(q.things[0], x, whole)
+        if whole:
             chosen = self._bodies(q.things[0])
         else:
             moved = [b for b in self.layout.frames if any(change[i] for i in self._numbers(b))]
@@ -54,7 +56,7 @@ class Blows:
 
     def work(self, q: Quantity, x: Transition) -> float:
         """The work of a load or joint (`/b`: on b alone), of all forces on a body, or of everything [J]."""
-        change = self._given(q.things[0], x)
+        change = self._given(q.things[0], x, self._owned(q.things[0]) and len(q.things) == 1)
         bodies = [q.things[1]] if len(q.things) == 2 else self._bodies(q.things[0])
         return self._worked(change, [i for b in bodies for i in self._numbers(b)], x)
 
@@ -75,10 +77,10 @@ class Blows:
     def _bodies(self, name: str) -> list[str]:
         return [name] if name in self.layout.frames else list(self.layout.frames)
 
-    def _given(self, name: str, x: Transition) -> Sequence[float]:
+    def _given(self, name: str, x: Transition, whole: bool) -> Sequence[float]:
         """The change of the momentum that belongs to each velocity: all of it, or what a joint or load gives."""
         half = self.layout.count
-        if self._owned(name):
+        if whole:
             masses = evaluate([s.mass for s in self.layout.slots], self.layout.values(x.t, x.before))
             return [m * (a - b) for m, a, b in zip(masses, x.after[half:], x.before[half:], strict=True)]
         given = [x.given[key] for key in self._pressing(name, x)]
