@@ -15,16 +15,18 @@ from planar_cli.motion.constraints import Constraint, coefficients
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
+from planar_cli.motion.other_side import open_terms, to_the_other_side
 from planar_cli.motion.places import points_of
 from planar_cli.motion.terms import Term
 from planar_cli.motion.two_starts import demand_one_start
 from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
-from planar_cli.problem.scene import Round
 from planar_cli.records import record
 
 Choose = Callable[[tuple[Mode, ...]], int]
+Levels = tuple[int | None, ...]
+ALL_LEVELS: Levels = (None, PLACES, VELOCITIES)
 
 
 @record
@@ -93,6 +95,7 @@ class _Search:
         relations = self._relations(PLACES)
         equations = [*joints, *relations]
         self._newton(equations, range(self.half))
+        to_the_other_side(self.zeros, self.model, equations, lambda: self._true((None, PLACES)))
         self._demand_drawn(joints, relations)
         scene = self.model.scene
         if not scene.reference.open:
@@ -121,7 +124,7 @@ class _Search:
         if elsewhere or not off or unfit or not self._moves_points(drawn):
             return
         found = zeros.state
-        free = self._open_terms()
+        free = open_terms(self.model)
         told = [
             Equation(term - self.model.graph.number(value), 1.0, "", NOWHERE)
             for term, value in zip(free, zeros.numbers(tuple(free)), strict=True)
@@ -144,20 +147,6 @@ class _Search:
         terms = [self.model.graph.of(part) for spot in spots for part in (spot.x, spot.y)]
         there, here = (self.zeros.at(terms, state) for state in (drawn, self.zeros.state))
         return any(abs(a - b) > AGREES * scale for a, b in zip(there, here, strict=True))
-
-    def _open_terms(self) -> list[Term]:
-        """The places that nothing tells: coordinates, particles that are free, and how far a wheel has turned of which
-        only the centre is drawn.
-        """
-        scene = self.model.scene
-        wheels = (b.name for b in scene.problem.bodies if isinstance(b.shape, Round) and not b.points)
-        found = [theta for name in wheels if (theta := scene.places[name].theta) is not None]
-        for name in sorted(scene.reference.open):
-            if name in self.layout.frames:
-                found += [scene.places[name].x, scene.places[name].y]
-            else:
-                found.append(scene.coordinates[name][0])
-        return found
 
     def _varies(self, term: Term, free: Iterable[Sequence[float]]) -> bool:
         """Does a place change in some motion that is still free?"""
@@ -372,18 +361,18 @@ class _Search:
             if not holds:
                 raise NoSolution([Diagnostic(mark, "PL704", f"the start that was found contradicts “{text}”")])
 
-    def _true(self) -> bool:
-        return all(holds for _, _, holds in self._conditions())
+    def _true(self, levels: Levels = ALL_LEVELS) -> bool:
+        return all(holds for _, _, holds in self._conditions(levels))
 
-    def _conditions(self) -> list[tuple[str, Mark, bool]]:
+    def _conditions(self, levels: Levels = ALL_LEVELS) -> list[tuple[str, Mark, bool]]:
         """Do they hold, but for the rounding of what they measure?"""
-        found = [(s.text, s.mark, s.sense) for s in self.said if s.sense is not None]
+        found = [(s.text, s.mark, s.sense) for s in self.said if s.sense is not None and VELOCITIES in levels]
         asked = self.model.asked
         for s in self.statements:
             if isinstance(s, Relation) and s.operator != "=" and not of_forces(s):
                 left, right = asked.quantities.sides.value(s.left), asked.quantities.sides.value(s.right)
                 term = left - right if s.operator in (">", ">=") else right - left
-                if asked.level(term) in (None, PLACES, VELOCITIES):
+                if asked.level(term) in levels:
                     found.append((s.text, s.mark, term))
         return [(text, mark, self._not_negative(term)) for text, mark, term in found]
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from decimal import Decimal
 from enum import Enum
+from functools import partial
 
 import sympy as sp
 
@@ -17,6 +18,7 @@ from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.stillness import acted_on, resting
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.units import parse_unit
 
 
 def started(
@@ -57,7 +59,13 @@ def certain_start(course: MotionEquations) -> dict[sp.Symbol, Decimal] | Start:
         return Start.OPEN
     found = _first_letters(course)
     whole = [letters for letters in found if len(letters) == len(course.first.letters)]
-    return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
+    return min(whole, key=partial(_negative, course)) if whole else Start.OPEN if found else Start.CONTRADICTS
+
+
+def _negative(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> int:
+    """How many coordinates that are lengths are negative: of places that fit the positive ones are meant."""
+    places = (c for c in course.regimes[0].coordinates if not parse_unit(c.shown).angle)
+    return sum(start.get(c.symbol, 0) < 0 for c in places)
 
 
 def separated_start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
