@@ -14,8 +14,8 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
-MOVING = r"power: Σ F v = (.*?) W; dT/dt = Σ \(m a v \+ I α ω\) = (.*?) W"
-FROM_REST = r"U/t² = (.*?) J/s², T/t² = (.*?) J/s²"
+MOVING = r"power: Σ F v = (.*?) W; d(?:T|E_k)/dt = Σ \(m a v \+ I α ω\) = (.*?) W"
+FROM_REST = r"U/t² = (.*?) J/s², (?:T|E_k)/t² = (.*?) J/s²"
 
 
 def _page(stem: str) -> str:

@@ -35,3 +35,13 @@ def test_the_kinetic_energy_leaves_the_letter_of_what_is_asked(stem: str) -> Non
     page = Terminal(200).render(narrate(worked(FILES[stem])[0]))
     assert re.search(r"E_k,1 (=|\+ U =) ", page)
     assert "+ U = T_" not in page
+
+
+def test_one_letter_for_the_kinetic_energy() -> None:
+    """A file that calls a tension T has another letter for the energy in all cases, and in its check."""
+    yoyo = Terminal(200).render(narrate(worked(FILES["yo-yo"])[0]))
+    assert "E_k,2 = 1/2 m v_G,2² + 1/2 I_G ω_2²" in yoyo.partition("CASE")[2]
+    pendulum = Terminal(200).render(narrate(worked(FILES["pendulum-against-a-wall"])[0]))
+    assert "E_k′ - E_k = 1.648 - 3.364" in pendulum
+    pivot = Terminal(200).render(narrate(worked(FILES["pivot-of-the-shortest-period"])[0]))
+    assert "energies near the equilibrium: E_k = 1/2 · 0.3333" in pivot

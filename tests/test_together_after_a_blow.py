@@ -7,6 +7,11 @@ from pathlib import Path
 
 import pytest
 from answered import solved
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
 
 DROPPED = """\
 plane: vertical
@@ -76,3 +81,12 @@ def test_carts_that_couple_in_letters(tmp_path: Path, sign: str) -> None:
     told = {"m_A": 2.0, "m_B": 3.0, "k": 50.0, "v_0": 1.5, "d": 4.0}
     value = float(expr.subs({s: told[s.name] for s in expr.free_symbols}))
     assert value == pytest.approx((1 if sign else -1) * 3.0 / sqrt(5 * 50))
+
+
+def test_the_forces_after_the_blow_are_told() -> None:
+    """From them the equation of motion follows in which the start after the blow stands."""
+    page = Terminal(200).render(
+        narrate(worked(ROOT / "problems/impact/cart-that-couples-with-a-buffered-cart.yaml")[0])
+    )
+    assert "one:  N_one ←   =   m_A a_A →" in page
+    assert "→ ΣF_x:   -k x_B = m_A a_A + m_B a_B" in page

@@ -18,7 +18,7 @@ from planar_cli.principles.base import Balance, Position, Principle, Source, Sto
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Problem
+from planar_cli.problem.scene import GROUND
 
 WORK, NO_WORK = 0.9, 1.3
 """The cost of the balance; where nothing does work on a group, its momentum tells the speeds sooner."""
@@ -111,7 +111,7 @@ def _of(
         sources=tuple(sources),
         cost=WORK if works or not told else NO_WORK,
         bodies=told,
-        letter=_letter_in(scene.problem),
+        letter=scene.problem.kinetic_energy,
         bring="U",
         idle=tuple(position.system.symbols[p.name] for p in ideal if not _is_internal(p)),
         internal=tuple(position.system.symbols[p.name] for p in ideal if _is_internal(p)),
@@ -120,13 +120,6 @@ def _of(
         moving=tuple(moving_of(position.system, motion, bodies)),
         longest=500,
     )
-
-
-def _letter_in(problem: Problem) -> str:
-    """The letter of the kinetic energy: T, where the file calls nothing else so."""
-    letters = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
-    named = {s.name for s in letters} | {f.name for f in problem.find}
-    return "E_k" if any(n == "T" or n.startswith("T_") for n in named) else "T"
 
 
 def _seen_from(position: Position, frame: Frame) -> Iterator[Balance]:

@@ -340,6 +340,8 @@ class Problem:
     tolerance: Side | None
     method: str | None
     us: bool
+    kinetic_energy: str = "T"
+    """The letter of the kinetic energy, the same in all cases: T, where the file calls nothing else so."""
     strikers: tuple[Joint | Load, ...] = ()
     """Impacts and impulses of the file, in a problem of what acts while time passes."""
     idle: tuple[Joint, ...] = ()

@@ -5,6 +5,7 @@ path -> nodes -> read sections (read_points, read_bodies, read_members, read_cas
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic
@@ -126,9 +127,19 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
     cases = _cases(file, node, whole)
     # Numbers of one case are used in others: all are counted in the same units.
     us = all(case.problem.us for case in cases) if cases else base.us
-    cases = [replace(case, problem=replace(case.problem, us=us)) for case in cases]
+    energy = _letter_of_energy([base, *(case.problem for case in cases)])
+    cases = [replace(case, problem=replace(case.problem, us=us, kinetic_energy=energy)) for case in cases]
     sections.check_extras(whole)
-    return replace(base, cases=tuple(cases), answers=sections.answers(whole), us=us)
+    return replace(base, cases=tuple(cases), answers=sections.answers(whole), us=us, kinetic_energy=energy)
+
+
+def _letter_of_energy(parts: Iterable[Problem]) -> str:
+    """T, where no part of the file calls a tension or a period so."""
+    named: set[str] = set()
+    for part in parts:
+        letters = (*part.given, *part.symbols, *part.unknowns, *part.coordinates)
+        named |= {s.name for s in letters} | {f.name for f in part.find}
+    return "E_k" if any(n == "T" or n.startswith("T_") for n in named) else "T"
 
 
 def _cases(file: str, base: Mapping, whole: Fields) -> list[Case]:

@@ -20,7 +20,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree, chain, counting
@@ -107,7 +107,8 @@ def _told(impact: Impact, phrases: Phrases, several: bool) -> Line:
         return ()
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
     head = f"blow after {impact.since}: " if several else "energy of the blow: "
-    energies = line("T′ - T = ", *chain(counting([after, -before]) or [after], unit, phrases, "J"))
+    energy = numbers.energy
+    energies = line(energy, "′ - ", energy, " = ", *chain(counting([after, -before]) or [after], unit, phrases, "J"))
     if not done:
         return line(head, "no impulse does work; ", *energies)
     if len(works) > 1:
@@ -124,6 +125,7 @@ class _Blow:
         self.phrases, self.system = phrases, impact.solution.trial.system
         self.value = impact.solution.value
         self.bodies = self.system.scene.bodies
+        self.energy = Name(self.system.scene.problem.kinetic_energy)
         self.first = {b: self._before(b) for b in self.bodies} | {"ground": GROUND}
         self.last = {b: self._after(b) for b in self.bodies} | {"ground": GROUND}
 

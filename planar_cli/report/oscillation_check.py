@@ -1,6 +1,6 @@
 """A check of small oscillations that a person can make: by their energies.
 
-T = M δ̇²/2 and V = K δ²/2 near the equilibrium, of which neither forces nor accelerations tell anything:  ω_0² = K/M
+E_k = M δ̇²/2 and V = K δ²/2 near the equilibrium, of which neither forces nor accelerations tell anything:  ω_0² = K/M
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.plain import identically_zero, longer
-from planar_cli.report.blocks import Line, Value, line
+from planar_cli.report.blocks import Line, Name, Value, line
 from planar_cli.report.linearised import DEVIATION
 from planar_cli.report.oscillation import RATES
 from planar_cli.report.page_units import coherent_unit
@@ -23,6 +23,8 @@ from planar_cli.units import ENERGY, pretty_unit
 NEAR = Decimal("1e-12")
 LONG = 24
 """Energies of more operations do not fit a line."""
+ENERGY_OF_MOTION = Name("E_k")
+"""T is the period."""
 NATURAL = sp.Symbol("omega_0", real=True)
 
 
@@ -44,7 +46,9 @@ def _told(found: OscillationTrace, motion: MotionTrace, phrases: Phrases) -> Lin
     one, other = (Value(x, "1", phrases.figures) for x in (m, k))
     unit = pretty_unit(coherent_unit(ENERGY, us=True).text) if phrases.ledger.us else "J"
     return line(
-        "energies near the equilibrium: T = 1/2 · ",
+        "energies near the equilibrium: ",
+        ENERGY_OF_MOTION,
+        " = 1/2 · ",
         one,
         " ",
         *_square(RATES[0], phrases),
@@ -73,5 +77,5 @@ def _in_letters(mass: sp.Expr, stiffness: sp.Expr, found: OscillationTrace, phra
     energies = (phrases.math(e * s**2 / 2) for e, s in ((mass, RATES[0]), (stiffness, DEVIATION)))
     kinetic, stored = energies
     ratio = phrases.math(found.stiffness)
-    words = line("energies near the equilibrium: T = ", kinetic, ", V = ", stored, "; ")
+    words = line("energies near the equilibrium: ", ENERGY_OF_MOTION, " = ", kinetic, ", V = ", stored, "; ")
     return line(*words, phrases.math(NATURAL**2), " = ", ratio)

@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.motion import Twist
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Line, line
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
@@ -55,7 +55,8 @@ def power_check(instant: InstantSolution, phrases: Phrases) -> Line:
         return ()
     if not work or not change or max(len(work), len(change)) > MOST or not agree(work, change):
         return ()
-    return _from_rest(work, change, phrases) if still else _moving(work, change, phrases)
+    told = _from_rest if still else _moving
+    return told(work, change, Name(system.scene.problem.kinetic_energy), phrases)
 
 
 def _powers(instant: InstantSolution, phrases: Phrases, moving: Moving, twists: dict[str, Twist]) -> Iterator[Decimal]:
@@ -87,20 +88,27 @@ def _changes(instant: InstantSolution, phrases: Phrases, moving: Moving, twists:
             yield phrases.value(sp.sympify(body.inertia * motion.accelerations[name].angular * twists[name].angular))
 
 
-def _moving(work: list[Decimal], change: list[Decimal], phrases: Phrases) -> Line:
+def _moving(work: list[Decimal], change: list[Decimal], energy: Name, phrases: Phrases) -> Line:
     unit = coherent_unit(POWER, False, phrases.ledger.us)
     return line(
-        "power: Σ F v = ", *chain(work, unit, phrases), "; dT/dt = Σ (m a v + I α ω) = ", *chain(change, unit, phrases)
+        "power: Σ F v = ",
+        *chain(work, unit, phrases),
+        "; d",
+        energy,
+        "/dt = Σ (m a v + I α ω) = ",
+        *chain(change, unit, phrases),
     )
 
 
-def _from_rest(work: list[Decimal], change: list[Decimal], phrases: Phrases) -> Line:
+def _from_rest(work: list[Decimal], change: list[Decimal], energy: Name, phrases: Phrases) -> Line:
     """Works ΣF · a t²/2 and kinetic energies Σ m (a t)²/2: the same sums, halved."""
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
     works, energies = ([t / 2 for t in terms] for terms in (work, change))
     return line(
         "work and energy soon after the start, with s = a t²/2 and v = a t: U/t² = ",
         *chain(works, unit, phrases, "J/s^2"),
-        ", T/t² = ",
+        ", ",
+        energy,
+        "/t² = ",
         *chain(energies, unit, phrases, "J/s^2"),
     )

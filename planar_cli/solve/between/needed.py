@@ -37,11 +37,12 @@ def wanted_of(
     if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
         names |= _rates(regime, regime.free)
     laws = [law for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws]
-    own = {id(law) for law in laws}
+    # By the letters of their own speeds: the start of a stretch may have been put into them.
+    own = {law.v for law in laws}
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        if e.law is not None and id(e.law) in own and (e.law.f != 0 or _has_other(e.law, laws)):
+        if e.law is not None and e.law.v in own and (e.law.f != 0 or _has_other(e.law, laws)):
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
             names |= set() if e.law.constant is None else {e.law.constant[0].name}
         if isinstance(e.source, StateBalance):

@@ -245,8 +245,7 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
             spans = in_letters(spans, law.vibration, time, start, end)
         explicit = any(s.kind == "q(t)" for s in spans)
         begun = {c.start: since.letters[c.symbol] for c in regime.coordinates if c.drawn is not None}
-        # The same law, which is looked up by what it is, unless the start of something stands in it.
-        told = law if law.f.free_symbols.isdisjoint(begun) else replace(law, f=replaced(law.f, begun))
+        told = replace(law, f=replaced(law.f, begun))
         for span in spans:
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
                 continue
