@@ -52,8 +52,8 @@ def test_a_motion_between_states_needs_the_whole_force() -> None:
 @pytest.mark.parametrize(
     ("stem", "check"),
     [
-        ("inverted-pendulum", "T = 1/2 · 1.813 δ̇², V = 1/2 · 13.96 δ² in J; ω_0 = √(13.96/1.813) = 2.774 rad/s"),
-        ("hinged-beam-critical-damping", "T = 1/6 m L² δ̇², V = 1/2 k δ² L²; ω_0² = 3 k/m"),
+        ("inverted-pendulum", "E_k = 1/2 · 1.813 δ̇², V = 1/2 · 13.96 δ² in J; ω_0 = √(13.96/1.813) = 2.774 rad/s"),
+        ("hinged-beam-critical-damping", "E_k = 1/6 m L² δ̇², V = 1/2 k δ² L²; ω_0² = 3 k/m"),
         ("half-disk-rocking", "V = 2 m g δ² R/(3 π); ω_0² = 8 g / ((9 π - 16) R)"),
     ],
 )
