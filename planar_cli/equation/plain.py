@@ -166,6 +166,9 @@ def simplified(expr: Any) -> sp.Expr:
 def _simplified(expr: sp.Expr) -> sp.Expr:
     if not expr.args or wide(expr):
         return expr
+    if expr.has(sp.log):
+        # All is real here, which SymPy does not see of a root of a difference: ln(e^x) is x.
+        expr = expr.replace(_log_of_exp, lambda e: e.args[0].args[0])
     whole = expanded(expr)
     forms = [expr, whole]
     if _degree(expr) >= 2:
@@ -183,6 +186,10 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
         last += [sp.radsimp(best), sp.sqrtdenest(best)]
     # Of forms that read equally well, the factored one comes before the others.
     return min([*last, *forms], key=_effort)
+
+
+def _log_of_exp(expr: sp.Expr) -> bool:
+    return isinstance(expr, sp.log) and isinstance(expr.args[0], sp.exp)
 
 
 def identically_zero(expr: Any) -> bool:

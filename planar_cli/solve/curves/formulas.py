@@ -36,6 +36,7 @@ from planar_cli.solve.curves.kinds_asked import letter_of, tells
 from planar_cli.solve.curves.kinematics import Story, no_value
 from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
+from planar_cli.solve.diagnosis.placed import told_throughout
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.passages import Passage, Tale, beside, sides_of
@@ -85,7 +86,7 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
 
     regime = general_regime(problem, earlier, exprs_of)
     reader = FormulaReader(problem, units, regime)
-    found = tuple(reader.answer(f) for f in problem.find)
+    found = told_throughout(problem, [reader.answer(f) for f in problem.find])
     solution = regime.general.solution
     assert solution is not None
     if reader.compared:
@@ -172,15 +173,15 @@ class FormulaReader:
         """One find."""
         what = find.found.what
         if is_curve(what):
-            self._check_points(find)
-            found, passage = CurveReader(self.regime, drawn_start(self.regime)).answer(find)
             assert isinstance(what, Quantity)
+            self._check_points(find, what)
+            found, passage = CurveReader(self.regime, drawn_start(self.regime)).answer(find)
             self.curves.append((what, passage))
             return found
-        pure = parse_unit("1")
         if isinstance(what, Relation) or (isinstance(what, Quantity) and what.word == "mode"):
             word = self._word(find, what)
-            return Found(find.name, "word" if isinstance(what, Quantity) else "truth", pure, None, None, word, find)
+            kind = "word" if isinstance(what, Quantity) else "truth"
+            return Found(find.name, kind, parse_unit("1"), None, None, word, find)
         quantities = self.regime.general.quantities if asks_forces(find) else self.quantities
         raw = _values(find, quantities)
         if not asks_forces(find):
@@ -201,10 +202,8 @@ class FormulaReader:
         shown = parts if values is None or short else None
         return Found(find.name, kind, self._unit(find), values, shown, "", find, energy, parts)
 
-    def _check_points(self, find: Find) -> None:
+    def _check_points(self, find: Find, what: Quantity) -> None:
         """The points of a curve move as the joints let them, where these may say something else than the places."""
-        what = find.found.what
-        assert isinstance(what, Quantity)
         for point in what.things:
             if point in self.regime.general.instant.scene.points:
                 asked = replace(find.found, what=Quantity("v", (point,), None, (), None, what.mark))

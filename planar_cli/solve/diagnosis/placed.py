@@ -13,6 +13,7 @@ from planar_cli.solve.diagnosis.clash import clash, parts_of, sources
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.asked import names_anywhere
 from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.solution import Found
 
 HINT = "add the joint that does, or correct it: a guide, a pin, a link, rolling on a surface"
 
@@ -52,14 +53,29 @@ def _written_with(instant: Instant, name: str) -> str:
     return " and ".join(sorted(s.name for s in inside)) if constrains else ""
 
 
-def driven_with(problem: Problem, sought: Iterable[sp.Symbol]) -> str:
-    """What a law of `motion` with a sought constant means among loads; "" where there is none."""
-    names = {s.name for s in sought}
+def driven_with(problem: Problem, sought: Iterable[sp.Symbol] | None) -> str:
+    """What a law of `motion` with a sought constant (None: any law) means among loads; "" where there is none."""
+    names = None if sought is None else {s.name for s in sought}
     for law in problem.motion if problem.loads else ():
         said = law.statement
-        if isinstance(said, Relation) and names & (names_anywhere(said.left) | names_anywhere(said.right)):
+        if not isinstance(said, Relation):
+            continue
+        if names is None or names & (names_anywhere(said.left) | names_anywhere(said.right)):
             return (
                 f"`{said.text}` in `motion` is kept up by a force of its own, whatever acts: put into the states"
                 " what is known of the motion that the loads bring about, its place and velocity at the start, say"
             )
     return ""
+
+
+def told_throughout(problem: Problem, found: Iterable[Found]) -> tuple[Found, ...]:
+    """Formulas that hold throughout. NoSolution: one has a constant that is sought, and that nothing tells."""
+    every = tuple(found)
+    inside = {x.name for f in every for e in f.asked for x in e.free_symbols}
+    loose = [u for u in problem.unknowns if u.name in inside]
+    if loose:
+        names = listed(u.name for u in loose)
+        text = f"{names} {'are' if loose[1:] else 'is'} open: no state and no instant tells enough"
+        hint = driven_with(problem, None) or "give `states`, or an `instant`, and what is known there"
+        raise NoSolution([Diagnostic(loose[0].mark, "PL623", text, hint)])
+    return every

@@ -133,6 +133,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     if not held:
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))
+    best = _preferred([s for s in held if s is best or not _better(best, s, extremes[0].sense)])
     return replace(best, others=[s for s in held if s is not best])
 
 
