@@ -113,3 +113,20 @@ def test_a_power_of_the_unknown() -> None:
     problem, wrong = load_text(numbers.partition("answers")[0])
     assert problem is not None, wrong
     assert "given: v_C,then" not in Terminal(110).render(narrate(solve_and_compare(problem)[0]))
+
+
+K = sp.Symbol("k", positive=True)
+
+
+@pytest.mark.parametrize(("residual", "truth"), [
+    (sp.log(sp.cosh(K * X)) - 2, sp.acosh(sp.exp(2)) / K),
+    (3 - sp.log(1 + sp.sinh(K * X - 1)), (1 + sp.asinh(sp.exp(3) - 1)) / K),
+    (sp.log(sp.cos(K * X)) + K, sp.acos(sp.exp(-K)) / K),
+    (sp.exp(sp.sqrt(X)) - 1 - K, sp.log(1 + K) ** 2),
+])  # fmt: skip
+def test_one_function_inside_another(residual: sp.Expr, truth: sp.Expr) -> None:
+    """The way down against the air is ln cosh of the time."""
+    value = Valuation({K: Decimal("0.7")})
+    found = closed_roots(residual, X, value, value(truth), True)
+    assert any(abs(r.value - value(truth)) < Decimal("1e-30") for r in found)
+    assert all(r.expression is not None and value.extended({X: value(r.expression)}).is_zero(residual) for r in found)

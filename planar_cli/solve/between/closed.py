@@ -57,8 +57,10 @@ def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decima
     if numerator.is_polynomial(x):
         return real_roots(numerator, x, value, symbolic, False)
     kernels = _kernels(numerator, x)
+    if len(kernels) > 1 and (outer := _around(kernels)) is not None:
+        return _one_function(numerator, x, outer, value, truth, symbolic)
     if len(kernels) > 1 and all(isinstance(k, HYPERBOLIC) for k in kernels):
-        return _of_exponentials(numerator, x, kernels, value, symbolic)
+        return _of_exponentials(numerator, x, kernels, value, truth, symbolic)
     if len(kernels) > 1:
         numerator = _summed(numerator)
         kernels = _kernels(numerator, x)
@@ -66,7 +68,7 @@ def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decima
         return []
     kernel = kernels.pop()
     if isinstance(kernel, (sp.exp, sp.log, *HYPERBOLIC)):
-        return _one_function(numerator, x, kernel, value, symbolic)
+        return _one_function(numerator, x, kernel, value, truth, symbolic)
     if isinstance(kernel, sp.Pow):
         return _rooted(numerator, x, kernel, value, symbolic)
     try:
@@ -107,7 +109,15 @@ def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
     return found
 
 
-def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool) -> list[Root]:
+def _around(kernels: Collection[sp.Expr]) -> sp.Expr | None:
+    """The exponential or logarithm inside which all the others stand, as in ln cosh u; None: there is none."""
+    outer = (k for k in kernels if isinstance(k, sp.exp | sp.log) and all(k.has(other) for other in kernels))
+    return next(outer, None)
+
+
+def _one_function(
+    numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, truth: Decimal, symbolic: bool
+) -> list[Root]:
     """One exponential, hyperbolic function or logarithm: its value first, then x."""
     y = sp.Dummy("y", real=True)
     flat = numerator.xreplace({kernel: y})
@@ -119,7 +129,7 @@ def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valu
         for root in real_roots(flat, y, value, symbolic, False)
         if root.expression is not None
         for inside in _undone(kernel.func, root.expression, root.value)
-        for found in real_roots(kernel.args[0] - inside, x, value, symbolic, False)
+        for found in closed_roots(kernel.args[0] - inside, x, value, truth, symbolic)
     ]
 
 
@@ -135,7 +145,7 @@ def _undone(function: Any, found: sp.Expr, number: Decimal) -> list[sp.Expr]:
 
 
 def _of_exponentials(
-    numerator: sp.Expr, x: sp.Symbol, kernels: Collection[sp.Expr], value: Valuation, symbolic: bool
+    numerator: sp.Expr, x: sp.Symbol, kernels: Collection[sp.Expr], value: Valuation, truth: Decimal, symbolic: bool
 ) -> list[Root]:
     """Hyperbolic functions of one argument: a polynomial in its exponential."""
     argument, *others = {expanded(k.args[0]) for k in kernels}
@@ -144,7 +154,7 @@ def _of_exponentials(
     e = sp.exp(argument)
     own = {sp.cosh: (e + 1 / e) / 2, sp.sinh: (e - 1 / e) / 2, sp.tanh: (e**2 - 1) / (e**2 + 1)}
     flat = expanded(sp.fraction(together(numerator.xreplace({k: own[k.func] for k in kernels})))[0] * e ** len(kernels))
-    return _one_function(flat, x, e, value, symbolic)
+    return _one_function(flat, x, e, value, truth, symbolic)
 
 
 def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, symbolic: bool) -> list[Root]:

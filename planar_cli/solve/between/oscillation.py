@@ -220,9 +220,11 @@ def _asked(course: RegimeSequence) -> Iterator[Quantity]:
 def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
     state = found.stop.name
     if not found.single:
+        text = f"{len(found.speeds)} freedoms have no single period about {state}"
+        if isinstance(value, Sample):
+            raise _no_period(q.mark, text, "give numbers for the letters: then each period is named here")
         periods = [f"{mpmath.nstr(2 * mpmath.pi / abs(r.imag), 6)} s" for r in roots_of(found, value) if r.imag > SLOW]
-        listed = ", ".join(dict.fromkeys(periods)) or "none"
-        raise _no_period(q.mark, f"{len(found.speeds)} freedoms have no single period about {state}: {listed}")
+        raise _no_period(q.mark, f"{text}: {', '.join(dict.fromkeys(periods)) or 'none'}")
     if not stability(found, value).stable:
         raise _no_period(q.mark, f"the equilibrium {state} is not stable, so nothing oscillates about it")
     square = value(found.square)
@@ -231,8 +233,8 @@ def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
         raise _no_period(q.mark, f"{how}: it creeps back to {state} without oscillating")
 
 
-def _no_period(mark: Mark, text: str) -> NoSolution:
-    return NoSolution([Diagnostic(mark, "PL632", text, "ask `stable(…)` instead")])
+def _no_period(mark: Mark, text: str, hint: str = "ask `stable(…)` instead") -> NoSolution:
+    return NoSolution([Diagnostic(mark, "PL632", text, hint)])
 
 
 # --- stability -------------------------------------------------------------------------------------------------------
