@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from planar_cli.errors import Mark
-from planar_cli.problem.facts import Outline
+from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
 
@@ -43,3 +43,34 @@ def beyond_the_line(base: Outline, place: Vec, center: Vec, left: Vec, scene: Se
     if base.on_line is None or scene.is_zero((place - base.on_line).dot(left)):
         return Vec(0, 0)
     return center - base.on_line
+
+
+def away(mover: Outline, base: Outline, place: Vec, scene: Setting) -> Vec:
+    """The side of the contact on which the mover is, where the shapes tell: else zero.
+
+    A rim lies towards its own centre, except that a rim which encloses the other (a drum round a wheel, a ring on a
+    peg) lies outside; a straight edge lies off the rim that it touches.
+    """
+    own, other = center_of(mover, place), center_of(base, place)
+    if mover.kind == "straight" and base.kind == "arc" and other is not None:
+        return place - other
+    if mover.kind != "arc" or own is None:
+        return Vec(0, 0)
+    out = own - place
+    if base.kind == "arc" and other is not None:
+        towards = other - place
+        if scene.sign(out.dot(towards)) > 0 and scene.sign(out.dot(out) - towards.dot(towards)) > 0:
+            return -out
+    return out
+
+
+def middle_of(body: str, scene: Setting) -> Vec:
+    """The mass centre of a body; of one that is drawn by points alone, and has none, their mean."""
+    points = scene.drawn_by(body)
+    if not points or scene.center_name(body) in points:
+        return scene.center(body)
+    total = scene.point(points[0])
+    for name in points[1:]:
+        total = total + scene.point(name)
+    mean: Vec = total / len(points)
+    return mean

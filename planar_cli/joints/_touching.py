@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import Mark
-from planar_cli.joints._tangency import beyond_the_line, demand_above, demand_common_tangent
+from planar_cli.joints._tangency import away, beyond_the_line, demand_above, demand_common_tangent, middle_of
 from planar_cli.problem.facts import (
     Facts,
     Joining,
@@ -140,11 +140,11 @@ class Touching:
     def _outward(self, left: Vec) -> int:
         """+1 when the mover is on the left of the base's tangent.
 
-        By their shapes, else by the mover's mass centre, else by its partner's, else upward. A particle as high as the
-        centre of a circle is inside: where nothing presses it will press there, and not outside.
+        By their shapes, else by where most of the mover is, else by that of its partner, else upward. A particle as
+        high as the centre of a circle is inside: where nothing presses it will press there, and not outside.
         """
         scene, place = self.scene, self.place
-        shapes, center = away(self.mover, self.base, place, scene), scene.center(self.mover.body) - place
+        shapes, center = away(self.mover, self.base, place, scene), middle_of(self.mover.body, scene) - place
         inward = self.base.center - place if self.either_side and self.base.center is not None else Vec(0, 0)
         later = beyond_the_line(self.base, place, scene.center(self.mover.body), left, scene)
         for towards in (later, shapes, center, self._away_from_base(), Vec(0, 1), inward, scene.middle() - place):
@@ -154,11 +154,11 @@ class Touching:
         return 1
 
     def _away_from_base(self) -> Vec:
-        """From the mass centre of the base; a round wall named beside its body, about its centre, is the inside."""
+        """From the middle of the base; a round wall named beside its body, about its centre, is the inside."""
         base = self.base
         if base.body == "ground":
             return Vec(0, 0)
-        out = self.place - self.scene.center(base.body)
+        out = self.place - middle_of(base.body, self.scene)
         if base.kind != "arc" or base.center is None or base.body in self.contact.between:
             return out
         gap = base.center - self.scene.center(base.body)
@@ -374,22 +374,3 @@ class Touching:
         words = f"{self.words} does not press into its partner"
         parts = Test(self.name, words, joining=self._sliding_joining(), strict=grips)
         return Mode("apart", f"{self.words} lifts off", Facts(), (parts,), touching=Facts((self._sliding_joining(),)))
-
-
-def away(mover: Outline, base: Outline, place: Vec, scene: Setting) -> Vec:
-    """The side of the contact on which the mover is, where the shapes tell: else zero.
-
-    A rim lies towards its own centre, except that a rim which encloses the other (a drum round a wheel, a ring on a
-    peg) lies outside; a straight edge lies off the rim that it touches.
-    """
-    own, other = center_of(mover, place), center_of(base, place)
-    if mover.kind == "straight" and base.kind == "arc" and other is not None:
-        return place - other
-    if mover.kind != "arc" or own is None:
-        return Vec(0, 0)
-    out = own - place
-    if base.kind == "arc" and other is not None:
-        towards = other - place
-        if scene.sign(out.dot(towards)) > 0 and scene.sign(out.dot(out) - towards.dot(towards)) > 0:
-            return -out
-    return out

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import stuck
-from planar_cli.joints._tangency import demand_above, demand_common_tangent
-from planar_cli.joints._touching import away
+from planar_cli.joints._tangency import away, demand_above, demand_common_tangent
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Facts, Joining, Mode, Outline, Push, opposed
 from planar_cli.problem.facts import Rolling as NoSlip
