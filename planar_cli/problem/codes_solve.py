@@ -98,6 +98,11 @@ _SOLVE = {
         "What is given holds both ways, as a speed without its direction does, and the answers differ. The "
         "message gives them, and the relation that would choose, such as `v(B).x > 0`."
     ),
+    "PL625": (
+        "A body is rigid: two of its points keep their distance. Places written with a coordinate always hold: "
+        "where one point moves so and the other is written as fixed, write the second from the first, with the "
+        "length of the body, or let it have a coordinate of its own, which the body then ties to the first."
+    ),
     "PL619": (
         "The data of a blow make a coefficient of restitution that is not between 0 and 1: bodies would part faster "
         "than they approached, or pass through each other. Correct the speeds or the masses."

@@ -14,6 +14,7 @@ from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.unused import only_names
 from planar_cli.solve.diagnosis.lengths import demand_lengths
+from planar_cli.solve.diagnosis.stretched import demand_rigid
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.inequalities import holds
 from planar_cli.units import parse_unit
@@ -22,6 +23,7 @@ from planar_cli.units import parse_unit
 def demand_stated(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     """NoSolution: a size does not fit, or a relation of `motion` or of a state is false of numbers that are given."""
     demand_lengths(problem, earlier)
+    demand_rigid(problem, earlier)
     names = {s.name for s in (*problem.given, *problem.symbols)}
     stated = [law.statement for law in problem.motion] + [r for state in problem.states for r in state.relations]
     relations = [r for r in stated if isinstance(r, Relation) and only_names(r, names) is not None]
