@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from math import radians, sin
+from math import cos, radians, sin
 from pathlib import Path
 
 import pytest
+from answered import solve
 
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
@@ -127,3 +128,32 @@ def test_a_particle_that_has_another_name_than_its_point() -> None:
     assert "a_A = a_At e_t + v_A²/ρ e_n = [-2.314, -0.5142] m/s²" in page
     assert "a_n = v_A²/ρ = 1.273 m/s²" in page
     assert "tan φ = 1\n" in page
+
+
+AIRCRAFT = """
+title: Aircraft in a turn
+given: {v_P: 400 km/h, R: 3 km}
+bodies: {P: {particle: [0, 1 km]}}
+instant: [v(P).mag = v_P, v(P).angle = 60 deg, rho(P) = R, a(P).t = -2 m/s^2SIDE]
+find: {a: a(P)}
+"""
+
+
+def test_a_radius_of_curvature_does_not_tell_to_which_side() -> None:
+    with pytest.raises(NoSolution) as refused:
+        solve(AIRCRAFT.replace("SIDE", ""))
+    why = refused.value.diagnostics[0]
+    assert why.code == "PL618"
+    # The direction of the velocity is told: it is not its size that leaves two ways.
+    assert why.message == "`rho(P) = R` holds both ways, and the answers differ"
+    assert why.hint == "write `a(P).x > 0` or `a(P).x < 0`"
+
+
+@pytest.mark.parametrize(("side", "turn"), [("<", 1), (">", -1)])
+def test_an_inequality_tells_to_which_side(side: str, turn: int) -> None:
+    found = solve(AIRCRAFT.replace("SIDE", f", a(P).x {side} 0"))["a"].values
+    assert found is not None
+    ahead, across = radians(60), radians(60 + 90 * turn)
+    normal = (400 / 3.6) ** 2 / 3000
+    assert float(found[0]) == pytest.approx(-2 * cos(ahead) + normal * cos(across))
+    assert float(found[1]) == pytest.approx(-2 * sin(ahead) + normal * sin(across))

@@ -100,7 +100,9 @@ def _same(one: Sought, other: Sought, mine: Sequence[sp.Expr], others: Sequence[
 
 def _both(instant: Instant, one: Sought, other: Sought, mark: Mark) -> Diagnostic:
     """What holds both ways, and the relation that would choose."""
-    stated = [r for r, _ in instant.statements.relations if list(_sizes(r))]
+    sized = [r for r, _ in instant.statements.relations if list(_sizes(r))]
+    # A size whose direction is told elsewhere is the same both ways.
+    stated = [r for r in sized if not _agree(_directed([r], one), _directed([r], other))] or sized
     text = " and ".join(f"`{r.text}`" for r in stated) or "what is given"
     choice = _choice(stated, one, other)
     hint = f"write `{choice} > 0` or `{choice} < 0`" if choice else "an inequality chooses, such as `omega(b) > 0`"
@@ -109,10 +111,12 @@ def _both(instant: Instant, one: Sought, other: Sought, mark: Mark) -> Diagnosti
 
 
 def _sizes(relation: Relation) -> Iterator[Quantity]:
-    """The quantities of which only the size stands in a relation."""
+    """The vectors of which only a size stands in a relation; a radius of curvature is a size of the acceleration."""
     for node in walk(relation):
         if isinstance(node, Quantity) and node.parts and node.parts[-1].kind == "mag":
-            yield node
+            yield replace(node, parts=node.parts[:-1])
+        elif isinstance(node, Quantity) and node.word == "rho":
+            yield replace(node, word="a", parts=())
 
 
 def _choice(stated: Sequence[Relation], one: Sought, other: Sought) -> str:
@@ -123,16 +127,25 @@ def _choice(stated: Sequence[Relation], one: Sought, other: Sought) -> str:
     return ""
 
 
-def _candidates(stated: Sequence[Relation], s: Sought) -> Iterator[tuple[str, Decimal]]:
-    """Components of what is given by its size, then the velocities of bodies."""
-    system, value = s.trial.system, _numbers(s)
-    quantities, motion = system.quantities(), system.motion
-    assert motion is not None
+def _agree(one: Iterator[tuple[str, Decimal]], other: Iterator[tuple[str, Decimal]]) -> bool:
+    return all(abs(a - b) <= CLOSE * max(abs(a), abs(b)) for (_, a), (_, b) in zip(one, other, strict=True))
+
+
+def _directed(stated: Sequence[Relation], s: Sought) -> Iterator[tuple[str, Decimal]]:
+    """Components of what is given by its size."""
+    quantities, value = s.trial.system.quantities(), _numbers(s)
     for q in (q for r in stated for q in _sizes(r)):
-        found = quantities.any(replace(q, parts=q.parts[:-1]))
+        found = quantities.any(q)
         if isinstance(found, Vec):
             yield f"{q.word}({'/'.join(q.things)}).x", value(found.x.value)
             yield f"{q.word}({'/'.join(q.things)}).y", value(found.y.value)
+
+
+def _candidates(stated: Sequence[Relation], s: Sought) -> Iterator[tuple[str, Decimal]]:
+    """Components of what is given by its size, then the velocities of bodies."""
+    yield from _directed(stated, s)
+    system, value, motion = s.trial.system, _numbers(s), s.trial.system.motion
+    assert motion is not None
     for body in system.scene.bodies:
         v = motion.velocity(system.scene.center(body), body)
         yield f"omega({body})", value(motion.velocities[body].angular)
