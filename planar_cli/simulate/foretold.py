@@ -17,13 +17,15 @@ SAME = 1e-6
 
 
 def spoken_before(problem: Problem) -> dict[str, set[str]]:
-    """Of which later states the relations of a state speak, by the state's name."""
+    """Of which later states the relations of a state speak, by the state's name. A state beyond those that are looked
+    for is later, too.
+    """
     order = {state.name: math.inf if _endless(state) else k for k, state in enumerate(problem.states)}
     found: dict[str, set[str]] = {}
     for state in problem.states[1:]:
         sides = [s.side if isinstance(s, Extreme) else s for s in state.relations if isinstance(s, Relation | Extreme)]
         spoken = {n for side in sides for n in names_of_states(side)}
-        later = {n for n in spoken - {state.name} if order[n] > order[state.name]}
+        later = {n for n in spoken - {state.name} if order.get(n, math.inf) > order[state.name]}
         if later:
             found[state.name] = later
     return found

@@ -10,16 +10,19 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.unused import used_names
 from planar_cli.problem.walk import is_endless, walk
 from planar_cli.simulate.answers import NOT_FOLLOWED
-from planar_cli.solve.following.dated import begun, dated, is_told_by_a_span
+from planar_cli.solve.following.dated import begun, dated, is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.following.traced import BEYOND, SEARCHED_STEPS
 from planar_cli.solve.taken import Taken
 
 
 def not_followed(problem: Problem, taken: Taken) -> str:
     """Why the motion of a file can not be followed at all; "" where it can."""
+    following = told_by_what_follows(problem)
     for state in problem.states:
         if any(isinstance(r, JustAfter) for r in state.relations):
             continue
+        if state.name in following and state.name not in taken.times:
+            return f"state {state.name} is told by a later one, which it leads to"
         if is_told_by_a_span(state) and state.name not in taken.times:
             return f"state {state.name} is told by a quantity over a span, which is not looked for step by step"
         for node in (n for r in state.relations for n in walk(r)):

@@ -20,7 +20,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Run, Settings, begin, simulate
 from planar_cli.solve.between.reached import asked_about
-from planar_cli.solve.following.dated import is_told_by_a_span
+from planar_cli.solve.following.dated import is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
@@ -74,6 +74,7 @@ def can_be_followed(problem: Problem) -> bool:
     Newton's?
     """
     free = problem.method in (None, "newton") and not any(is_told_by_a_span(s) for s in problem.states)
+    free = free and not told_by_what_follows(problem)
     return free and bool(problem.states[1:]) and not (problem.symbols or problem.unknowns)
 
 

@@ -1,5 +1,5 @@
-"""States that no following finds by themselves, put at their times: those told by a quantity over a span, and a first
-state that is not at t = 0.
+"""States that no following finds by themselves, put at their times: those told by a quantity over a span or by a later
+state that what begins with them leads to, and a first state that is not at t = 0.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from fractions import Fraction
 
 from planar_cli.problem.expression import JustAfter, Name, Number, Quantity, Relation
 from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import is_endless, walk
+from planar_cli.simulate.foretold import spoken_before
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 
 
@@ -22,9 +23,19 @@ def is_told_by_a_span(state: State) -> bool:
     return any(isinstance(n, Quantity) and isinstance(n.at, tuple) for n in nodes)
 
 
+def told_by_what_follows(problem: Problem) -> set[str]:
+    """States that a later one tells, and with which something begins or ends: without them that one is another."""
+    spans = [m.during for m in (*problem.motion, *problem.joints, *problem.loads)]
+    bounds = {name for span in spans for name in span or ()}
+    endless = {s.name for s in problem.states if is_endless(s.relations)}
+    return {name for name, later in spoken_before(problem).items() if name in bounds and later - endless}
+
+
 def dated(problem: Problem, times: Mapping[str, float]) -> Problem:
     """The problem with such states at their times [s], where these are known."""
-    states = tuple(_at(s, times[s.name]) if s.name in times and is_told_by_a_span(s) else s for s in problem.states)
+    following = told_by_what_follows(problem)
+    alone = {s.name for s in problem.states if s.name not in following and not is_told_by_a_span(s)}
+    states = tuple(_at(s, times[s.name]) if s.name in times and s.name not in alone else s for s in problem.states)
     return replace(problem, states=states)
 
 

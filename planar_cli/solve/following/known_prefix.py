@@ -100,14 +100,18 @@ def _wrong_at_once(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> 
 
 
 def _untouched(course: StatedMotion) -> int:
-    """How many stretches pass before anything that is sought acts or is stated."""
+    """How many stretches pass before anything that is sought acts or is stated, or a state speaks of a later one."""
     sought = set(course.sought())
+    letters = [{stop.t, *stop.letters.values()} for stop in (course.stops[s.name] for s in course.states)]
     for i, regime in enumerate(course.regimes[: len(course.states) - 1]):
         blow = course.blows.get(i)
         inside = [e.residual for e in blow.equations] if blow is not None else []
         if blow is None:
             inside = [*regime.rates.values(), *regime.accelerations.values(), *(w.expr for w in regime.watches)]
         inside += [d.residual for d in course.demands[course.states[i + 1].name]]
+        later = {x for own in letters[i + 2 :] for x in own}
+        if any(e.free_symbols & later for e in inside):
+            return i
         open_names = blow.scene.open_names if blow is not None else {}
         if open_names or any(e.free_symbols & sought for e in inside):
             return i

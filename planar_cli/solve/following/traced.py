@@ -25,7 +25,7 @@ from planar_cli.records import record
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.following.dated import dated, is_told_by_a_span
+from planar_cli.solve.following.dated import dated, is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.impulsive.impact import arriving
 from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, fixed_time
@@ -175,6 +175,8 @@ def traced(
             f"state {spanned} is told by a quantity over a span, which is not looked for step by step; "
             "a place, a speed or a time of it helps"
         )
+    for name in sorted(told_by_what_follows(problem)):
+        return f"state {name} is told by a later one, which it leads to"
     values = _values(course, problem, value)
     speeds = _speeds(course, value, start)
     try:
