@@ -32,6 +32,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.following.continuation import continued_branch
+from planar_cli.solve.following.dated import told_by_what_follows
 from planar_cli.solve.following.departure import DEPARTS, departure_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.following.foreseen import as_it_happens, foreseen
@@ -170,7 +171,7 @@ class ModeSearch(ModeChoice):
             other = self._tried(course, start)
             if other is not None:
                 return other
-        if start is Start.OPEN or untold(course):
+        if start is Start.OPEN or untold(course) or told_by_what_follows(self.problem):
             rests = course.modes.stretches[0].resting
             if resting_though_sought(course) - rests:
                 return course.modes.with_resting(resting_though_sought(course) | rests)
