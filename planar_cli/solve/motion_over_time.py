@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.sample import seeded
-from planar_cli.errors import undecided_at
+from planar_cli.equation.sample import other_draws, seeded
+from planar_cli.errors import NoSolution, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.agreement import compared, integrated
 from planar_cli.solve.between.answers import Answering, closed_formula
@@ -51,7 +51,28 @@ def solve_course(
     which the motion passes all states, where they are known beforehand.
     """
     with seeded(*fitting_draws(problem, earlier)):
-        return _part(problem, case, units, earlier, trial)
+        try:
+            return _part(problem, case, units, earlier, trial)
+        except NoSolution:
+            if not (problem.symbols and problem.unknowns):
+                raise
+            found = _otherwise_drawn(lambda: _part(problem, case, units, earlier, trial))
+            if found is None:
+                raise
+            return found
+
+
+def _otherwise_drawn(solve: Callable[[], PartSolution]) -> PartSolution | None:
+    """The same with other numbers for letters. What is sought is not known, so that none can be chosen beforehand with
+    which the motion passes all states; that none passes with the first ones says nothing. None: with all it is so.
+    """
+    for draw in other_draws()[1:]:
+        try:
+            with seeded(*draw):
+                return solve()
+        except (NoSolution, Undecided):
+            continue
+    return None
 
 
 def _part(

@@ -53,7 +53,9 @@ def settled(
         d = step.derivation
         known = all(s in found for s in d.needs & unknowns)
         known = known and not any(e.residual.free_symbols & (lettered - unknowns) for e in d.equations)
-        if known and not any(_enters(p, e.residual, base) for p in drawn for e in d.equations):
+        # A speed that is stated with a letter is no unknown of the route: its letter stands in its place.
+        residuals = [e.residual.xreplace(dict(route.plain)) for e in d.equations]
+        if known and not any(_enters(p, r, base) for p in drawn for r in residuals):
             found |= set(d.unknowns)
     return frozenset(found)
 

@@ -31,6 +31,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
+from planar_cli.solve.diagnosis.undated import undated
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows
 from planar_cli.solve.following.departure import DEPARTS, departure_of
@@ -359,11 +360,10 @@ class ModeSearch(ModeChoice):
         demand_restitutions(course.blows.values(), [course.base().extended(b.values) for b in branches])
         clashing = None if branches else clash(course, course.equations)
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
+        wrong = wrong or undated(course, branches)
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
-        other = self._elsewhere(course, text, far)
-        if other is None and not branches:
-            other = self._other(course.modes, 0, text)
+        other = self._elsewhere(course, text, far) or (None if branches else self._other(course.modes, 0, text))
         if other is None:
             raise self.lack
         return other
