@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from planar_cli.problem.expression import JustAfter, Name, Number, Quantity, Relation
 from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.scope import members_of
 from planar_cli.problem.walk import is_endless, walk
 from planar_cli.simulate.foretold import spoken_before
 from planar_cli.solve.regimes.mode_sequence import fixed_time
@@ -25,7 +26,7 @@ def is_told_by_a_span(state: State) -> bool:
 
 def told_by_what_follows(problem: Problem) -> set[str]:
     """States that a later one tells, and with which something begins or ends: without them that one is another."""
-    spans = [m.during for m in (*problem.motion, *problem.joints, *problem.loads)]
+    spans = [*(law.during for law in problem.motion), *(m.during for m in members_of(problem))]
     bounds = {name for span in spans for name in span or ()}
     endless = {s.name for s in problem.states if is_endless(s.relations)}
     return {name for name, later in spoken_before(problem).items() if name in bounds and later - endless}
