@@ -36,6 +36,9 @@ MOST_COMPARED = 24
 """So many choices are tried to see whether another motion is consistent too, those that differ in one joint first."""
 
 
+INFINITE = "a force or a rate is infinite there, as it is divided by what is zero"
+
+
 @record
 class Violation:
     """Why a choice does not hold."""
@@ -132,6 +135,9 @@ class Chooser:
             later = self._later(regime, state, rates, values)
         except Singular:
             failed = Violation("", "its forces are not determined", False)
+            return Verdict(choice, tuple(state), moved, (), (failed,))
+        except ZeroDivisionError:
+            failed = Violation("", INFINITE, False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
         broken = [
             Violation(guard.joint, guard.words, guard.kind in (*PLACES, "slips"))

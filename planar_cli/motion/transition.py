@@ -22,7 +22,7 @@ from planar_cli.motion.impact import (
     strike,
     unbalanced,
 )
-from planar_cli.motion.mode import Chooser, Chosen, NoMode, SeveralModes, Verdict
+from planar_cli.motion.mode import INFINITE, Chooser, Chosen, NoMode, SeveralModes, Verdict
 from planar_cli.motion.trajectory import Outcome, Transition
 from planar_cli.records import record
 
@@ -287,6 +287,8 @@ def unanswered(automaton: Automaton, t: float, found: NoMode | SeveralModes) -> 
     reasons = [
         f'{_named(automaton, v)}: fails because not "{v.violations[0].words}"' for v in nearest[:4] if v.violations
     ]
+    if nearest and all(w.words == INFINITE for v in nearest for w in v.violations):
+        return Outcome("infinite", f"at t = {t:.9g} s {INFINITE}", t, "", "PL719")
     joint = next((w.joint for v in nearest for w in v.violations if w.joint), "")
     told = "; ".join(reasons) or f"{len(found.verdicts)} choices were tried"
     if any(_may_hold(automaton, v) for v in nearest):

@@ -98,6 +98,11 @@ _ENGINE = {
         "says be the place where they meet: for a wheel that comes down to a floor at y = 0, the height of its centre "
         "is its radius."
     ),
+    "PL719": (
+        "The motion begins where a force or an acceleration is infinite, as it is divided by a speed or a length that "
+        "is zero: constant power from rest. A motion over time that has a formula is solved all the same; step by "
+        "step it is followed from a small speed on: write `v(car).x = 0.001 m/s` in the first state."
+    ),
     "PL720": (
         "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "

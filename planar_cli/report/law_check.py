@@ -135,6 +135,9 @@ class _Ends:
         first, half, last = rates = [ZERO if abs(r) <= largest * ROUNDING else r for r in found]
         if change == 0 or not all(r.is_finite() for r in rates):
             return
+        if not (over == "t" or squared or all(rates)):
+            # It begins with an acceleration that grows without bound, of which there is no number to print.
+            return
         total = (end - start) * (first + 4 * half + last) / 6
         error = abs(total / change - 1)
         if error > COARSE:

@@ -38,6 +38,7 @@ from planar_cli.simulate.foretold import demand_unchanged, spoken_before
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
+from planar_cli.simulate.unbounded import begins_unbounded, departing
 
 TOLERANCE = 1e-9
 USUAL: Mapping[str, str] = MappingProxyType({})
@@ -309,6 +310,10 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     )
     began = time.perf_counter()
     trajectory = follower.trajectory()
+    if begins_unbounded(trajectory):
+        beside = departing(stages, model, scene.start, first, settings.tolerance)
+        if beside is not None:
+            return _followed(replace(scene, start=beside), settings, shift, known)
     if free:
         trajectory = _as_far(trajectory)
     seconds = time.perf_counter() - began
