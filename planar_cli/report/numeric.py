@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 from typing import Any
 
@@ -26,6 +27,8 @@ LONGEST = 30
 
 DIFFERENTIATED = "coordinate"
 """The source of a relation that comes from a place: it is divided by a sine or cosine of all its terms."""
+
+STATED = {"v": VELOCITY, "a": ACCELERATION}
 
 Printed = tuple[tuple[Any, ...], Line]
 """The sides of an equation and the note behind it."""
@@ -164,7 +167,18 @@ class NumericTelling:
             return ENERGY
         if w.source in ("closure", "coordinate"):
             return VELOCITY if stage.level == "velocity" else ACCELERATION
+        return _of_statement(w) if w.source == "given" else None
+
+
+def _of_statement(w: Written) -> Dimension | None:
+    """What a velocity or acceleration that the file states is: of its size the square where the equation has squares."""
+    match = re.match(r"([a-z]+)\(\w+\)(\.\w+)? = ", w.words or w.lead)
+    dimension = STATED.get(match[1]) if match is not None else None
+    if match is None or dimension is None:
         return None
+    letters = w.residual.free_symbols
+    square = match[2] == ".mag" and any(w.residual.diff(s).free_symbols & letters for s in letters)
+    return dimension * dimension if square else dimension
 
 
 def _unit_note(found: Sides, phrases: Phrases) -> Line:
