@@ -171,7 +171,7 @@ class NumericTelling:
 
 
 def _of_statement(w: Written) -> Dimension | None:
-    """What a velocity or acceleration that the file states is: of its size the square where the equation has squares."""
+    """What a velocity or acceleration that the file states is: its size squared where the equation has squares."""
     match = re.match(r"([a-z]+)\(\w+\)(\.\w+)? = ", w.words or w.lead)
     dimension = STATED.get(match[1]) if match is not None else None
     if match is None or dimension is None:
