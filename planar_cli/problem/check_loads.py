@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.expression import Quantity, Relation, Statement
-from planar_cli.problem.scene import Body, Particle
+from planar_cli.problem.known_values import KnownValues, NoNumber
+from planar_cli.problem.scene import GROUND, At, Body, Particle
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
 from planar_cli.problem.unused import coordinates_behind, idle_coordinates, names_of
@@ -44,6 +45,40 @@ def particles_move_with_their_points(scope: Scope) -> Iterator[Diagnostic]:
                 text = f"{point} moves with {with_it}; {member.called} acts on {name}, which is a particle at {where}"
                 hint = f"put the particle there: `{name}: {{particle: {point}, …}}`, or leave {point} out here"
                 yield Diagnostic(member.mark, "PL465", text, hint)
+
+
+def pins_hold_particles_where_they_are(scope: Scope) -> Iterator[Diagnostic]:
+    """A pin or weld that always acts holds a particle at the place where this is."""
+    problem = scope.problem
+    particles = {b.name: b.shape for b in problem.bodies if isinstance(b.shape, Particle) and b.shape.place}
+    for joint in problem.joints:
+        for point, name in joint.attachments() if joint.kind in ("pin", "weld") and joint.during is None else ():
+            place = particles[name].place if name in particles else None
+            if place is None or point not in scope.points or place == point:
+                continue
+            own = {place} if isinstance(place, str) else names_of(place)
+            fixed = GROUND in getattr(joint, "between", ()) and not coordinates_behind({point}, problem)
+            moves = coordinates_behind(own, problem) if fixed else set()
+            if moves or _told_apart(scope, place, point):
+                where = f"at {place}" if isinstance(place, str) else "at its own place"
+                text = f"the {joint.kind} holds {name} at {point}, and {name} is a particle {where}"
+                with_it = f", which moves with {', '.join(sorted(moves))}" if moves else ""
+                hint = f"name the body that the {joint.kind} holds at {point}, or put the particle there"
+                yield Diagnostic(joint.mark, "PL465", text + with_it, hint)
+
+
+def _told_apart(scope: Scope, place: object, point: str) -> bool:
+    """Are a place and a point given by numbers that differ?"""
+    places = {p.name: p.place for p in scope.problem.points}
+    here, there = places.get(place) if isinstance(place, str) else place, places.get(point)
+    if not isinstance(here, At) or not isinstance(there, At):
+        return False
+    known = KnownValues(scope.numbers)
+    try:
+        pairs = [[known.value(a), known.value(b)] for a, b in ((here.x, there.x), (here.y, there.y))]
+    except NoNumber:
+        return False
+    return any(a is not None and b is not None and a != b for a, b in pairs)
 
 
 def moments_act_on_bodies_with_size(scope: Scope) -> Iterator[Diagnostic]:

@@ -14,6 +14,7 @@ from planar_cli.problem.check_loads import (
     moments_act_on_bodies_with_size,
     particles_have_one_point,
     particles_move_with_their_points,
+    pins_hold_particles_where_they_are,
 )
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
@@ -64,6 +65,7 @@ CHECKS: tuple[Check, ...] = (
     members_act,
     particles_have_one_point,
     particles_move_with_their_points,
+    pins_hold_particles_where_they_are,
     moments_act_on_bodies_with_size,
     coordinates_move_something,
     points_of_joints_are_carried,

@@ -199,7 +199,7 @@ _PHYSICS = {
     ),
     "PL465": (
         "A particle has one place, at which everything acts on it. A force on it `at` a point of another body is meant "
-        "for that body, or for another particle."
+        "for that body, or for another particle; a pin holds it where it is."
     ),
     "PL466": "A particle has no size and no angle, so that no moment turns it. Name the body that turns.",
 }
