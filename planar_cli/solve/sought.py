@@ -15,6 +15,7 @@ from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.simulate.shooting_at_several import shooting_at_several
 from planar_cli.simulate.shooting_of_extremes import Best, best_value
+from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.within_a_turn import within_a_turn
@@ -106,7 +107,9 @@ def _ambiguous(problem: Problem, found: Sequence[Mapping[str, float]]) -> NoSolu
     """Several numbers with which the motion passes all states."""
     told = "; or ".join(", ".join(_number(u, values[u.name], problem.us) for u in problem.unknowns) for values in found)
     text = f"{told}: with each of them the motion passes all states"
-    hint = "write an inequality that tells which is meant"
+    numbers = {u: [_shown(u, values[u.name], problem.us) for values in found] for u in problem.unknowns}
+    apart = next((u for u, shown in numbers.items() if len(set(shown)) > 1), None)
+    hint = IN_GENERAL if apart is None else hint_between(apart.name, parse_unit(apart.unit or "1"), numbers[apart])
     return NoSolution([Diagnostic(problem.unknowns[0].mark, "PL635", text, hint)])
 
 
@@ -114,8 +117,12 @@ def _number(unknown: Symbol, value: float, us: bool, figures: int = 6) -> str:
     """A constant with its value in its own unit."""
     unit = parse_unit(unknown.unit or "1")
     measure = "" if unit.text == "1" else f" {unit.text}"
-    rounded = float(f"{display(Decimal(repr(value)), unit, us):.{figures}g}")
-    return f"{unknown.name} = {rounded:.6g}{measure}"
+    return f"{unknown.name} = {_shown(unknown, value, us, figures):.6g}{measure}"
+
+
+def _shown(unknown: Symbol, value: float, us: bool, figures: int = 6) -> float:
+    """The number of a constant in its own unit."""
+    return float(f"{display(Decimal(repr(value)), parse_unit(unknown.unit or '1'), us):.{figures}g}")
 
 
 def _of_extreme(problem: Problem) -> NoSolution | None:

@@ -20,6 +20,7 @@ from planar_cli.problem.scene import State
 from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand
 from planar_cli.solve.within_a_turn import within_a_turn
@@ -89,8 +90,20 @@ def _demand_one(course: MotionEquations, branches: Sequence[Branch]) -> None:
         in_letters = f"{names} may have {len(distinct)} values"
         told = in_letters if course.problem.symbols else "; or ".join(_words(course, b) for b in distinct)
         text = f"{told}: with each of them the motion passes all states"
-        hint = "write an inequality that tells which is meant"
+        hint = IN_GENERAL if course.problem.symbols else _apart(course, distinct)
         raise NoSolution([Diagnostic(course.problem.unknowns[0].mark, "PL635", text, hint)])
+
+
+def _apart(course: MotionEquations, branches: Sequence[Branch]) -> str:
+    """An inequality of a constant that has another value in each of them."""
+    units = course.ledger.units
+    for s in course.sought():
+        told = [b.values[s] for b in branches if s in b.values]
+        if len(told) == len(branches):
+            numbers = [float(display(v, units[s], course.ledger.us)) for v in told]
+            if max(numbers) - min(numbers) > float(SAME) * max(map(abs, numbers)):
+                return hint_between(s.name, units[s], numbers)
+    return IN_GENERAL
 
 
 def _height(course: MotionEquations, branch: Branch, state: State, demand: Demand) -> Decimal:

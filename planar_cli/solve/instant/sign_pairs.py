@@ -13,11 +13,13 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import display
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
+from planar_cli.solve.diagnosis.choosing import relation_between
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.branches import Choice
 from planar_cli.solve.instant.instant import Instant
@@ -64,7 +66,9 @@ def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark)
     if others:
         ways = "; or ".join(dict.fromkeys(_told(instant, s) for s in (taken, *others)))
         text = f"{ways}: with each of them all equations hold"
-        hint = "say which is meant by an inequality that one alone fulfils, such as `y(P) < 0`"
+        relation = _between(instant, [taken, *others])
+        such = f"`{relation}`, or with `>`" if relation else "`y(P) < 0`"
+        hint = f"say which is meant by an inequality that one alone fulfils, such as {such}"
         raise NoSolution([Diagnostic(mark, "PL635", text, hint)])
 
 
@@ -86,6 +90,17 @@ def _told(instant: Instant, s: Sought) -> str:
     ledger = instant.scene.ledger
     found = ((c.symbol, c.roots[c.taken].value) for c in s.branch.choices if _of_place(instant, c))
     return ", ".join(f"{x.name} = {in_unit(v, ledger.units[x], ledger.us)}" for x, v in found)
+
+
+def _between(instant: Instant, ways: Sequence[Sought]) -> str:
+    """An inequality of what has another value in each of them; "": there is none."""
+    ledger = instant.scene.ledger
+    for x in (c.symbol for c in ways[0].branch.choices if _of_place(instant, c) and c.symbol in ledger.sought):
+        told = [v for s in ways if (v := s.branch.algebra.value.values.get(x)) is not None]
+        numbers = [float(f"{display(v, ledger.units[x], ledger.us):.6g}") for v in told]
+        if len(told) == len(ways) and (relation := relation_between(x.name, ledger.units[x], numbers)):
+            return relation
+    return ""
 
 
 def _numbers(s: Sought) -> Valuation:
