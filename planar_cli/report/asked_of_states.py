@@ -89,9 +89,10 @@ class AskedTelling:
     def _letter(self, letter: sp.Symbol, formula: sp.Expr) -> Equation:
         """A letter of a state in which something is told."""
         formula = self._signed(_without(formula, self._zeros))
-        value = self.phrases.shown(letter, self.found.value(letter))
-        sides = self._shown(formula, None, self.phrases.ledger.units[letter], [value], self.numeric)
-        return Equation((self.phrases.math(letter), *sides, value))
+        numbers = self.numeric.has_numbers(formula)
+        values = [self.phrases.shown(letter, self.found.value(letter))] if numbers else []
+        sides = self._shown(formula, None, self.phrases.ledger.units[letter], values, self.numeric)
+        return Equation((self.phrases.math(letter), *sides, *values))
 
     def _vectors(self) -> Iterator[Block]:
         """Vectors whose components are letters of the states: name = [x, y] = numbers."""
@@ -102,7 +103,7 @@ class AskedTelling:
                 continue
             shown = line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "]")
             sides: list[Any] = [line(Name(asked.find.name)), shown]
-            if not self.phrases.symbolic and asked.unit is not None:
+            if all(map(self.phrases.has_numbers, parts)) and asked.unit is not None:
                 numbers = [Decimal(0) if self.found.value.is_zero(p) else self.found.value(p) for p in parts]
                 sides.append(self.phrases.vector(numbers[0], numbers[1], asked.unit.dimension))
             yield Equation(tuple(sides))
@@ -156,7 +157,7 @@ class AskedTelling:
         formula = part.expr
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
         values: list[Value] = []
-        if not phrases.symbolic and asked.unit is not None:
+        if phrases.has_numbers(formula) and asked.unit is not None:
             values = self._values(asked, asked.unit, formula)
             values = values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
         sides: list[Any] = [name, *self._shown(formula, span, asked.unit, values, phrases), *values]
