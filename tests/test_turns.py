@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from math import pi
 
 import pytest
-from answered import first, solve
+from answered import assert_close, first, solve
 
 ROD = """
 title: Rod that turns uniformly
@@ -61,3 +62,37 @@ def test_a_direction_that_is_reached_after_more_turns() -> None:
     for degrees in (45, 370):
         found = solve(PARTICLE % (2, f"r(p).angle = {degrees} deg"))
         assert first(found["phi"]) == pytest.approx(pi * degrees / 180)
+
+
+ORBIT = """
+title: Satellite that goes round
+plane: horizontal
+given: {{m: 100 kg, K: 3.986e14 m^3/s^2, r_1: 7000 km, v_1: 9 km/s}}
+points: {{O: [0, 0], P: [r_1, 0]}}
+bodies: {{probe: {{particle: P, mass: m}}}}
+loads:
+  - force: {{body: probe, magnitude: K*m/r(probe).mag^2, towards: O}}
+states:
+  near: [t = 0, v(probe).x = 0, v(probe).y = v_1]
+  {between}
+  round: [r(probe).angle = {angle} deg]
+find: {{T: t @ round}}
+"""
+
+
+@pytest.mark.parametrize("angle", [300, 360, 720])
+@pytest.mark.parametrize("between", [
+    ["apogee: [r(probe).mag is largest]"],
+    ["left: [y(probe) = 0 m, x(probe) < 0 m]"],
+    ["up: [r(probe).angle = 90 deg]", "apogee: [r(probe).mag is largest]"],
+    ["up: [r(probe).angle = 90 deg]", "down: [r(probe).angle = 250 deg]"],
+])  # fmt: skip
+def test_a_direction_counts_from_the_beginning_whenever_it_is_asked(between: list[str], angle: int) -> None:
+    """By Kepler's equation, M = E - e sin E, with the time of a revolution by the third law."""
+    k, r, v = 3.986e14, 7e6, 9e3
+    a, e = 1 / (2 / r - v * v / k), r * v * v / k - 1
+    turns, rest = divmod(angle, 360)
+    anomaly = 2 * math.atan(math.sqrt((1 - e) / (1 + e)) * math.tan(math.radians(rest) / 2)) % math.tau
+    time = math.sqrt(a**3 / k) * (anomaly - e * math.sin(anomaly) + math.tau * turns)
+    found = solve(ORBIT.format(between="\n  ".join(between), angle=angle))
+    assert_close(found["T"], time, 8)

@@ -263,12 +263,18 @@ class Quantities:
             case "angle":
                 # The direction of a place counts its turns.
                 x, y = graph.of(v.x), graph.of(v.y)
-                return graph.turning(y, x, 0.0, self.scene.time) if q.word == "r" else graph.call("atan2", y, x)
+                return self._direction_of_place(y, x) if q.word == "r" else graph.call("atan2", y, x)
             case "along" | "r":
                 return graph.of(v.dot(self._direction(part, q)))
             case "across" | "theta":
                 return graph.of(self._direction(part, q).cross(v))
         return self._natural(v, part, q)
+
+    def _direction_of_place(self, y: Term, x: Term) -> Term:
+        """The angle of (x, y) with its turns, counted once for all that ask for it."""
+        graph, inside = self.scene.graph, (y, x, self.scene.time)
+        known = next((t for t in graph.turned.values() if t.args == inside), None)
+        return graph.turning(y, x, 0.0, self.scene.time) if known is None else known
 
     def _natural(self, v: Vec, part: Part, q: Quantity) -> Term:
         """.t along the velocity, .n towards the centre of curvature."""

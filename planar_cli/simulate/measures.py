@@ -209,18 +209,19 @@ class Measures:
             raise Undecided(f"{mark.file}:{mark.line}: the state {state} is not reached, so this has no value")
         return self.at(side, moment)
 
-    def quantities(self, regime: Regime) -> Quantities:
-        """The quantities of the language in one regime."""
+    def quantities(self, regime: Regime | None) -> Quantities:
+        """The quantities of the language in one regime; None: those of places and velocities alone."""
         model = self.model
         graph = model.graph
         accelerations = dict(zip(model.layout.speeds, self._accelerations, strict=True))
-        pushes = tuple((p, self._push(p.name)) for p in regime.reactions)
+        pushes = tuple((p, self._push(p.name)) for p in regime.reactions) if regime is not None else ()
+        wrenches = regime.parts.wrenches if regime is not None else ()
         written = model.scene.problem.joints
         names = {ours.name: theirs.name for ours, theirs in zip(distinct(written), written, strict=True)}
         if isinstance(model, HybridModel):
             # Bodies that an impact leaves in contact may touch in several ways.
             names |= {way.name: names[impact] for impact, ways in model.encounters.items() for way in ways}
-        reactions = Reactions(pushes, regime.parts.wrenches, names, graph.number(0.0))
+        reactions = Reactions(pushes, wrenches, names, graph.number(0.0))
         scene = model.scene
 
         def numbers(state: str, side: Side) -> Term | Vec:

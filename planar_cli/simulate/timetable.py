@@ -42,6 +42,10 @@ def schedule_of(problem: Problem, measures: Measures, breakpoints: Sequence[floa
     """What the file says of time. FileProblem: a state that a motion followed step by step can not look for."""
     if not problem.states:
         return Schedule("", (), tuple(breakpoints))
+    # The direction of a place counts its turns from the beginning on, whenever a state looks at it.
+    asked = (n for s in problem.states for r in s.relations for n in walk(r) if isinstance(n, Quantity))
+    for q in (q for q in asked if q.word == "r" and q.at is None and any(p.kind == "angle" for p in q.parts)):
+        measures.quantities(None).any(q)
     reader = Timetable(problem, measures)
     events = tuple(reader.event(state) for state in problem.states[1:])
     return Schedule(problem.states[0].name, events, tuple(breakpoints))
