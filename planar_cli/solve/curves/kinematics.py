@@ -306,7 +306,7 @@ class Story:
         if origin:
             reach = reach - self.quantities.place(origin)
         reach = reach if self.driven is None else self.driven.vec(reach)
-        size, angle = magnitude(reach), direction_angle(reach)
+        size, angle = self._in_time(magnitude(reach)), self._in_time(direction_angle(reach))
         rows = [row for n in range(level + 1) for row in self._polar_rows(point, size, angle, n)]
         yield Passage(
             f"Polar coordinates of {point}{f' about {origin}' if origin else ''}, and their rates:", tuple(rows)
@@ -324,6 +324,13 @@ class Story:
             pair = [sp.Symbol(f"{' va'[n]}_{point}_{name}", real=True) for name in POLAR]
             told += self._lettered(n, point, [(s, parts_told.get(s)) for s in pair])
         yield Passage("Components along r and across it:", tuple(told), RADIAL)
+
+    def _in_time(self, jet: Jet) -> Jet:
+        """What is a function of time alone is differentiated as that."""
+        place, time = self.clean(jet.value), self.regime.time
+        if time not in place.free_symbols or place.free_symbols & {*self.regime.letters} - {time}:
+            return jet
+        return Jet(place, sp.diff(place, time), sp.diff(place, time, 2))
 
     def _magnitude(self, n: int, point: str, told: list[Row]) -> Iterator[Row]:
         """The magnitude by both components, which are told."""

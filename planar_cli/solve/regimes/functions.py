@@ -156,7 +156,9 @@ class Functions:
 
 
 def smooth(expr: sp.Expr, value: Valuation) -> sp.Expr:
-    """Absolute values, and inverse sines of sines, as the branch that is drawn goes on: |cos θ| as cos θ."""
+    """Absolute values, roots of squares, and inverse sines of sines, as the branch that is drawn goes on: |cos θ| as
+    cos θ, √(b² + 2 b s + s²) as b + s.
+    """
 
     def signed(e: sp.Expr) -> sp.Expr:
         inside = e.args[0]
@@ -174,7 +176,12 @@ def smooth(expr: sp.Expr, value: Valuation) -> sp.Expr:
                 return way + 2 * sp.pi * round(turns)
         return e
 
+    def rooted(e: sp.Expr) -> sp.Expr:
+        inside = sp.factor(e.base)
+        return signed(sp.Abs(inside.base)) if inside.is_Pow and inside.exp == 2 else e
+
     expr = expr.replace(lambda e: isinstance(e, sp.asin | sp.acos), unwound)
+    expr = expr.replace(lambda e: e.is_Pow and e.exp == sp.S.Half and e.base.is_Add, rooted)
     found: sp.Expr = simplified(expr).replace(lambda e: isinstance(e, sp.Abs), signed)
     return found
 
