@@ -79,6 +79,10 @@ _EQUILIBRIA = {
         "What is asked is divided by something that is zero at this instant, such as the radius of curvature of the "
         "path of a point that is at rest. Ask for it at another instant, or for another point."
     ),
+    "PL638": (
+        "Where the derivative of what is to be largest vanishes it is smallest, or the other way round, so that it has "
+        "no such value between the limits. Ask for the other, or state the limit itself."
+    ),
     "PL630": (
         "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
         "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."

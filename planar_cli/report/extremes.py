@@ -43,7 +43,8 @@ def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases)
     """The equations of a motion that hold the time of a state, and what they say of a constant without it."""
     plain = dict(found.route.plain)
     times = {s for residual in aim.timed for s in residual.free_symbols if s.name.startswith("t__")}
-    yield Paragraph(line(f"At {stop}, by the laws of motion:"))
+    if aim.timed:
+        yield Paragraph(line(f"At {stop}, by the laws of motion:"))
     for residual in aim.timed:
         terms = sp.Add.make_args(residual.xreplace(plain))
         left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
@@ -53,11 +54,13 @@ def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases)
     named = [x for t in sorted(times, key=str) for x in (", ", Math(t))][1:]
     formula = aim.formula.xreplace(plain)
     free = sorted(formula.free_symbols & found.unknowns, key=str)
-    own = line(phrases.math(aim.quantity), *(("(", phrases.math(free[0]), ")") if len(free) == 1 else ()))
+    of = ("(", phrases.math(free[0]), ")") if len(free) == 1 and aim.quantity.is_Symbol else ()
+    own = line(phrases.math(aim.quantity), *of)
     numeric = any(_has_numbers(residual.xreplace(plain), phrases) for residual in aim.timed)
     note = _counted_in(aim.quantity, phrases) if numeric else ()
     # As a function of the constant: what it comes to at the extreme follows below.
-    yield Equation((own, phrases.math(formula)), None, line("without ", *named, ":"), note)
+    lead = line("without ", *named, ":") if named else line(f"At {stop}, by the equations below:")
+    yield Equation((own, phrases.math(formula)), None, lead, note)
 
 
 def _counted_in(left: sp.Expr, phrases: Phrases) -> Line:

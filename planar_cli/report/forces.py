@@ -72,7 +72,7 @@ def force_rows(
         if inertia_as_force:
             rows.append(Forces(body, (*acting, Text(",  "), *inertia) if inertia else acting, (Text("0"),)))
         else:
-            rows.append(Forces(body, acting, inertia or (Text("0"),)))
+            rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),)))
     return rows
 
 

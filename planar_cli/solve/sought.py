@@ -27,6 +27,8 @@ OPEN = "PL623"
 
 SEVERAL = "PL635"
 """That of several that fit: the file must choose, and trial finds only one of them."""
+TURNED = "PL638"
+"""That of what is stationary, and not as the file says: trial would only find where the motion ends."""
 
 
 def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> dict[str, float]:
@@ -34,7 +36,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
 
     Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
     """
-    if _says(error, SEVERAL):
+    if _says(error, SEVERAL) or _says(error, TURNED):
         raise error
     if len(problem.unknowns) > 1:
         return _roots_of_several(problem, earlier, error)

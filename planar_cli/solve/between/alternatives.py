@@ -45,7 +45,7 @@ def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[Solved
     """
     if not fits:
         return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
-    _demand_choice(course, [f.branch for f in fits])
+    fits = _at_the_top(course, fits)
     usual = [f for f in fits if all(f.branch.values.get(s, 0) >= 0 for s in course.sought())]
     fits = usual or fits
     for constant in course.sought():
@@ -56,23 +56,30 @@ def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[Solved
     return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
 
 
-def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
-    """NoSolution: several motions fit that are no smaller (larger) than all near them."""
+def _at_the_top(course: MotionEquations, fits: list[SolvedMotion]) -> list[SolvedMotion]:
+    """Of motions in which something is stationary those in which it is largest (smallest). NoSolution: it is in none of
+    them, or several fit that are no smaller (larger) than all near them.
+    """
     found = chosen_extreme(course)
     if found is None:
-        return
+        return fits
     state, demand = found
-    fitting: list[Branch] = []
-    for branch in branches:
-        again = any(_same(course, branch, b) or _same_places(course, branch, b) for b in fitting)
-        if not again and _is_top(course, branch, state, demand):
-            fitting.append(branch)
-    if len(fitting) < 2:
-        return
-    listed = "; ".join(_words(course, b) for b in fitting)
+    tops = [f for f in fits if _is_top(course, f.branch, state, demand)]
+    if not tops:
+        other = "smallest" if demand.extreme > 0 else "largest"
+        text = f"state {state.name}: `{demand.text}` nowhere: where its derivative is zero it is {other}, or neither"
+        hint = f"ask where it is {other}, or state the limit itself"
+        raise NoSolution([Diagnostic(demand.mark, "PL638", text, hint)])
+    distinct: list[Branch] = []
+    for branch in (f.branch for f in tops):
+        if not any(_same(course, branch, b) or _same_places(course, branch, b) for b in distinct):
+            distinct.append(branch)
+    if len(distinct) < 2:
+        return tops
+    listed = "; ".join(_words(course, b) for b in distinct)
     told = "" if course.problem.symbols else f": {listed}"
     text = f"state {state.name}: `{demand.text}` in several ways{told}"
-    raise NoSolution([Diagnostic(demand.mark, "PL635", text, _hint(course, fitting, state))])
+    raise NoSolution([Diagnostic(demand.mark, "PL635", text, _hint(course, distinct, state))])
 
 
 def _demand_one(course: MotionEquations, branches: Sequence[Branch]) -> None:

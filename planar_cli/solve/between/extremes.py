@@ -16,7 +16,7 @@ from planar_cli.records import record
 from planar_cli.solve.instant.stationary_point import eliminated, proper, unchanged
 from planar_cli.solve.regimes.equations import COSTS, Equation
 
-PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "handed", "q(t)", "v(t)")
+PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "handed", "blow", "q(t)", "v(t)")
 
 
 @record
@@ -62,7 +62,9 @@ def stationary(
     if reduced := _without_time(related, aim, letters, objective, like, sought):
         return reduced
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
-    return [*found, _condition(condition, [x for x in letters if x in kept], objective, like)]
+    struck = not related and letters[0] in sought and any(e.kind == "blow" for e in equations)
+    source = Aim(objective, aim, None) if struck else None
+    return [*found, _condition(condition, [x for x in letters if x in kept], objective, like, source)]
 
 
 def _without_time(

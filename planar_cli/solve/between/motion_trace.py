@@ -211,7 +211,7 @@ class _Tracer:
         source = self._source(None if aim is not None else e.source)
         law = None if aim is None or aim.law is None else self._source(aim.law.source)
         told = None
-        if aim is not None and (isinstance(law, BalanceTrace) or aim.timed):
+        if aim is not None and (isinstance(law, BalanceTrace) or aim.law is None):
             told = AimTrace(aim.quantity, aim.formula, law if isinstance(law, BalanceTrace) else None, aim.timed)
         data = e.kind in DATA
         return Relation(e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told)

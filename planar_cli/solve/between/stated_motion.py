@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import by_name, derivative
-from planar_cli.problem.expression import Relation, Statement
+from planar_cli.problem.expression import JustAfter, Relation, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.equilibria import Equilibria, solve_equilibria
@@ -69,8 +69,9 @@ class StatedMotion(RegimeSequence):
         return found
 
     def is_set(self, state: State) -> bool:
-        """Is the time of a state fixed by something else than what is largest there?"""
-        return any(d.kind == "equation" for d in self.demands[state.name])
+        """Is the time of a state fixed by something else than what is largest there, as that just after a blow?"""
+        struck = any(isinstance(r, JustAfter) for r in state.relations)
+        return struck or any(d.kind == "equation" for d in self.demands[state.name])
 
     def transfer(self, regime: Regime) -> dict[sp.Symbol, sp.Expr]:
         """Letters of other regimes as formulas of this one."""
