@@ -23,7 +23,7 @@ from planar_cli.problem.facts import (
     relative,
 )
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outlines import meeting_place
+from planar_cli.problem.outlines import demand_there, meeting_place
 from planar_cli.problem.setting import Setting
 from planar_cli.records import record
 
@@ -63,6 +63,7 @@ class Touching:
         self.contact, self.scene = contact, scene
         self.static, self.kinetic, self.limit = friction.static, friction.kinetic, friction.limit
         self.name, self.place = contact.name, meeting_place(scene, contact.between, contact.at)
+        demand_there(scene, contact.between, contact.at, contact.mark)
         self.mover, self.base = self._roles()
         tangent = self.base.tangent or Vec(1, 0)
         left = tangent.turned()

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
+from planar_cli.problem.gaps import gap
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, State, Surface
 from planar_cli.problem.setting import Setting
@@ -85,10 +86,26 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
 
 def meeting_place(scene: Setting, between: Sequence[str], at: str) -> Vec:
     """Where two partners touch: a particle touches where it is, whatever else is drawn at that point."""
+    particle = _particle(scene, between)
+    return scene.point(at) if particle is None else scene.center(particle)
+
+
+def demand_there(scene: Setting, between: Sequence[str], at: str, mark: Mark) -> None:
+    """FileProblem: a particle is not drawn at the point where it is to touch."""
+    particle = _particle(scene, between)
+    reach = None if particle is None else scene.center(particle) - scene.point(at)
+    if reach is None or scene.is_zero(reach.dot(reach)):
+        return
+    away = gap(scene, scene.length(reach))
+    text = f"the particle {particle} is not drawn at {at}, where it is to touch" + (away and f", but {away} away")
+    hint = f"a particle touches where it is: draw it at {at}, or leave `at` out; a body with a size is a `plate`"
+    raise scene.refuse(mark, "PL521", text, hint)
+
+
+def _particle(scene: Setting, between: Sequence[str]) -> str | None:
     carriers = ((p, scene.carrier(p)) for p in between)
     particles = (p for p, body in carriers if p == body and not scene.rigid(p))
-    particle = next(particles, None)
-    return scene.point(at) if particle is None else scene.center(particle)
+    return next(particles, None)
 
 
 def spot_of(scene: Outlined, states: Sequence[State], during: Span, partner: str, point: Vec) -> Vec:
@@ -128,7 +145,9 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
-        _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, f"let the line go `through:` it; {LATER}")
+        fits = scene.is_zero(scene.as_drawn(off))
+        away = "" if fits else gap(scene, off)
+        _demand_on(fits, surface, mark, f"let the line go `through:` it; {LATER}", away and f", but {away} off")
         drift, through = _drift(scene, surface, tangent), scene.carried(body, shape.through)
         return Outline("straight", body, tangent, drift=drift, floor=surface.inferred, on_line=through)
     if isinstance(shape, Circle):
@@ -148,9 +167,9 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     return replace(curve, sharpening=bend.sharpening)
 
 
-def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str) -> None:
+def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str, away: str = "") -> None:
     if not fits:
-        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name} as drawn", hint)
+        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name} as drawn{away}", hint)
 
 
 def _drift(scene: Outlined, surface: Surface, tangent: Vec) -> Vec | None:

@@ -16,7 +16,7 @@ from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.parser import ParseError, parse_found, parse_law, parse_side, parse_statement
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-STATE = re.compile(r"[A-Za-z0-9_]+")
+STATE = re.compile(r"[A-Za-z_][A-Za-z0-9_]*|[0-9]+")
 SPAN = re.compile(r"\s*([A-Za-z0-9_]+)\s*->\s*([A-Za-z0-9_]+)\s*")
 
 
@@ -117,7 +117,10 @@ def state(node: Node, report: Report) -> str:
     word = text(node, "the name of a state", report)
     if not word or STATE.fullmatch(word):
         return word
-    report.add(node.mark, "PL304", f"'{word}' is no name for a state", "letters and digits, as in `1: [at rest]`")
+    hint = "letters and digits, as in `1: [at rest]`"
+    if word[0].isdigit() and word.isalnum():
+        hint = f"a name is a letter, then letters and digits, or a number alone: `t{word}`, `1`"
+    report.add(node.mark, "PL304", f"'{word}' is no name for a state", hint)
     return ""
 
 

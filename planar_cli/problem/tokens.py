@@ -158,6 +158,8 @@ def _glued(text: str, match: re.Match[str], place: Mark) -> ParseError:
     if match[0] == "0" and rest[0] in "xXoObB":
         return ParseError("numbers are written in decimal", "", "PL206", place)
     hint = f"write `{match[0]} {rest}` for a unit, `{match[0]}*{rest}` for a product"
+    if text[: match.start()].rstrip().endswith(("@", "->")):
+        hint = f"the name of a state has a letter first, or is a number alone: `t{match[0]}{rest}`"
     return ParseError(f"the number {match[0]} is followed directly by a letter", hint, "PL205", place)
 
 

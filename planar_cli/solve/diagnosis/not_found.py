@@ -10,7 +10,7 @@ from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Diagnostic, NoValue
 from planar_cli.solve.diagnosis.open_data import demand
-from planar_cli.solve.diagnosis.words import listed, one_of, unknown_name
+from planar_cli.solve.diagnosis.words import in_general, listed, one_of, unknown_name
 from planar_cli.solve.instant.beyond import STILL
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -45,7 +45,7 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
         return Diagnostic(mark, "PL606", f"{hanging[0]}; {demand(1)}", hint)
     if loose and not said:
         text = f"{find.name} is open: the equations do not determine {listed(names)}; {demand(1)}"
-        return Diagnostic(find.mark, "PL606", text, one_of(names))
+        return Diagnostic(find.mark, "PL606", text, one_of(names) + in_general(instant.scene.problem))
     text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
     return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
 

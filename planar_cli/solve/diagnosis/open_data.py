@@ -19,6 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find
 from planar_cli.solve.diagnosis.singular import ChangePoint, blocked, change_point, dead_centre
 from planar_cli.solve.diagnosis.words import (
+    in_general,
     left_of,
     listed,
     moved_accelerations,
@@ -216,7 +217,8 @@ def _open(instant: Instant, trial: Trial, find: Find, changes: list[dict[Any, De
     if constants:
         text = f"{find.name} is open: the equations do not determine {listed(closing)}; {demand(len(changes))}"
         others = [push_name(system, pushes[k]) for c in changes for k in c if k in pushes]
-        return Diagnostic(find.mark, "PL606", text, one_of([*closing, *dict.fromkeys(others)][:8]))
+        hint = one_of([*closing, *dict.fromkeys(others)][:8])
+        return Diagnostic(find.mark, "PL606", text, hint + in_general(instant.scene.problem))
     text = f"the accelerations are open: nothing determines {listed(motions)}; {demand(len(changes))}"
     why = "bodies without mass do not resist; give them masses, or " if _massless(instant, changes) else ""
     constant = "; a speed that stays constant belongs under `motion`" if instant.statements.relations else ""

@@ -15,7 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Number, Quantity, Relation, Side
 from planar_cli.problem.facts import Push
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.units import Unit, parse_unit
@@ -38,6 +38,13 @@ def one_of(words: Iterable[str]) -> str:
     """`give a`, or `give one of a, b`."""
     items = list(dict.fromkeys(words))
     return f"give {items[0]}" if len(items) == 1 else f"give one of {', '.join(items)}"
+
+
+def in_general(problem: Problem) -> str:
+    """What else may be meant where an instant leaves coordinates open: a formula in them."""
+    if problem.instant is None or not problem.coordinates:
+        return ""
+    return f"; or leave `instant` out: then it is a formula in {listed([c.name for c in problem.coordinates])}"
 
 
 def short(value: Decimal) -> str:
