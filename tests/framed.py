@@ -121,7 +121,7 @@ class _Scene(Framing):
         return place
 
     def _two_facts(self, place: TwoFacts) -> TwoFacts:
-        line = None if place.line is None else (place.line[0], self.angle(place.line[1]))
+        lines = tuple((through, self.angle(angle)) for through, angle in place.lines)
         x, y = place.x, place.y
         quarters = self.frame.quarters
         if quarters is None:
@@ -129,14 +129,14 @@ class _Scene(Framing):
                 raise NotWritten("a point of a given x or y")
             if place.side is not None:
                 raise NotWritten("a place that lies left or above")
-            return replace(place, line=line)
+            return replace(place, lines=lines)
         nothing = Number(Fraction(0), "m", 1, NOWHERE)
         turned = self.vector(x if x is not None else nothing, y if y is not None else nothing)
         if quarters % 2:
             x, y = (turned[0] if y is not None else None), (turned[1] if x is not None else None)
         else:
             x, y = (turned[0] if x is not None else None), (turned[1] if y is not None else None)
-        return TwoFacts(x, y, line, place.distances, self._side_word(place.side))
+        return TwoFacts(x, y, lines, place.distances, self._side_word(place.side))
 
     def _side_word(self, word: str | None) -> str | None:
         if word is None:

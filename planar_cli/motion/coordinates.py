@@ -108,9 +108,9 @@ class Coordinates:
             case Midpoint(a, b):
                 return self._follows_named(a) or self._follows_named(b)
             case TwoFacts() as facts:
-                sides = [s for s in (facts.x, facts.y, facts.line and facts.line[1]) if s is not None]
-                others = [n for n, _ in facts.distances] + ([facts.line[0]] if facts.line else [])
-                sides += [d for _, d in facts.distances]
+                sides = [s for s in (facts.x, facts.y) if s is not None]
+                others = [n for n, _ in (*facts.distances, *facts.lines)]
+                sides += [side for _, side in (*facts.distances, *facts.lines)]
                 return self._written(*sides) or any(self._follows_named(n) for n in others)
             case Foot(center, through, angle, towards):
                 others = [n for n in (center, through, towards) if n]

@@ -138,8 +138,7 @@ def points_of_place(place: Place) -> tuple[str, ...]:
         case Midpoint():
             return (place.a, place.b)
         case TwoFacts():
-            line = (place.line[0],) if place.line else ()
-            return (*line, *(name for name, _ in place.distances))
+            return tuple(name for name, _ in (*place.lines, *place.distances))
         case Foot():
             return (place.center, place.through, *((place.towards,) if place.towards else ()))
         case Rims():

@@ -162,9 +162,9 @@ def _parts(place: object) -> tuple[list[Side], list[str]]:
         case Towards():
             return [place.distance], [place.origin, place.towards]
         case TwoFacts():
-            sides = [s for s in (place.x, place.y, place.line[1] if place.line else None) if s is not None]
-            points = [name for name, _ in place.distances] + ([place.line[0]] if place.line else [])
-            return [*sides, *(d for _, d in place.distances)], points
+            sides = [s for s in (place.x, place.y) if s is not None]
+            facts = (*place.lines, *place.distances)
+            return [*sides, *(side for _, side in facts)], [name for name, _ in facts]
         case Foot():
             return [], [n for n in (place.center, place.through, place.towards) if n]
         case _:

@@ -106,7 +106,8 @@ def _of_point(point: Point) -> Iterator[Formula]:
         case TwoFacts():
             yield from _plain(place.x, "length", f"x {what}")
             yield from _plain(place.y, "length", f"y {what}")
-            yield from _plain(place.line[1] if place.line else None, "angle", f"the line {what}")
+            for _, angle in place.lines:
+                yield from _plain(angle, "angle", f"the line {what}")
             for _, distance in place.distances:
                 yield from _plain(distance, "length", f"a distance {what}")
         case _:

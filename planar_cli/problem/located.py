@@ -163,8 +163,8 @@ def _lines(place: TwoFacts, numbers: Numbers) -> list[tuple[Vec, Vec]]:
         lines.append((Vec(numbers.value(place.x), zero), Vec(zero, one)))
     if place.y is not None:
         lines.append((Vec(zero, numbers.value(place.y)), Vec(one, zero)))
-    if place.line is not None:
-        lines.append((numbers.point(place.line[0]), numbers.unit_vector(numbers.value(place.line[1]))))
+    for through, angle in place.lines:
+        lines.append((numbers.point(through), numbers.unit_vector(numbers.value(angle))))
     return lines
 
 
@@ -215,7 +215,7 @@ def _way(dx: float, dy: float) -> str:
 def _line_names(place: TwoFacts) -> list[str]:
     """The lines in words."""
     names = ["the line of that x"] * (place.x is not None) + ["the line of that y"] * (place.y is not None)
-    return names + ([f"the line through {place.line[0]}"] if place.line is not None else [])
+    return names + [f"the line through {through}" for through, _ in place.lines]
 
 
 def _out_of_reach(point: Point, place: TwoFacts, numbers: Numbers) -> tuple[str, str]:

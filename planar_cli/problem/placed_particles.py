@@ -72,7 +72,7 @@ def _place(surface: Surface, told: dict[str, Side]) -> At | TwoFacts | None:
     if x is None and y is None:
         return None
     if isinstance(shape, Line):
-        return TwoFacts(x, y, (shape.through, shape.angle), (), None)
+        return TwoFacts(x, y, ((shape.through, shape.angle),), (), None)
     if isinstance(shape, Curve) and shape.kind == "y" and x is not None:
         return At(x, _with_x(shape.formula, x))
     return None

@@ -21,7 +21,7 @@ from planar_cli.problem.scene import (
     TwoFacts,
 )
 
-POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "on", "distances", "side")
+POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "on", "lines", "distances", "side")
 POINT_SLIPS = {
     "length": "write `distance: …`",
     "r": "write `distance: …`",
@@ -41,7 +41,7 @@ SIDES = ("left", "right", "above", "below")
 POINT_EXAMPLE = "A: [0, 0.2 m]"
 POINT_FORMS = (
     "`[x, y]`, `{from: A, distance: l, angle: 30 deg}`, `{from: A, towards: B, distance: l}`, `{midpoint: [A, B]}`, "
-    "or two facts of x, y, line: [A, 30 deg], distances: {A: l, B: d}"
+    "or two facts of x, y, line: [A, 30 deg], lines: [[A, 30 deg], [B, 120 deg]], distances: {A: l, B: d}"
 )
 SURFACE_FORMS = (
     "a line `{through: P, angle: 0 deg}`, a circle `{center: O, radius: R}`, a curve `{y: c*x^2}` or `{r: b*theta}`"
@@ -70,10 +70,10 @@ def coordinates(node: Sequence, report: Report) -> At | None:
 def _place(node: Node, what: str, report: Report) -> Place:
     """The place of a point; two facts that are none stand in for one that cannot be read."""
     if isinstance(node, Sequence):
-        return coordinates(node, report) or TwoFacts(None, None, None, (), None)
+        return coordinates(node, report) or TwoFacts(None, None, (), (), None)
     if isinstance(node, Scalar):
         report.add(node.mark, "PL320", f"{what} has no place that can be read: '{node.text}'", POINT_FORMS)
-        return TwoFacts(None, None, None, (), None)
+        return TwoFacts(None, None, (), (), None)
     fields = Fields(node, POINT_KEYS, what, report, POINT_SLIPS)
     if "midpoint" in fields:
         return _midpoint(fields)
@@ -112,7 +112,10 @@ def _from(fields: Fields) -> Polar | Towards | TwoFacts:
     distance = fields.need_side("distance")
     if fields.present() & {"line", "on"}:
         _alone(fields, {"from", "distance", "line", "on", "side"})
-        return TwoFacts(None, None, _line(fields), ((origin, distance),), _side_word(fields))
+        if "line" in fields and "on" in fields:
+            text = f"{fields.what} is fixed by two facts, here are three: a distance and two lines"
+            fields.report.add(fields.place("on"), "PL323", text, POINT_FORMS)
+        return TwoFacts(None, None, _lines(fields), ((origin, distance),), _side_word(fields))
     if "towards" in fields:
         _alone(fields, {"from", "distance", "towards"})
         return Towards(origin, fields.need_name("towards", "a point"), distance)
@@ -121,16 +124,15 @@ def _from(fields: Fields) -> Polar | Towards | TwoFacts:
 
 
 def _two_facts(fields: Fields) -> TwoFacts:
-    line = _line(fields)
-    distances = _distances(fields)
-    facts = len(distances) + sum(key in fields for key in ("x", "y", "line", "on"))
+    lines, distances = _lines(fields), _distances(fields)
+    facts = len(distances) + len(lines) + sum(key in fields for key in ("x", "y"))
     stray = fields.present() & {"distance", "angle", "towards"}
     if stray:
         fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
     elif facts != 2 and fields.readable:
         told = "is one" if facts == 1 else f"are {facts or 'none'}"
         fields.report.add(fields.mark, "PL323", f"{fields.what} is fixed by two facts, here {told}", POINT_FORMS)
-    return TwoFacts(fields.side("x"), fields.side("y"), line, distances, _side_word(fields))
+    return TwoFacts(fields.side("x"), fields.side("y"), lines, distances, _side_word(fields))
 
 
 def _side_word(fields: Fields) -> str | None:
@@ -143,18 +145,25 @@ def _side_word(fields: Fields) -> str | None:
     return word if word in SIDES else None
 
 
-def _line(fields: Fields) -> tuple[str, Side] | None:
-    node = fields.node("line") or fields.node("on")
-    if node is None:
-        return None
-    if "line" in fields and "on" in fields:
-        fields.report.add(fields.place("on"), "PL321", f"{fields.what} has both line and on", "give one of them")
+def _lines(fields: Fields) -> tuple[tuple[str, Side], ...]:
+    """The lines on which a point is: `line` or `on`, both for a point where two cross, or a list of them, `lines`."""
+    nodes = [node for key in ("line", "on") if (node := fields.node(key)) is not None]
+    several = fields.node("lines")
+    if isinstance(several, Sequence):
+        nodes += several.items
+    elif several is not None:
+        hint = "write `lines: [[A, 30 deg], [B, 120 deg]]`"
+        fields.report.add(several.mark, "PL322", "lines are a list, each a point and an angle", hint)
+    return tuple(_line(node, fields) for node in nodes)
+
+
+def _line(node: Node, fields: Fields) -> tuple[str, Side]:
     if isinstance(node, Mapping):
         inner = Fields(node, LINE_KEYS, f"the line of {fields.what}", fields.report)
         return inner.need_name("through", "a point"), inner.need_side("angle")
     if not isinstance(node, Sequence) or len(node.items) != 2:
         fields.report.add(node.mark, "PL322", "a line is a point and an angle", "write `line: [A, 30 deg]`")
-        return None
+        return "", reading.unreadable(node.mark)
     return reading.name(node.items[0], "a point", fields.report), reading.side(node.items[1], "angle", fields.report)
 
 

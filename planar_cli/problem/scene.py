@@ -66,14 +66,14 @@ class Midpoint:
 
 @record
 class TwoFacts:
-    """A point by two of: x, y, a line (through a point, at an angle), distances from points.
+    """A point by two of: x, y, lines (through a point, at an angle), distances from points.
 
     Where two places fit, `side` chooses: left, right, above or below the other place.
     """
 
     x: Side | None
     y: Side | None
-    line: tuple[str, Side] | None
+    lines: tuple[tuple[str, Side], ...]
     distances: tuple[tuple[str, Side], ...]
     side: str | None
 

@@ -121,6 +121,7 @@ def _point() -> Schema:
         "x": side,
         "y": side,
         **lines,
+        "lines": listing(line, 1),
         "distances": named(side, "point: distance"),
         "side": {"enum": list(SIDES)},
     }

@@ -23,7 +23,7 @@ def constructed(scene: Scene, stages: Collection[Stage]) -> dict[str, set[sp.Sym
     used = {s for x in stages for b in x.blocks for w in b.equations for s in w.residual.free_symbols}
     found = {}
     for point in scene.problem.points:
-        if isinstance(point.place, TwoFacts) and (point.place.distances or point.place.line is not None):
+        if isinstance(point.place, TwoFacts) and (point.place.distances or point.place.lines):
             inside = {s for p in _pair(scene, point.name) for s in sp.sympify(p).free_symbols}
             symbols = inside & set(scene.ledger.definitions)
             if symbols & used:
@@ -85,8 +85,7 @@ def _pair(scene: Scene, name: str) -> tuple[Any, Any]:
 def _facts(scene: Scene, place: TwoFacts, phrases: Phrases) -> list[Line]:
     """Each of the two facts in words."""
     found: list[Line] = [line(phrases.math(scene.value(d)), f" from {origin}") for origin, d in place.distances]
-    if place.line is not None:
-        through, angle = place.line
+    for through, angle in place.lines:
         found.append(line(f"on the line through {through} at ", phrases.math(scene.value(angle))))
     for axis, side in (("x", place.x), ("y", place.y)):
         if side is not None:

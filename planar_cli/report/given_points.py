@@ -117,10 +117,14 @@ def _by_two(name: str, place: TwoFacts, figures: int) -> Line:
     for axis, side in (("x", place.x), ("y", place.y)):
         if side is not None:
             facts.append(line(f"at {axis} = ", said(side, figures) or ()))
-    if place.line is not None:
-        facts.append(line(f"on the line through {place.line[0]} at ", said(place.line[1], figures) or ()))
+    for through, angle in place.lines:
+        facts.append(line(f"on the line through {through} at ", said(angle, figures) or ()))
     facts += [line(said(d, figures) or (), f" from {origin}") for origin, d in place.distances]
-    joined = [p for i, fact in enumerate(facts) for p in (*([" and "] if i and place.distances else [" "]), *fact)]
+    joined = [
+        p
+        for i, fact in enumerate(facts)
+        for p in (*([" and "] if i and (place.distances or place.lines[1:]) else [" "]), *fact)
+    ]
     return line(name, *joined)
 
 

@@ -11,6 +11,7 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
                                                           x: 1 m
                                                           y: 2 m
                                                           line: [A, 30 deg]         on the line through A
+                                                          lines: [[A, 30 deg], [B, 120 deg]]   where two lines cross
                                                           distances: {A: l, B: d}   from points (one or two facts)
       F: {distances: {A: l, B: d}, side: above}         where two places fit, `side` says which:
                                                           left, right, above, below (the other one)
@@ -19,8 +20,8 @@ A point of no body is fixed, unless it is written with a coordinate. A point tha
 load belongs to that body; a point at which several bodies are pinned together is the particle's, if one of them is a
 particle, else it is that of the first of them. Sizes of points use names, not quantities and not the time.
 
-`line` may also be written `{through: A, angle: 30 deg}`, and as `on`; `{from: A, distance: l, on: [B, 0 deg]}` is the
-point of the line at this distance.
+`line` may also be written `{through: A, angle: 30 deg}`, and as `on` (`line` and `on` together: two lines);
+`{from: A, distance: l, on: [B, 0 deg]}` is the point of the line at this distance.
 
 A place may also be written where it is used: `at: [1 m, 0]`, `rod: [[0, 0], {from: A, distance: l, angle: 30 deg}]`.
 Where the same is written twice, it is the same point.

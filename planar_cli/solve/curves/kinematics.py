@@ -159,9 +159,9 @@ class Story:
         axis, _, thing = name.partition("_")
         scene = self.quantities.scene
         place = next((p.place for p in scene.problem.points if p.name == thing), None)
-        if not isinstance(place, TwoFacts) or place.line is None or (place.x is None) == (place.y is None):
+        if not isinstance(place, TwoFacts) or len(place.lines) != 1 or (place.x is None) == (place.y is None):
             return ()
-        origin, angle = scene.point(place.line[0]), scene.value(place.line[1])
+        origin, angle = scene.point(place.lines[0][0]), scene.value(place.lines[0][1])
         kept = "y" if place.x is None else "x"
         if (origin.x, origin.y) != (0, 0) or not angle.free_symbols or axis == kept:
             return ()
