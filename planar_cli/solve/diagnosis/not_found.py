@@ -9,6 +9,7 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Diagnostic, NoValue
+from planar_cli.problem.expression import Extreme, Quantity
 from planar_cli.solve.diagnosis.open_data import demand
 from planar_cli.solve.diagnosis.words import in_general, listed, one_of, unknown_name
 from planar_cli.solve.instant.beyond import STILL
@@ -17,6 +18,9 @@ from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.plan import Planner
 from planar_cli.solve.instant.seeker import LOOSE, Seeker
 from planar_cli.solve.multibody.linear import solve
+
+UNITS = {"a": "m/s^2", "alpha": "rad/s^2"}
+"""What an acceleration is measured in, by its word."""
 
 
 def open_symbols(candidates: list[Candidate], nonlinear: int, bits: dict[sp.Symbol, int]) -> list[sp.Symbol]:
@@ -31,6 +35,8 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     said = list(dict.fromkeys(o for o in objections if o))
     names = [unknown_name(trial.system, s) for s in loose]
     hanging = [o for o in said if LOOSE in o]
+    if extremes and "contradiction" in said and (undriven := _undriven(instant, extremes[0])) is not None:
+        return undriven
     if extremes and (beyond := next((o for o in said if o.endswith(STILL)), "")):
         wanted, word = extremes[0].text.split(" is ")
         text = f"{wanted} has no {word} value: where an assumption reaches its limit, {beyond}"
@@ -81,6 +87,18 @@ def _driven_by_forces(trial: Trial, name: str) -> bool:
     if body is None or body.mass != 0 or edge is None:
         return False
     return any(rate is not None for rate in (edge.spin_rate, edge.slide_rate, edge.rise_rate))
+
+
+def _undriven(instant: Instant, extreme: Extreme) -> Diagnostic | None:
+    """The acceleration of a body is to be extreme that has no mass, and that no force or law drives."""
+    q, bodies = extreme.side, instant.scene.bodies
+    sought = isinstance(q, Quantity) and q.word in UNITS and len(q.things) == 1 and q.at is None
+    if not sought or not isinstance(q, Quantity) or q.things[0] not in bodies or bodies[q.things[0]].mass != 0:
+        return None
+    asked, word = extreme.text.rsplit(" is ", 1)
+    text = f"nothing drives {q.things[0]}, which has no mass: no {asked} is {word}"
+    hint = f"let a constant drive it: `unknowns: {{a_0: {UNITS[q.word]}}}`, and here `{asked} = a_0, a_0 is {word}`"
+    return Diagnostic(extreme.mark, "PL601", text, hint)
 
 
 def contradiction(seeker: Seeker) -> Diagnostic | None:

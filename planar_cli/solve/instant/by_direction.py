@@ -57,10 +57,12 @@ def has_speed_of_ours(statements: Statements) -> bool:
 
 
 def with_statements(instant: Instant, statements: Statements) -> Instant:
-    """The instant with other statements."""
+    """The instant with other statements, and what drives it where something does."""
     setup = instant.setup
     other = Instant(Setup(setup.problem, statements, setup.earlier, setup.open_form))
     other.lift = instant.lift
+    if instant.drivers:
+        other.add_drivers()
     return other
 
 
