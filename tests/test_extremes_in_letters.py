@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from answered import solve
 
@@ -113,3 +115,32 @@ def test_both_ends_where_there_are_two() -> None:
     """P = m g tan(β ± φ), with tan φ = μ."""
     ends = [solve(WEDGED.format(data=GENTLE, extreme=e))["P"].values for e in ("smallest", "largest")]
     assert [round(float(values[0]), 2) for values in ends if values] == [-7.92, 36.88]
+
+
+WEDGE = """
+title: Wedge without mass that is driven under a block
+plane: vertical
+symbols: {W: N, beta: deg, mu: 1}
+unknowns: {P: N}
+points: {A: [0, 0], B: [0.2 m, 0.2 m]}
+surfaces: {floor: {through: A, angle: 0 deg}, face: {through: B, angle: -beta, body: wedge}}
+bodies: {wedge: {particle: A}, block: {particle: B, weight: W}}
+joints:
+  - contact: {between: [wedge, floor], mu: mu, name: F}
+  - contact: {between: [block, face], mu: mu, name: S}
+  - guide: {point: block, along: 90 deg, name: G}
+loads:
+  - force: {body: wedge, magnitude: P, angle: 0 deg}
+instant: [at rest, mode(F) = stick, P is largest]
+find: {P: P}
+"""
+
+
+def test_both_faces_of_a_wedge_reach_their_limit_at_once() -> None:
+    """P = W (tan(β + φ) + tan φ): what sticking leaves open, such as the push of the guide, goes with the limits."""
+    (found,) = solve(WEDGE)["P"].expressions or ()
+    numbers = {"W": 1000, "beta": math.radians(10), "mu": 0.2}
+    value = found.subs({s: numbers[s.name] for s in found.free_symbols})
+    friction = math.atan(0.2)
+    assert float(value) == pytest.approx(1000 * (math.tan(numbers["beta"] + friction) + 0.2), rel=1e-9)
+    assert "Assume cos β > μ sin β" in page(WEDGE)

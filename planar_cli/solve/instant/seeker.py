@@ -35,7 +35,7 @@ from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.one_way import along_paths
 from planar_cli.solve.instant.plan import Block, Plan, Planner
 from planar_cli.solve.instant.stages import MOST, acceleration_unknowns, with_zeros
-from planar_cli.solve.instant.study import solve_velocities
+from planar_cli.solve.instant.study import solve_velocities, with_pushes
 from planar_cli.solve.instant.verify import AGREE, residuals
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.instant.write import Writer
@@ -249,6 +249,7 @@ class Seeker:
         trial = self.instant.try_choice(
             self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
         )
+        trial = replace(trial, outcomes=tuple(with_pushes(trial.system, o, solved) for o in trial.outcomes))
         objection = self._wrong_sign(constants) or trial.objection
         objection = objection or self._behind(base, constants)
         objection = objection or loose_limit(self.instant, trial, constants) or self._singular(constants)

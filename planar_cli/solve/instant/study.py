@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import field
+from collections.abc import Callable, Mapping
+from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
 from typing import Any
@@ -217,6 +217,19 @@ def accelerate(
         assembly.sources.append(f"friction law of {law.push}")
     solved = solve(assembly.dense(), len(assembly.columns))
     return Outcome(assembly, solved, failing(system, assembly, solved), numbers, nonlinear)
+
+
+def with_pushes(system: System, outcome: Outcome, known: Mapping[sp.Symbol, Decimal]) -> Outcome:
+    """The outcome with these pushes, where its equations leave pushes open: those that are not known go with them."""
+    assembly = outcome.assembly
+    columns = {
+        c: known[s] for n, s in system.symbols.items() if s in known and (c := assembly.columns.get(n)) is not None
+    }
+    if not outcome.solved.null or not columns:
+        return outcome
+    width = len(assembly.columns)
+    told = [[ONE if j == column else ZERO for j in range(width)] + [-v] for column, v in columns.items()]
+    return replace(outcome, solved=solve([*assembly.dense(), *told], width))
 
 
 def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], sought: set[sp.Symbol]) -> None:
