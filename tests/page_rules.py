@@ -393,6 +393,8 @@ def decimals(page: Page) -> Iterator[str]:
 
 
 def _without_units(side: str) -> str:
+    # The angle of a sine has its unit in any formula of numbers.
+    side = re.sub(rf"\({NUMBER} rad\)", "()", side)
     return re.sub(rf"{NUMBER}\s(?:{_UNIT.pattern})(?=$|[\s,)])", " ", side) if side.count(" ") < 3 else side
 
 
@@ -464,7 +466,7 @@ def unused(page: Page) -> Iterator[str]:
     kept = []
     integrated: set[int] = set()
     for r in reversed(rows):
-        if "∫" in r.text or r.text.startswith("The law") or "equation of motion" in r.text:
+        if "∫" in r.text or r.text.startswith("The law") or _LAW_OF_MOTION.search(r.text):
             integrated.add(r.part)
         if r.kind == "text":
             if "together" in r.text:
@@ -490,6 +492,12 @@ def unused(page: Page) -> Iterator[str]:
             needed |= {t for s in r.sides for t in symbols(s)}
         elif r.number is not None or cited:
             yield r.text
+
+
+_LAW_OF_MOTION = re.compile(
+    "equation of motion|constant (?:angular )?acceleration|simple harmonic|under-damped|^For (?:the|.* of)|Compared with"
+)
+"""What a page says where it goes on from an acceleration, whose letter the lines below do not name again."""
 
 
 def repeated(page: Page) -> Iterator[str]:
