@@ -495,7 +495,7 @@ def unused(page: Page) -> Iterator[str]:
 
 
 _LAW_OF_MOTION = re.compile(
-    "equation of motion|constant (?:angular )?acceleration|simple harmonic|under-damped|^For (?:the|.* of)|Compared with"
+    "equation of motion|constant (?:angular )?acceleration|simple harmonic|under-damped|^For (the|.* of)|Compared with"
 )
 """What a page says where it goes on from an acceleration, whose letter the lines below do not name again."""
 
