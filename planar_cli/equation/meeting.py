@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from decimal import Decimal
 
 import sympy as sp
 
@@ -64,8 +65,11 @@ def partners_of(scene: Scene, between: tuple[str, ...], at: str = "") -> tuple[P
 
 
 def _with_free_corners(scene: Scene, one: Partner, other: Partner, at: str) -> Partner:
-    if len(one.corners) < 2 or other.line is None or other.corners:
+    if len(one.corners) < 2 or other.line is None:
         return one
+    if other.corners:
+        named = tuple(p for p in one.corners if at and _is_at(scene, p, at))
+        return replace(one, corners=named or one.corners)
     names = {one.name, other.name}
     contacts = (j for j in scene.problem.joints if j.unilateral and not j.strikes)
     held = [getattr(j, "at", "") for j in contacts if {*getattr(j, "between", ())} == names]
@@ -133,9 +137,9 @@ def _point(scene: Scene, a: Partner, b: Partner) -> Vec | None:
     for one, other in ((a, b), (b, a)):
         if one.center is not None and one.radius is not None:
             return _on_rim(scene, one, other)
-    for one, other in ((a, b), (b, a)):
-        if other.line is not None and one.corners:
-            return _nearest(scene, one.corners, _off(other.line))
+    reaches = [(p, _apart(scene, p, other)) for one, other in ((a, b), (b, a)) if other.line for p in one.corners]
+    if reaches:
+        return min(reaches, key=lambda reach: reach[1])[0]
     if a.corners and b.corners:
         pairs = [(p, (p - q).dot(p - q)) for p in a.corners for q in b.corners]
         value = scene.valuations[0]
@@ -176,9 +180,13 @@ def _on_rim(scene: Scene, one: Partner, other: Partner) -> Vec | None:
     return None
 
 
-def _off(line: tuple[Vec, Vec]) -> Callable[[Vec], sp.Expr]:
-    """The square of the distance from a line."""
-    return lambda p: (p - line[0]).cross(line[1]) ** 2
+def _apart(scene: Scene, p: Vec, other: Partner) -> Decimal:
+    """The square of the distance of a corner from a straight edge, which may have ends."""
+    assert other.line is not None
+    value, (start, along) = scene.valuations[0], other.line
+    off: Decimal = value((p - start).cross(along)) ** 2
+    ways = [value((q - p).dot(along)) for q in other.corners]
+    return off + max(min(ways), -max(ways), Decimal(0)) ** 2 if ways else off
 
 
 def _nearest(scene: Scene, points: tuple[Vec, ...], square: Callable[[Vec], sp.Expr]) -> Vec:

@@ -69,12 +69,14 @@ def gaps_of(
     between: tuple[str, ...],
     normal: Vec | None = None,
     later: bool = False,
-    named: Vec | None = None,
+    named: tuple[Vec, str] | None = None,
 ) -> tuple[Gap, ...]:
     """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives. `later`:
-    they strike in another position than the drawn one. `named`: the point of one of them that the file names.
+    they strike in another position than the drawn one. `named`: the point that the file names, and whose it is.
     """
-    ours, theirs = (_named(scene, boundaries(scene, partner), named) for partner in between)
+    ours, theirs = (boundaries(scene, partner) for partner in between)
+    meets = [b for b in (*ours, *theirs) if _is_named(scene, b, named)]
+    ours, theirs = (_named(one, meets, other) for one, other in ((ours, theirs), (theirs, ours)))
     found = [gap for a in ours for b in theirs for gap in _pair(scene, feet, a, b)]
     if normal is None:
         return tuple(found or _ends(scene, ours, theirs, None))
@@ -98,16 +100,22 @@ def _is_met_at_its_end(scene: Carried, gap: Gap, normal: Vec) -> bool:
     return aslant and touches and any(scene.sign(w) == 0 for w in gap.within)
 
 
-def _named(scene: Carried, found: list[Boundary], named: Vec | None) -> list[Boundary]:
-    """Of several corners the one that the file names, if it is among them."""
+def _is_named(scene: Carried, boundary: Boundary, named: tuple[Vec, str] | None) -> bool:
+    """Is it the corner that the file names?"""
+    if named is None or not isinstance(boundary, Corner) or boundary.body != named[1]:
+        return False
+    gap: Vec = boundary.place - named[0]
+    return math.hypot(scene.graph.of(gap.x).value, scene.graph.of(gap.y).value) <= NEAR * scene.extent
 
-    def is_named(corner: Corner) -> bool:
-        assert named is not None
-        gap: Vec = corner.place - named
-        return math.hypot(scene.graph.of(gap.x).value, scene.graph.of(gap.y).value) <= NEAR * scene.extent
 
-    met = [] if named is None else [b for b in found if isinstance(b, Corner) and is_named(b)]
-    return [b for b in found if not isinstance(b, Corner) or b in met] if met else found
+def _named(found: list[Boundary], met: list[Boundary], others: list[Boundary]) -> list[Boundary]:
+    """Of several corners the one that the file names, if it is among them; with it a rod's end meets what has edges of
+    its own, not those with its corners.
+    """
+    if any(b in met for b in found):
+        return [b for b in found if not isinstance(b, Corner) or b in met]
+    edged = any(isinstance(b, Edge) for b in found)
+    return [b for b in found if not isinstance(b, Corner)] if edged and any(b in met for b in others) else found
 
 
 def _where(scene: Carried, gap: Gap, cosine: Term, sense: int) -> Gap:

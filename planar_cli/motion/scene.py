@@ -282,7 +282,8 @@ class MovingScene(Carried):
             return ()
         later = joint.during is None or not self.problem.holds_at_first(joint.during)
         at = getattr(joint, "at", "")
-        named = self.point(at) if at and self.owner(at) in {self.carrier(p) for p in between} else None
+        owner = self.owner(at) if at else ""
+        named = (self.point(at), owner) if owner in {self.carrier(p) for p in between} else None
         found = gaps_of(self, self.feet, between, None if normal is None else heading(self, normal), later, named)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
