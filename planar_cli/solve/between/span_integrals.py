@@ -33,6 +33,7 @@ from planar_cli.solve.between.exact_segments import ExactSegment, exact_segments
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.given_times import endless_times
 from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.one_sense import demand_one_sense
 from planar_cli.solve.between.span_quantities import SpanQuantity
 from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.solve.diagnosis.words import names_of
@@ -144,6 +145,8 @@ class SpanSolver:
         near = ROUNDED * max(abs(ta), min(abs(tb), segment.t1))
         turns = tuple(t for t in self._zeros(speed, segment, ta, tb) if ta + near < t < tb - near)
         whole = self._integral(p, r, speed, segment, asked.quantity)
+        if not turns and self.course.symbolic:
+            demand_one_sense(self.course, segment.over_time(speed), p, r, asked.quantity)
         if not turns:
             sense = -1 if whole.number < 0 else 1
             formula, g, over = (
