@@ -16,7 +16,8 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Round, Surface
+from planar_cli.problem.scene import GROUND, Circle, Surface
+from planar_cli.problem.shapes import rim_of
 
 
 class Wheels(Protocol):
@@ -93,8 +94,9 @@ class Arms:
         """Centre and radius of all wheels and circular tracks."""
         scene = self.scene
         for body in scene.bodies.values():
-            if isinstance(body.shape, Round):
-                yield body.center, scene.value(body.shape.radius)
+            rim = rim_of(body.shape)
+            if rim is not None:
+                yield scene.carried(body.name, rim.center), scene.value(rim.radius)
         for surface in scene.surfaces.values():
             if isinstance(surface.shape, Circle):
                 yield scene.carried(surface.body or GROUND, surface.shape.center), scene.value(surface.shape.radius)

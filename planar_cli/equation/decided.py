@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import sympy as sp
 
@@ -17,6 +17,7 @@ from planar_cli.equation.plain import derivative, letters, simplified
 from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Outlined, hub_of
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.shapes import drawn_by
 from planar_cli.problem.walk import walk
@@ -53,6 +54,10 @@ class Decided:
     def drawn_by(self, body: str) -> tuple[str, ...]:
         """The points by which a body of no particular shape is drawn; of any other body none."""
         return next((drawn_by(b) for b in self.problem.bodies if b.name == body), ())
+
+    def hub(self, body: str, point: Vec) -> Vec:
+        """The centre of the rim through a point of a body, about which a cord there is wound."""
+        return hub_of(cast("Outlined", self), body, point)
 
     def faced(self, joint: str) -> int:
         """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""

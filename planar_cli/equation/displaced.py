@@ -25,6 +25,7 @@ from planar_cli.equation.swaying import sent_aside
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Polar, Round, Sector
+from planar_cli.problem.shapes import rim_of
 from planar_cli.records import changing
 
 ZERO = sp.S.Zero
@@ -329,7 +330,7 @@ class Displacer:
         that n = (ρ r - L r × k) / r² with r = P - C and L² = r² - ρ². What has mass hangs on its cord without swaying,
         but where a state sends it aside.
         """
-        scene, drum = self.scene, self.scene.bodies[body].center
+        scene, drum = self.scene, self.scene.hub(body, self.scene.point(point))
         start, owner = scene.point(other), scene.owner(other, body)
         hangs = owner != GROUND and scene.bodies[owner].mass != 0 and scene.problem.plane == "vertical"
         if owner == GROUND or (hangs and not sent_aside(scene, owner, False)):
@@ -355,9 +356,8 @@ class Displacer:
 
     def _with_center(self, point: str, body: str) -> Vec:
         """A point of a rim that keeps its direction from the centre."""
-        center = self.scene.bodies[body].center
-        place: Vec = self.poses[body].point(center) + (self.scene.point(point) - center)
-        return place
+        center = self.scene.hub(body, self.scene.point(point))
+        return self._carried(body, center) + (self.scene.point(point) - center)
 
     def _touching(self, at: str, between: tuple[str, ...]) -> Vec | None:
         place = self.scene.point(at)
@@ -385,8 +385,8 @@ class Displacer:
         if surface is not None:
             return self.scene.point(surface.shape.center) if isinstance(surface.shape, Circle) else None
         body = self.scene.bodies.get(partner)
-        if body is not None and isinstance(body.shape, Round):
-            return self.scene.point(body.shape.center)
+        if body is not None and (rim := rim_of(body.shape)) is not None:
+            return self.scene.point(rim.center)
         if body is not None and isinstance(body.shape, Composite | Sector):
             outline = self.scene.outline(partner, place, NOWHERE)
             return outline.center if outline.kind == "arc" else None

@@ -17,7 +17,8 @@ from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.facts import Meeting
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import outline_of
-from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round
+from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod
+from planar_cli.problem.shapes import rim_of
 from planar_cli.records import record
 
 
@@ -101,8 +102,9 @@ def partner_of(scene: Scene, name: str) -> Partner:
     shape = found.shape
     if isinstance(shape, Particle):
         return Partner(name, name, found.center, sp.S.Zero, particle=True)
-    if isinstance(shape, Round):
-        return Partner(name, name, scene.point(shape.center), scene.value(shape.radius))
+    rim = rim_of(shape)
+    if rim is not None:
+        return Partner(name, name, scene.point(rim.center), scene.value(rim.radius))
     if isinstance(shape, Rod):
         return _rod(scene, name, shape)
     if isinstance(shape, Plate):

@@ -74,7 +74,8 @@ def _stop(rope: RopePath, scene: Setting, index: int) -> Stop:
     stop = rope.stops[index]
     if stop.way == "on":
         body = stop.body or ""
-        return Stop(body, scene.center(body), 0, 0, scene.point(stop.name))
+        rim = scene.point(stop.name)
+        return Stop(body, scene.hub(body, rim), 0, 0, rim)
     if stop.way == "point":
         return Stop(scene.owner(stop.name), scene.point(stop.name), 0, 0, None)
     if not 0 < index < len(rope.stops) - 1:

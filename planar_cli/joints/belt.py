@@ -56,9 +56,13 @@ class Belt(Joint):
 
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         for body in scene.bodies:
-            if body.name in self.between and not body.is_round:
+            if body.name in self.between and not body.is_disk:
                 message = f"a belt runs round disks; {body.name} is none"
-                yield Diagnostic(body.mark, "PL455", message, "give it `disk: G, radius: …`")
+                hint = "give it `disk: G, radius: …`"
+                if body.is_round:
+                    message = f"a belt runs round disks with the mass centre in the middle; that of {body.name} is not"
+                    hint = f"let it run on a disk `{{disk: O, radius: …}}` without mass, and `weld` that to {body.name}"
+                yield Diagnostic(body.mark, "PL455", message, hint)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         a, b = self.between

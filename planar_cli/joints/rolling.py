@@ -74,7 +74,8 @@ class Rolling(Joint):
                 self.mark,
                 "PL523",
                 f"{self.name}: a corner can not roll, and {corner} has its end or a corner there",
-                "rolling needs a round rim on a rim, rack or surface; let a rack reach beyond the point on both sides",
+                "rolling needs a round rim on a rim, rack or surface: a wheel is `disk: O, radius: R`, "
+                "with `center: G` where its mass centre is not O; let a rack reach beyond the point on both sides",
             )
         demand_common_tangent(self.between, self.at, a, b, scene, self.mark)
         same = scene.sign(a.tangent.dot(b.tangent))

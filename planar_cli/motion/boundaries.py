@@ -115,6 +115,8 @@ def _of_shape(scene: Carried, body: str, shape: Shape) -> Iterator[Boundary]:
         case Sector(apex):
             yield Corner(body, scene.carried(body, apex))
             yield Rim(body, scene.carried(body, apex), scene.value(shape.radius), False)
+        case Outline(rim=Round() as rim):
+            yield from _of_shape(scene, body, rim)
         case Outline():
             for point, owners in scene.owners.items():
                 if body in owners:

@@ -35,7 +35,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.headings import heading
 from planar_cli.problem.keys import Table
 from planar_cli.problem.masses import placed
-from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
+from planar_cli.problem.outlines import Bend, Span, edges_at, hub_of, outline_of, spot_of
 from planar_cli.problem.relaxed import reach_of, relaxed_at
 from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
 from planar_cli.problem.shapes import drawn_by
@@ -65,7 +65,7 @@ class MovingScene(Carried):
         self._skids: Skids | None = None
         self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
-        self._points |= spots_of(self, partial(outline_of, self), self.spot, self.feet)
+        self._points |= spots_of(self, partial(outline_of, self), self.spot, self.feet, self.hub)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
         self.placed = placed(problem)
@@ -147,6 +147,10 @@ class MovingScene(Carried):
     def bend(self, surface: Surface, shape: Curve, point: Vec) -> Bend:
         """A curve where a point of it is now."""
         return curve_at(self, surface, shape, point)
+
+    def hub(self, body: str, point: Vec) -> Vec:
+        """The centre of the rim through a point of a body, about which a cord there is wound."""
+        return hub_of(self, body, point)
 
     def edges(self, body: str, point: Vec) -> list[Outline]:
         """The edges of a plate through a point."""

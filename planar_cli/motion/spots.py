@@ -14,6 +14,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import Span
 from planar_cli.problem.scene import GROUND
 
+HubAt = Callable[[str, Vec], Vec]
+"""The centre of the rim through a place of a body."""
 OutlineAt = Callable[[str, Vec, Mark], Outline]
 """The outline of a partner of a joint at a place."""
 SpotAt = Callable[[str, Vec, Span], Vec]
@@ -21,7 +23,7 @@ SpotAt = Callable[[str, Vec, Span], Vec]
 
 
 def spots_of(
-    scene: Carried, outline_at: OutlineAt, spot_at: SpotAt, feet: Mapping[tuple[str, str], Foot]
+    scene: Carried, outline_at: OutlineAt, spot_at: SpotAt, feet: Mapping[tuple[str, str], Foot], hub_at: HubAt
 ) -> dict[str, Vec]:
     """The places of such points, by name."""
     found: dict[str, Vec] = {}
@@ -34,23 +36,27 @@ def spots_of(
     members: tuple[Joint | Load, ...] = (*scene.problem.joints, *scene.problem.loads)
     for member in members:
         for point, body in member.rims():
-            center = scene.center(body)
-            arm = scene.place_drawn(point) - scene.drawn_center(body)
-            found[point] = center + arm
+            center = hub_at(body, scene.carried(body, point))
+            found[point] = center + (scene.place_drawn(point) - _drawn(center))
     for joint in scene.problem.joints:
-        found |= {point: _tangent(scene, point, body, other) for point, body, other in joint.tangents()}
+        found |= {point: _tangent(scene, hub_at, point, body, other) for point, body, other in joint.tangents()}
     return found
 
 
-def _tangent(scene: Carried, point: str, body: str, other: str) -> Vec:
+def _drawn(place: Vec) -> Vec:
+    """Where a place is drawn, in plain numbers."""
+    return Vec(place.x.value, place.y.value)
+
+
+def _tangent(scene: Carried, hub_at: HubAt, point: str, body: str, other: str) -> Vec:
     """Where a cord that runs straight to another point leaves a rim: C + ρ n with n = (ρ r - L r × k) / r², r from the
     centre C to that point, L² = r² - ρ².
     """
-    graph, center = scene.graph, scene.center(body)
-    arm, reach = scene.place_drawn(point) - scene.drawn_center(body), scene.point(other) - center
+    graph, center = scene.graph, hub_at(body, scene.carried(body, point))
+    arm, reach = scene.place_drawn(point) - _drawn(center), scene.point(other) - center
     square = graph.of(reach.dot(reach))
     radius = graph.call("sqrt", graph.of(arm.dot(arm)))
-    way = scene.sign(graph.of(arm.cross(scene.place_drawn(other) - scene.drawn_center(body))))
+    way = scene.sign(graph.of(arm.cross(scene.place_drawn(other) - _drawn(center))))
     free = scene.root(square - radius * radius)
     normal: Vec = (reach * radius - reach.turned() * (free * way)) / square
     place: Vec = center + normal * radius

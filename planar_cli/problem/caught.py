@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from planar_cli.errors import refuse
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import Outlined
-from planar_cli.problem.scene import GROUND, Plate, Problem, Rod, Round
+from planar_cli.problem.scene import GROUND, Outline, Plate, Problem, Rod, Round
 
 
 class Catching(Outlined, Protocol):
@@ -45,7 +45,7 @@ def demand_caught(scene: Catching) -> None:
 def _beside(scene: Catching, body: str, place: Vec) -> bool:
     """Is a place, as drawn, outside a disk, a rectangle or a rod? Of other shapes nothing is said."""
     match scene.shape(body):
-        case Round(center=center, radius=radius) if radius is not None:
+        case Round(center=center, radius=radius) | Outline(rim=Round(center=center, radius=radius)):
             out, far = place - scene.carried(body, center), scene.value(radius)
             return _exceeds(scene, out.dot(out), far * far)
         case Plate(center=center, width=width, height=height) as shape:

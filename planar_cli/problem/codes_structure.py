@@ -59,7 +59,7 @@ _FORM = {
     ),
     "PL331": (
         "This key belongs to another shape. A body of any shape with a known mass centre is `points: [A, B], "
-        "center: G`."
+        "center: G`; a wheel whose mass centre is not its middle is `disk: O, radius: R, center: G`."
     ),
     "PL332": "The mass is said once, by `mass` or `weight`; so is the inertia, by `inertia` or `radius_of_gyration`.",
     "PL333": (

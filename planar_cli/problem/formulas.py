@@ -15,6 +15,7 @@ from planar_cli.problem.scene import (
     Composite,
     Curve,
     Line,
+    Outline,
     Particle,
     Plate,
     Point,
@@ -147,6 +148,8 @@ def _of_shape(shape: Shape, what: str) -> Iterator[Formula]:
         case Rod():
             yield from _plain(shape.angle, "angle", f"the direction {what}")
             yield from _plain(shape.length, "length", f"the length {what}")
+        case Outline(rim=Round() as rim):
+            yield from _of_shape(rim, what)
         case Round():
             yield from _plain(shape.radius, "length", f"the radius {what}")
             yield from _plain(shape.hub, "length", f"the hub radius {what}")

@@ -15,7 +15,7 @@ from planar_cli.errors import Mark
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Binary, Number, Side
 from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import GROUND, Body, Line, Particle, Place, Plate, Point, Polar, Round, Surface
+from planar_cli.problem.scene import GROUND, Body, Line, Outline, Particle, Place, Plate, Point, Polar, Round, Surface
 from planar_cli.records import record
 
 
@@ -124,7 +124,10 @@ class _Reading:
                 return ""
             case Particle(place=place):
                 return place if isinstance(place, str) else body.name
-            case Round(center=center, radius=radius, hub=None):
+            case (
+                Round(center=center, radius=radius, hub=None)
+                | Outline(rim=Round(center=center, radius=radius, hub=None))
+            ):
                 return self._point(Polar(center, radius, down), mark)
             case Plate(center=center, height=height, angle=angle) if _is_zero(angle):
                 half = Binary("/", height, Number(Fraction(2), None, 1, mark), mark)

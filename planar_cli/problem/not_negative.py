@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from planar_cli.problem.expression import Name
 from planar_cli.problem.scene import Body, Composite, Problem, Shape
+from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.walk import walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
@@ -49,7 +50,9 @@ def _turned(problem: Problem) -> Iterable[object]:
 
 
 def _shapes(body: Body) -> Iterable[Shape]:
-    return [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
+    if isinstance(body.shape, Composite):
+        return [p.shape for p in body.shape.pieces]
+    return [rim_of(body.shape) or body.shape]
 
 
 def _sought(problem: Problem, sides: Iterable[object]) -> frozenset[str]:

@@ -15,6 +15,7 @@ from planar_cli.problem.facts import Outline
 from planar_cli.problem.gaps import gap
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, State, Surface
+from planar_cli.problem.scene import Outline as AnyShape
 from planar_cli.problem.setting import Setting
 from planar_cli.records import record
 
@@ -43,6 +44,7 @@ class Outlined(Protocol):
     surfaces: dict[str, Surface]
 
     def shape(self, body: str) -> Any: ...
+    def center(self, body: str) -> Vec: ...
     def carried(self, body: str, point: str) -> Vec:
         """A named point that goes with a body (or the ground)."""
 
@@ -81,6 +83,8 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
             return _plate(scene, partner, shape, point, mark)
         case Rod() as shape:
             return _rod(scene, partner, shape, point)
+        case AnyShape(rim=Round() as rim):
+            return _round(scene, partner, rim, point, mark)
     return Outline("corner", partner)
 
 
@@ -125,6 +129,18 @@ def spot_of(scene: Outlined, states: Sequence[State], during: Span, partner: str
         nearest: Vec = center + out * (scene.value(surface.shape.radius) / scene.length(out))
         return nearest
     return point
+
+
+def hub_of(scene: Outlined, body: str, point: Vec) -> Vec:
+    """The centre of the rim through a point of a body, about which a cord there is wound; elsewhere its mass centre."""
+    rims: list[Round] = []
+    match scene.shape(body):
+        case AnyShape(rim=Round() as rim):
+            rims = [rim]
+        case Composite(pieces):
+            rims = [p.shape for p in pieces if isinstance(p.shape, Round)]
+    found = (outline.center for rim in rims if (outline := _rim(scene, body, rim, point)) is not None)
+    return next((center for center in found if center is not None), scene.center(body))
 
 
 def edges_at(scene: Outlined, body: str, shape: Plate, point: Vec) -> list[Outline]:

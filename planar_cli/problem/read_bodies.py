@@ -28,9 +28,9 @@ from planar_cli.problem.scene import (
 SHAPE_KEYS: dict[str, tuple[str, ...]] = {
     "particle": (),
     "rod": ("length",),
-    "disk": ("radius", "hub"),
-    "ring": ("radius", "hub"),
-    "sphere": ("radius", "hub"),
+    "disk": ("radius", "hub", "center"),
+    "ring": ("radius", "hub", "center"),
+    "sphere": ("radius", "hub", "center"),
     "sector": ("radius", "span", "angle"),
     "plate": ("width", "height", "angle"),
     "parts": (),
@@ -156,8 +156,17 @@ def _refuse_strangers(fields: Fields, kind: str) -> None:
             fields.place(extra),
             "PL331",
             f"'{extra}' does not go with '{kind}' in {fields.what}",
-            "any other shape, with its mass centre: `points: [A, B], center: G`" if extra == "center" else "",
+            _meant(kind, extra),
         )
+
+
+def _meant(kind: str, extra: str) -> str:
+    """What may be meant by a key that does not go with the shape."""
+    if extra == "center":
+        return "any other shape, with its mass centre: `points: [A, B], center: G`"
+    if kind == "points" and extra in ("radius", "hub"):
+        return "a wheel is `disk: O, radius: R`, with `center: G` where its mass centre is not its middle"
+    return ""
 
 
 def _particle(fields: Fields) -> Particle:
@@ -187,8 +196,10 @@ def _rod(fields: Fields) -> Rod:
     return Rod(start, None, reading.side(end, "angle", fields.report), length)
 
 
-def _round(kind: str, fields: Fields) -> Round:
-    return Round(kind, fields.need_name(kind, "a point"), fields.need_side("radius"), fields.side("hub"))
+def _round(kind: str, fields: Fields) -> Round | Outline:
+    found = Round(kind, fields.need_name(kind, "a point"), fields.need_side("radius"), fields.side("hub"))
+    center = fields.name("center", "a point")
+    return found if center in (None, found.center) else Outline(center, found)
 
 
 def _sector(fields: Fields) -> Sector:
@@ -224,6 +235,12 @@ def _composite(fields: Fields) -> Composite:
 def _piece(node: Node, whole: Fields) -> Piece:
     fields = Fields(node, PIECE_KEYS, f"a part of {whole.what}", whole.report, SLIPS)
     shape = _shape(fields) if isinstance(node, Mapping) else Outline(None)
+    if isinstance(shape, Outline) and shape.rim is not None:
+        text = f"the mass centre of {fields.what} is that of its shape"
+        hint = f"give the {shape.rim.kind} no mass, and its mass to a part `{{particle: {shape.center}}}` beside it"
+        fields.report.add(
+            fields.place("center"), "PL331", text, f"{hint}, with `radius_of_gyration` for the whole body"
+        )
     return Piece(
         shape,
         fields.side("mass"),

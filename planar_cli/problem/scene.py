@@ -202,9 +202,13 @@ class Plate:
 
 @record
 class Outline:
-    """Any other shape: some of its points and, if known, its mass centre."""
+    """Any other shape: some of its points and, if known, its mass centre.
+
+    `rim`: of a wheel whose mass centre is not that of its rim.
+    """
 
     center: str | None
+    rim: Round | None = None
 
 
 @record
@@ -250,7 +254,12 @@ class Body:
     @property
     def is_round(self) -> bool:
         """Has it a round rim, itself or as what one of its parts may be?"""
-        return isinstance(self.shape, Round | Composite)
+        return isinstance(self.shape, Round | Composite) or self.hub_point is not None
+
+    @property
+    def is_disk(self) -> bool:
+        """Is it one round body with its mass centre in the middle?"""
+        return isinstance(self.shape, Round)
 
     @property
     def is_particle(self) -> bool:
@@ -259,7 +268,8 @@ class Body:
     @property
     def hub_point(self) -> str | None:
         """The centre of a round body."""
-        return self.shape.center if isinstance(self.shape, Round) else None
+        rim = self.shape.rim if isinstance(self.shape, Outline) else self.shape
+        return rim.center if isinstance(rim, Round) else None
 
     @property
     def is_massless(self) -> bool:

@@ -13,6 +13,12 @@ def closest_first(bodies: Iterable[Body]) -> list[Body]:
     return sorted(bodies, key=lambda body: not isinstance(body.shape, Particle))
 
 
+def rim_of(shape: Any) -> Round | None:
+    """The rim of a wheel, whether its mass centre is in the middle or not; None: it is none."""
+    rim = shape.rim if isinstance(shape, Outline) else shape
+    return rim if isinstance(rim, Round) else None
+
+
 def own_points(shape: Any) -> tuple[str, ...]:
     """The points by which a shape is drawn and which move with it."""
     match shape:
@@ -20,7 +26,9 @@ def own_points(shape: Any) -> tuple[str, ...]:
             return (shape.place,) if isinstance(shape.place, str) else ()
         case Rod():
             return (shape.start, shape.end) if shape.end else (shape.start,)
-        case Round() | Outline():
+        case Outline(center=center, rim=rim):
+            return tuple(name for name in (center, rim.center if rim else None) if name)
+        case Round():
             return (shape.center,) if shape.center else ()
         case Sector():
             return (shape.apex,)
@@ -32,4 +40,6 @@ def own_points(shape: Any) -> tuple[str, ...]:
 
 def drawn_by(body: Body) -> tuple[str, ...]:
     """The points by which a body of no particular shape is drawn; of any other body none."""
-    return tuple(dict.fromkeys((*own_points(body.shape), *body.points))) if isinstance(body.shape, Outline) else ()
+    if not isinstance(body.shape, Outline) or body.shape.rim is not None:
+        return ()
+    return tuple(dict.fromkeys((*own_points(body.shape), *body.points)))

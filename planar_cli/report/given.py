@@ -16,6 +16,7 @@ from planar_cli.problem.scene import (
     Circle,
     Composite,
     Curve,
+    Outline,
     Plate,
     Problem,
     Rod,
@@ -150,6 +151,8 @@ def _of_shape(shape: Shape, name: str, inert: bool, figures: int) -> Iterator[Da
     match shape:
         case Rod():
             yield from _datum(f"length of {name}", shape.length, figures)
+        case Outline(rim=Round() as rim):
+            yield from _of_shape(rim, name, inert, figures)
         case Round():
             yield from _datum(f"radius of {name}", shape.radius, figures)
             yield from _datum(f"radius of the hub of {name}", shape.hub, figures)

@@ -10,6 +10,7 @@ from planar_cli.problem.scene import (
     At,
     Composite,
     Midpoint,
+    Outline,
     Particle,
     Plate,
     Point,
@@ -86,6 +87,7 @@ def _drawn(problem: Problem) -> set[str]:
         shapes = [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
         slots = ("start", "end", "apex", "place")
         found |= {n for s in shapes for slot in slots if isinstance(n := getattr(s, slot, None), str)}
+        found |= {body.shape.rim.center} if isinstance(body.shape, Outline) and body.shape.rim is not None else set()
         if isinstance(body.shape, Composite):
             found |= {p.shape.center for p in body.shape.pieces if isinstance(p.shape, Round | Plate)}
     return found

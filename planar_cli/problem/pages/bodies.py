@@ -10,6 +10,7 @@ Each body has one shape:
     disk: G, radius: R             `hub: r` is a second, concentric step
     ring: G, radius: R             all mass at the rim
     sphere: G, radius: R
+    disk: O, radius: R, center: G  a wheel, ring or sphere whose mass centre G is not its middle O
     sector: O, radius: R, span: 180 deg, angle: 90 deg        its apex, opening angle, and the direction of its axis
     plate: G, width: b, height: h, angle: 0 deg               a rectangle about G; angle is that of its width
     points: [A, B], center: G      any other shape: its points, and its mass centre
@@ -29,6 +30,7 @@ Examples
     bodies:
       crank: {rod: [O, A], mass: 2 kg}
       spool: {disk: G, radius: R, hub: r, mass: m, radius_of_gyration: k_G}
+      flywheel: {disk: O, radius: R, center: G, mass: m, radius_of_gyration: k_G}
       gate: {points: [A, B], center: G, weight: 600 N, inertia: 40 kg*m^2, about: A}
       wheel: {parts: [{disk: O, radius: 0.3 m, mass: 10 kg}, {particle: P, mass: 2 kg}]}
       plate: {parts: [{plate: G, width: b, height: h, mass: 9 kg}, {disk: H, radius: r, mass: -1 kg}]}
