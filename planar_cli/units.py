@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from difflib import get_close_matches
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
 
 from planar_cli.records import record
+from planar_cli.unit_hints import HABITS, suggestion
 
 MAX_UNIT_LENGTH = 40
 MAX_UNIT_POWER = 12
@@ -124,73 +124,6 @@ ATOMS: Mapping[str, Unit] = MappingProxyType(
     }
 )
 
-# What people write instead, and what it should be.
-_HABITS: Mapping[str, str] = MappingProxyType(
-    {
-        "t": "the tonne is written `tonne`; `t` is time",
-        "ton": "write `tonne` (1000 kg)",
-        "tons": "write `tonne` (1000 kg)",
-        "lbs": "write `lb` for a mass, `lbf` for a force",
-        "pound": "write `lb` for a mass, `lbf` for a force",
-        "pounds": "write `lb` for a mass, `lbf` for a force",
-        "lbm": "write `lb`",
-        "Nm": "write `N*m`",
-        "kNm": "write `kN*m`",
-        "Ns": "write `N*s`",
-        "kgm": "write `kg*m`",
-        "kph": "write `km/h`",
-        "kmh": "write `km/h`",
-        "kmph": "write `km/h`",
-        "fps": "write `ft/s`",
-        "mps": "write `m/s`",
-        "kgf": "write the force in `N`: 1 kgf is 9.80665 N",
-        "sec": "write `s`",
-        "secs": "write `s`",
-        "second": "write `s`",
-        "seconds": "write `s`",
-        "hr": "write `h`",
-        "hrs": "write `h`",
-        "hour": "write `h`",
-        "hours": "write `h`",
-        "minute": "write `min`",
-        "minutes": "write `min`",
-        "degree": "write `deg`",
-        "degrees": "write `deg`",
-        "degs": "write `deg`",
-        "rads": "write `rad`, or `rad/s` for a rate",
-        "radian": "write `rad`",
-        "radians": "write `rad`",
-        "revs": "write `rev`",
-        "rps": "write `rev/s`",
-        "RPM": "write `rpm`",
-        "meter": "write `m`",
-        "meters": "write `m`",
-        "metre": "write `m`",
-        "metres": "write `m`",
-        "inch": "write `in`",
-        "inches": "write `in`",
-        "foot": "write `ft`",
-        "feet": "write `ft`",
-        "mile": "write `mi`",
-        "miles": "write `mi`",
-        "Kg": "write `kg`",
-        "KG": "write `kg`",
-        "kgs": "write `kg`",
-        "gram": "write `g`",
-        "grams": "write `g`",
-        "gr": "write `g`",
-        "newton": "write `N`",
-        "newtons": "write `N`",
-        "Newton": "write `N`",
-        "joule": "write `J`",
-        "joules": "write `J`",
-        "watt": "write `W`",
-        "watts": "write `W`",
-        "ksi": "write `kip/in^2`",
-        "percent": "write a fraction, `0.05`",
-    }
-)
-
 # A broken power, `m^(1/2)`, is written `m^1|2` inside: no stroke, no bracket.
 _BROKEN = re.compile(r"\^\((-?[0-9]{1,2})/([1-9][0-9]?)\)")
 _TOKEN = re.compile(r"([A-Za-z]+|1)(?:\^(-?[0-9]{1,2})(?:\|([0-9]{1,2}))?)?")
@@ -238,7 +171,10 @@ def _refuse_signs(text: str) -> None:
         raise UnitError(f"the unit `{text}` has a space inside", "join the parts with `*` or `/`: `N*m`", text)
     joined = re.fullmatch(r"([A-Za-z]+)[.-]([A-Za-z]+)(\^[0-9]|)", text)
     if joined:
-        raise UnitError(f"unknown unit `{text}`", f"write `{joined[1]}*{joined[2]}{joined[3]}`", text)
+        first, second = ("lbf" if part == "lb" and not joined[3] else part for part in joined.groups()[:2])
+        raise UnitError(f"unknown unit `{text}`", f"write `{first}*{second}{joined[3]}`", text)
+    if re.fullmatch(r"[A-Za-z]+\.", text):
+        raise UnitError(f"unknown unit `{text}`", f"write it without the point: `{text[:-1]}`", text)
     if "**" in text:
         raise UnitError("a power is written with `^`", f"write `{text.replace('**', '^')}`", text)
 
@@ -274,7 +210,7 @@ def _atom(piece: str) -> tuple[Unit, Fraction]:
         raise UnitError(f"the power of a unit is at most {MAX_UNIT_POWER}", "", piece)
     name = match[1]
     if name not in ATOMS:
-        raise UnitError(f"unknown unit `{name}`", _suggestion(name), name)
+        raise UnitError(f"unknown unit `{name}`", suggestion(name, ATOMS), name)
     unit = ATOMS[name]
     if power.denominator != 1 and (unit.factor != 1 or unit.pi_power):
         raise UnitError(f"no broken power of `{name}`", "write it with `m`, `kg`, `s`", name)
@@ -283,17 +219,7 @@ def _atom(piece: str) -> tuple[Unit, Fraction]:
 
 def is_habit(atom: str) -> bool:
     """Whether `atom` is a well-known misspelling of a unit (`sec`, `lbs`, `kph`), and no likely name of a file."""
-    return len(atom) > 1 and atom in _HABITS
-
-
-def _suggestion(name: str) -> str:
-    if name in _HABITS:
-        return _HABITS[name]
-    if name.lower() in _HABITS and len(name) > 1:
-        return _HABITS[name.lower()]
-    same = next((unit for unit in ATOMS if unit.lower() == name.lower()), None)
-    close = [same] if same else get_close_matches(name, ATOMS, n=1, cutoff=0.6) if len(name) > 1 else []
-    return f"did you mean `{close[0]}`?" if close else ""
+    return len(atom) > 1 and atom in HABITS
 
 
 # Display units and words of the dimensions that have a name: SI text, US text, words.

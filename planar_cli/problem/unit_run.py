@@ -14,7 +14,9 @@ from planar_cli.units import Unit, UnitError, is_habit, parse_unit
 _POWER = r"\^\(-?[0-9]+/[0-9]+\)"
 _RUN = re.compile(rf"(?:1/)?(?:{_POWER}|\^-(?=[0-9])|[A-Za-z0-9_.*/^])*")
 _BRACKET = re.compile(rf"\((?:{_POWER}|[A-Za-z0-9*^])+\)")
-_HYPHENATED = re.compile(r"(?:k?N|lbf?|ft|in|kip)-(?:m|s|ft|in|lbf?)(?![A-Za-z0-9_(])")
+_HYPHENATED = re.compile(
+    r"(?:(?:kg|slug|lb)-(?:m|ft|in)\^2|(?:k?N|lbf?|ft|in|kip)-(?:m|s|ft|in|lbf?))(?![A-Za-z0-9_(])"
+)
 _ENDS = frozenset(("is", "at", "during", "cw", "ccw"))
 
 
