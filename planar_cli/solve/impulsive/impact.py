@@ -122,6 +122,8 @@ class Blow:
         transfer = list(self._transferred())
         targets = {s for _, e in transfer for s in e.free_symbols & unknowns}
         targets |= set(self.stop.letters.values()) & unknowns | self._asked(asked) & unknowns
+        if self.scene.ledger.symbolic:
+            targets |= {s for e in self.limits() for s in e.free_symbols & unknowns}
         base = self.trial.outcomes[0].value
         value = base.without(unknowns)
         maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None, whole=True)
@@ -196,6 +198,17 @@ class Blow:
             self.system.symbols[p.name] for p in self.system.pushes if every or aliases.get(p.joint, p.joint) in names
         }
 
+    def limits(self) -> tuple[sp.Expr, ...]:
+        """What is not negative in its modes where friction limits an impulse: μ J_N - |J_F|, or how fast it slides."""
+        found: list[sp.Expr] = []
+        for mode in self.system.modes.values():
+            for test in mode.tests if mode.name in ("stick", "slip") else ():
+                if len(test.pushes) > 1 and all(n in self.system.symbols for n, _ in test.pushes):
+                    found.append(sp.Add(*(c * self.system.symbols[n] for n, c in test.pushes), test.constant))
+                elif test.row is not None and mode.name == "slip":
+                    found.append(test.sense * self._motion.row_acceleration(test.row))
+        return tuple(found)
+
     def numbers(self, value: Valuation) -> Valuation:
         """Numbers of the scene in the blow; `value` knows the letters of the state before it, and all names."""
         places = {s: value(own) for s, own in self.since.letters.items() if own in value.values}
@@ -263,8 +276,7 @@ class Blow:
         """
         for joint in self.struck.joints:
             if joint.strikes and joint.name not in far:
-                wrong = self.scene.doubtful(joint, here, near)
-                if wrong and self._rests_on_corner(joint, here, trial):
+                if (wrong := self.scene.doubtful(joint, here, near)) and self._rests_on_corner(joint, here, trial):
                     hint = (
                         "draw the points in the state of the impact, slightly turned so that one corner comes first; "
                         "an edge that strikes between them is a particle that is welded to the ground"

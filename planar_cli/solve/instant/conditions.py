@@ -68,7 +68,7 @@ def _doubtful(scene: Any, told: list[tuple[sp.Expr, str]], formulas: Formulas) -
     found: dict[sp.Expr, str] = {}
     for expr, (_, words) in zip(formulas([e for e, _ in told]), told, strict=True):
         if expr.free_symbols and expr.free_symbols <= letters:
-            found.setdefault(expr if longer(expr, LONGEST) else _without_factors(scene, expr), words)
+            found.setdefault(expr if longer(expr, LONGEST) else without_factors(scene, expr), words)
     return tuple(Proviso(e, found[e]) for e in scene.not_always_positive(e for e in found if e.free_symbols))
 
 
@@ -82,7 +82,7 @@ def _tested(trial: Trial, test: Test) -> sp.Expr | None:
     return test.sense * system.motion.row_acceleration(test.row)
 
 
-def _without_factors(scene: Any, expr: sp.Expr) -> sp.Expr:
+def without_factors(scene: Any, expr: sp.Expr) -> sp.Expr:
     """The expression without the factors that are positive whatever the letters."""
     factors = sp.Mul.make_args(factor_terms(expr))
     doubtful = scene.not_always_positive(f for f in factors if f.free_symbols)
