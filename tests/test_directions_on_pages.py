@@ -63,3 +63,11 @@ def test_no_page_of_these_has_the_angle_of_a_program(stem: str) -> None:
     page = Terminal(110).render(narrate(worked(FILES[stem])[0]))
     assert "atan2" not in page
     assert "tan " in page or "180° - β" in page
+
+
+def test_a_letter_that_counts_against_the_axis_says_so() -> None:
+    """a_van,y = 3 m/s² and a_van = -3 m/s² are both right, as the van drives downward."""
+    page = Terminal(200).render(narrate(worked(FILES["cars-on-a-road-and-in-a-bend"])[0]))
+    assert "Given: a_van,y = 3 m/s²; a_van counts downward\n" in page
+    assert "Given: v_van,y = -15 m/s; v_van counts downward\n" in page
+    assert "counts" not in Terminal(200).render(narrate(worked(FILES["car-that-brakes-in-a-bend"])[0]))

@@ -7,6 +7,8 @@ square, and where it does not change there is no tangential acceleration.
 
 from __future__ import annotations
 
+import re
+
 import sympy as sp
 
 from planar_cli.equation.plain import simplified
@@ -44,3 +46,19 @@ def speed_told(
     value = (phrases.math(root),) if phrases.symbolic else (phrases.shown(x, number_of),)
     lasting = any(v.times and v.lead == w.lead for b in stage.blocks for v in b.equations)
     return Equation((letter, *value), number, line("constant speed:" if lasting else "speed:")), found
+
+
+def turned(w: Written) -> str:
+    """`; a_van counts downward`, where the letter of a component that the file states has the other sign than it; else
+    empty.
+    """
+    stated = re.match(r"[va]\(\w+\)\.([xy]) = (-?)[\d.]", w.words or w.lead)
+    letters = w.residual.free_symbols
+    if stated is None or w.times or len(letters) != 1:
+        return ""
+    (letter,) = letters
+    slope = w.residual.coeff(letter, 1)
+    size = sp.simplify(letter - w.residual / slope) if abs(slope) == 1 else letter
+    if not size.is_number or size == 0 or bool(size < 0) == bool(stated[2]):
+        return ""
+    return f"; {letter.name} counts {'to the left' if stated[1] == 'x' else 'downward'}"

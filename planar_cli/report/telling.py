@@ -20,7 +20,7 @@ from planar_cli.report.data import DataTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, measured, places
 from planar_cli.report.given_components import vector_before
-from planar_cli.report.given_speeds import speed_told
+from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
@@ -376,7 +376,7 @@ class Telling:
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
             often = ("", ", differentiated", ", differentiated twice")[w.times]
-            return self._at_limit(w) or f"Given: {w.words or w.lead}{often}"
+            return self._at_limit(w) or f"Given: {w.words or w.lead}{often}{turned(w)}"
         if w.source == "limit" and self.instant.instant.statements.extremes:
             extreme = self.instant.instant.statements.extremes[0].text
             name, _, most = extreme.partition(" is ")
