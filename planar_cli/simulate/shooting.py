@@ -45,6 +45,8 @@ SHORT = 1e-3
 """By this part of the way to it a secant stops short of the edge of what is reached, if it must."""
 HOLDS = 1e-7
 """At a root the relation is off by less than this part of its scale; a jump through zero is none."""
+NOTHING = 1e-9
+"""Beside the least value that is tried, what is smaller than this part of it is zero."""
 SAME = 1e-7
 """Roots that are apart by less than this part of the larger one are the same."""
 Missed = Callable[[float], float | None]
@@ -77,7 +79,8 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
         least = min(abs(v) for v in values if v)
         # A root may be one of a relation only that is left out of one of the states: each is tried.
         for shot in shots:
-            for root in _roots(_missed(shot, unknown.name, known), values):
+            for at in _roots(_missed(shot, unknown.name, known), values):
+                root = 0.0 if abs(at) <= NOTHING * least else at
                 new = not any(abs(root - other) <= SAME * max(abs(other), least) for other in found)
                 if new and _passes(problem, {**known, unknown.name: root}):
                     found.append(root)
@@ -150,7 +153,9 @@ def telling(state: State) -> list[Statement]:
 
 
 def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
-    """Where the constant is looked for, in SI units: positive values, then negative ones; an angle all round."""
+    """Where the constant is looked for, in SI units: positive values, then negative ones, then next to zero; an angle
+    all round.
+    """
     unit = parse_unit(unknown.unit or "1")
     if unit.angle and unit.dimension == PURE:
         yield [math.radians(d) for d in range(-180, 181, DEGREES)]
@@ -165,6 +170,8 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
     positive = [size * 10 ** (k / PER_DECADE) for k in range(-DECADES * PER_DECADE, DECADES * PER_DECADE + 1)]
     yield positive
     yield [-v for v in positive]
+    # Smaller ones than these, of either sign: what is off with nothing at all is mostly off the other way beyond them.
+    yield [-positive[0], 0.0, positive[0]]
 
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:

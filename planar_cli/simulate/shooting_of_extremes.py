@@ -25,6 +25,8 @@ HALVINGS = 60
 """An edge of reach, or a zero of the derivative, is enclosed in so many steps at most."""
 CLOSE, CLOSE_TO_EDGE = 1e-10, 1e-6
 """Up to this part of its size."""
+FLAT = 1e-8
+"""What differs by less than this part of its size, between neighbouring values, is the same."""
 Size = Callable[[float], float | None]
 """What is to be largest, with a value of the constant; None: the state is not reached."""
 
@@ -83,7 +85,7 @@ def _best(size: Size, values: Sequence[float]) -> Best | None:
     found: list[Best] = []
     for k in range(1, len(values) - 1):
         low, high, here = sizes[k - 1], sizes[k + 1], sizes[k]
-        if here is not None and low is not None and high is not None and low <= here >= high and low + high < 2 * here:
+        if here is not None and low is not None and high is not None and _stands_out(low, here, high):
             inner = _interior(size, values[k - 1], values[k + 1])
             found += [] if inner is None else [inner]
     for (a, f), (b, g) in pairwise(zip(values, sizes, strict=True)):
@@ -94,6 +96,11 @@ def _best(size: Size, values: Sequence[float]) -> Best | None:
     best = max(found, key=lambda one: one.size, default=None)
     ends = [s for s in (sizes[0], sizes[-1]) if s is not None]
     return None if best is None or any(s > best.size for s in ends) else best
+
+
+def _stands_out(low: float, here: float, high: float) -> bool:
+    """Is it larger than beside it? What is the same with many values is largest with none of them."""
+    return low <= here >= high and 2 * here - low - high > FLAT * max(abs(low), abs(here), abs(high))
 
 
 def _edge(size: Size, lost: float, reached: Best) -> Best:

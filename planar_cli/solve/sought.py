@@ -64,8 +64,9 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     if not roots:
         if isinstance(error, NoSolution) and any(d.code != OPEN for d in error.diagnostics):
             raise error
-        text = f"no motion passes through these states, whatever {unknown.name} is"
-        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "follow it with `planar simulate --set`")]) from error
+        text = f"no motion is found that passes through these states, with none of many values of {unknown.name}"
+        hint = f"follow it with a value that you expect: `planar simulate --set {unknown.name}=…`"
+        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, hint)]) from error
     fits = within_a_turn(problem, unknown.name, roots, roots)
     if len(fits) > 1:
         raise _ambiguous(problem, [{unknown.name: root} for root in fits])

@@ -32,7 +32,9 @@ ASIDE = Decimal("1e-4")
 
 def chosen_extreme(course: MotionEquations) -> tuple[State, Demand] | None:
     """What is to be largest or smallest over a constant that is sought; None: nothing is."""
-    for state in course.states:
+    # What has a bend is so in time.
+    timed = {e.stop for e in course.equations if e.kind == "extreme" and e.trend is not None}
+    for state in (s for s in course.states if s.name not in timed):
         for d in course.demands[state.name]:
             if d.kind == "extreme" and course.is_set(state) and course.sought():
                 return state, d

@@ -11,13 +11,23 @@ from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
 
+SLACK = Decimal("1e-18")
+"""A bend that is smaller than this part of its terms tells nothing."""
 ROUGHLY, TIES = Context(prec=30), Context(prec=12)
 """To so many digits times, and what is largest, are compared."""
 
 
 def candidates(course: MotionEquations) -> list[Branch]:
     """All branches of the equations that are possible, those whose states come first in front."""
-    return ranked(course, course.chain().branches(course.equations))
+    found = course.chain().branches(course.equations)
+    return ranked(course, [b for b in found if _is_extreme(course, b)])
+
+
+def _is_extreme(course: MotionEquations, branch: Branch) -> bool:
+    """Is what is to be largest not smallest there, and the other way round, as far as its bend tells?"""
+    value = course.base().extended(branch.values)
+    bends = [(e.trend, value.known(e.trend)) for e in course.equations if e.kind == "extreme" and e.trend is not None]
+    return all(number is None or number >= -SLACK * value.size(bend) for bend, number in bends)
 
 
 def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:

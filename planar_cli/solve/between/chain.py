@@ -22,9 +22,9 @@ from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.between.integrals_that_hold import taken_out
-from planar_cli.solve.between.linked import linked_blocks
+from planar_cli.solve.between.linked import independent, linked_blocks
 from planar_cli.solve.instant.branches import vanishes
-from planar_cli.solve.instant.elimination import Pending, alone, combined, eliminate
+from planar_cli.solve.instant.elimination import Pending, alone, combined, eliminate, in_factors
 from planar_cli.solve.instant.roots import Root, real_roots, turning
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import number_function
@@ -222,6 +222,10 @@ class Chain:
             if all(self._closed(p.residual, here) for p in pool):
                 yield []
             return
+        if factored := in_factors(pool, frozenset(left)):
+            for one in factored:
+                yield from self._unfold(one, left, values)
+            return
         index = alone(pool, left)
         if index is not None:
             yield from self._rooted(pool, index, left, values)
@@ -387,14 +391,3 @@ def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bo
 
 def _polished(residual: sp.Expr, x: sp.Symbol, here: Valuation, low: float, high: float) -> Decimal:
     return polish(lambda t: here.extended({x: t})(residual), Decimal(low), Decimal(high))
-
-
-def independent(equations: Sequence[Equation]) -> bool:
-    """No family gives more equations than are independent."""
-    count: dict[tuple[str, ...], int] = {}
-    for e in equations:
-        if e.family:
-            count[e.family] = count.get(e.family, 0) + 1
-            if count[e.family] > e.rank:
-                return False
-    return True

@@ -5,7 +5,7 @@ two equations are left in as many unknowns. So two paths that meet give the time
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
@@ -57,7 +57,7 @@ def linked_blocks(
         taken = pool.pop(index)
         left.discard(x)
         pool = [_put(p, x, formula, taken) for p in pool]
-        pool = [p for p in pool if p.residual != 0 and _independent(p.members, equations)]
+        pool = [p for p in pool if p.residual != 0 and independent(equations[i] for i in p.members)]
 
 
 def _put(p: Reduced, x: sp.Symbol, formula: sp.Expr, by: Reduced) -> Reduced:
@@ -130,7 +130,7 @@ def _kernels(
         for group in itertools.combinations(small, size):
             inside = frozenset().union(*(open_in[i] for i in group))
             members = frozenset().union(*(pool[i].members for i in group))
-            if len(inside) != size or not _independent(members, equations):
+            if len(inside) != size or not independent(equations[i] for i in members):
                 continue
             block = tuple(equations[i] for i in sorted(members))
             every = frozenset().union(*(letters(e.residual) for e in block)) & unknowns
@@ -138,11 +138,10 @@ def _kernels(
                 yield block, tuple(sorted(every, key=lambda s: s.name))
 
 
-def _independent(members: frozenset[int], equations: Sequence[Equation]) -> bool:
+def independent(equations: Iterable[Equation]) -> bool:
     """No family gives more equations than are independent."""
     count: dict[tuple[str, ...], int] = {}
-    for i in members:
-        e = equations[i]
+    for e in equations:
         if e.family:
             count[e.family] = count.get(e.family, 0) + 1
             if count[e.family] > e.rank:

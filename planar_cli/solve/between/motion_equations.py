@@ -150,8 +150,16 @@ def _stationary(motion: MotionEquations) -> list[Equation]:
                 sought = frozenset(motion.sought())
                 kept = sought.union(chain.times)
                 like = Equation(sp.S.Zero, "extreme", d.text, s.name, mark=d.mark)
-                objective = motion.stops[s.name].at(d.residual)
-                found += stationary(motion.equations, objective, chain.unknowns, kept, like, sought)
+                stop = motion.stops[s.name]
+                told = stationary(motion.equations, stop.at(d.residual), chain.unknowns, kept, like, sought)
+                if any(e.kind == "extreme" and e.residual == 0 for e in told):
+                    # As it is the same whatever the constant is, it is largest in time, and the constant is told by
+                    # what else is stated there.
+                    regime = motion.readers[s.name].regime
+                    rate = regime.derivative(d.residual)
+                    bend = stop.at(regime.derivative(rate))
+                    told = [replace(like, residual=stop.at(rate), trend=-d.extreme * bend)]
+                found += told
     return found
 
 

@@ -143,8 +143,10 @@ class ModeChoice:
 
 def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     """Is the last state one of rest in equilibrium, for all of which it tells where it is then? A motion that just
-    reaches it takes longer and longer.
+    reaches it takes longer and longer. Where time tells all places, each is reached at its time.
     """
+    if not course.regimes[len(course.states) - 2].free:
+        return False
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
     own = {s: stop.letters[s] for s in regime.letters if s in stop.letters}
     told = [g for g in apart(regime) if any(value.known(own[s]) is not None for s in g if s in own)]

@@ -50,6 +50,20 @@ def alone(pool: Sequence[Pending], left: Sequence[sp.Symbol]) -> int | None:
     return None
 
 
+def in_factors(pool: Sequence[Pending], left: frozenset[sp.Symbol]) -> list[list[Pending]]:
+    """The same equations for each factor of one that is a product of factors in unlike unknowns, each of which may be
+    zero: to divide by one of them would lose its roots. Empty: there is no such equation.
+    """
+    for i, p in enumerate(pool):
+        if not p.residual.is_Mul or len(p.residual.free_symbols & left) < 2:
+            continue
+        factors = [f.base if f.is_Pow and f.exp.is_positive else f for f in p.residual.args if f.free_symbols & left]
+        if len({frozenset(f.free_symbols & left) for f in factors}) > 1:
+            above = [f for f in factors if not (f.is_Pow and f.exp.is_negative)]
+            return [[*pool[:i], Pending(f, p.numbers), *pool[i + 1 :]] for f in above]
+    return []
+
+
 def closes(residual: sp.Expr, value: Valuation) -> bool:
     """Does an equation hold in numbers?"""
     number = value.known(residual)
