@@ -48,6 +48,8 @@ def settled(
     """
     drawn = value.drawn if isinstance(value, Sample) else frozenset()
     unknowns = {x for step in route.steps for x in step.derivation.unknowns}
+    # What an equilibrium told has a number: at the zero of its own equation nothing would show that a letter moves it.
+    base = base.without(unknowns)
     found: set[sp.Symbol] = set()
     for step in route.steps:
         d = step.derivation

@@ -168,13 +168,21 @@ def oscillations_asked(
 
 
 def periods(course: RegimeSequence, swings: Mapping[str, Oscillation]) -> dict[sp.Symbol, sp.Expr]:
-    """What period(s) and frequency(s) of one freedom are, in letters of their states."""
+    """What period(s) and frequency(s) of one freedom are, in letters of their states. NoSolution: a state gives that of
+    several freedoms.
+    """
     told = {}
+    stated = {n for state in course.problem.states for r in state.relations for n in walk(r)}
     for reader in course.distinct_readers():
         for symbol, q in reader.spans.items():
             if q.word in ("period", "frequency") and swings[q.things[0]].single:
                 found = swings[q.things[0]]
                 told[symbol] = found.period if q.word == "period" else found.frequency
+            elif q.word in ("period", "frequency") and q in stated:
+                count = len(swings[q.things[0]].speeds)
+                text = f"about {q.things[0]} there are {count} freedoms, and `{q.word}({q.things[0]})` is of one alone"
+                hint = "leave one free to swing: hold the others by `motion`, or draw each body in a case of its own"
+                raise NoSolution([Diagnostic(q.mark, "PL632", text, hint)])
     return told
 
 
