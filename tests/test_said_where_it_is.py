@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.errors import Diagnostic, FileProblem, NoSolution
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 
@@ -103,3 +103,26 @@ def test_the_name_of_a_state_is_refused_where_it_is_given() -> None:
     assert (first.code, first.mark.line) == ("PL304", 6)
     assert "`t5s`" in first.hint
     assert all("has a letter first" in told.hint for told in others)
+
+
+def test_what_is_open_does_not_hide_what_is_told() -> None:
+    """No formula tells the time of a fall against a linear resistance; the final speed has one."""
+    problem, _ = load_text(
+        """\
+title: Falling with linear resistance
+symbols: {k: 1/s, h: m}
+bodies: {stone: {particle: [0, 0]}}
+joints:
+  - guide: {point: stone, along: -90 deg, name: plumb}
+motion: [a(stone).along(-90 deg) = g - k*v(stone).along(-90 deg)]
+states:
+  top: [t = 0, at rest]
+  low: [y(stone) = -h]
+  end: [t = infinity]
+find: {v_T: v(stone).along(-90 deg) @ end, t_low: t @ low}
+"""
+    )
+    with pytest.raises(Undecided) as error:
+        solve_problem(problem)
+    assert "found for `t_low`" in str(error.value)
+    assert str(error.value).endswith("asked for without what is open, `v_T` can be told")

@@ -117,3 +117,11 @@ def test_simulated_from_a_slight_speed_and_says_so() -> None:
     found = simulate(problem, Settings())
     assert {a.name: a.values[0] for a in found.answers}["v"] == pytest.approx(math.sqrt(800), rel=1e-6)
     assert any("infinite at the start" in note for note in found.run.trajectory.notes)
+
+
+@pytest.mark.parametrize("text", [CAR, DRIVEN])
+def test_backwards(text: str) -> None:
+    """The root that goes on from a negative speed is the negative one."""
+    part, _ = solved(text, start="v(car).x = -2 m/s")
+    v = -math.sqrt(4 + 2 * 50 * 8)
+    assert numbers(part) == pytest.approx({"v": v, "s": (v**3 + 8) / 150, "T": 8})

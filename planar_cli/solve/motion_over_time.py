@@ -13,8 +13,8 @@ from planar_cli.equation.sample import other_draws, seeded
 from planar_cli.errors import NoSolution, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.agreement import compared, integrated
-from planar_cli.solve.between.answers import Answering, closed_formula
-from planar_cli.solve.between.asked_finds import asked_letters
+from planar_cli.solve.between.answers import AnsweredFind, Answering, closed_formula
+from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.assumptions import presumed
 from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.between.complete import completed
@@ -113,7 +113,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
     found = integrated(found, asked_letters(found.finds).union(*(s.derivation.needs for s in route.steps)))
     answering = Answering(course, route, found.value, found.spans, throughout)
-    answers = tuple(answering.answer(a) for a in found.finds)
+    answers = _answers(answering, found.finds)
     demand_cancelled(course.scene, [a.found.find for a in answers], [a.found for a in answers])
     instants = _instants(course)
     passages = tuple(a.passage for a in answers if a.passage is not None)
@@ -123,6 +123,21 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     # What is only approached is looked for again, less finely.
     seen = None if seen is not None and seen.trajectory.missed else seen
     return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale, run=seen)
+
+
+def _answers(answering: Answering, finds: tuple[AskedFind, ...]) -> tuple[AnsweredFind, ...]:
+    """All answers. Undecided: some have none, with the names of those that have, so that these may be asked alone."""
+    told, names, refused = list[AnsweredFind](), list[str](), list[Undecided]()
+    for asked in finds:
+        try:
+            told.append(answering.answer(asked))
+            names.append(f"`{asked.find.name}`")
+        except Undecided as error:
+            refused.append(error)
+    if not refused:
+        return tuple(told)
+    rest = f"; asked for without what is open, {', '.join(names)} can be told" if names else ""
+    raise Undecided("; ".join(dict.fromkeys(map(str, refused))) + rest) from refused[0]
 
 
 def _route(found: SolvedMotion) -> tuple[Router, Route]:

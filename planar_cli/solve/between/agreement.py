@@ -56,7 +56,9 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
         # a number beside them does not vanish.
         known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
         if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
-            raise Disagreement(f"the motion that was followed contradicts an equation: {e.words}")
+            mark = course.states[0].mark
+            text = f"the motion that was followed contradicts an equation: {e.words}"
+            raise Disagreement(f"{mark.file}:{mark.line}: {text}")
 
 
 def _without_turns(off: Decimal, residual: sp.Expr, value: Valuation) -> Decimal:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.problem.scene import Round
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Chain
@@ -193,6 +194,14 @@ def _placed(motion: StatedMotion) -> set[sp.Symbol]:
     return set() if met else found
 
 
+def _backward(known: Mapping[sp.Symbol, sp.Expr], value: Valuation) -> Iterator[tuple[sp.Symbol, Decimal]]:
+    """Letters of the start that are negative: a root of a formula in time goes that way, where it would be positive."""
+    for letter, told in known.items():
+        number = value.known(told)
+        if number is not None and number < 0:
+            yield letter, number
+
+
 def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
     """Angles in the first state that no drawing shows: of round bodies that carry nothing but their centre."""
     scene = motion.regimes[0].general.instant.scene
@@ -224,7 +233,7 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
             since = i - 1
         start = motion.stops[motion.states[since].name]
         laws, value = motion.laws[i - 1], regime.general.value.extended(settled)
-        by_laws = law_equations(laws, start, stop, regime, value)
+        by_laws = law_equations(laws, start, stop, regime, value.extended(dict(_backward(known, value))))
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
         standing = list(standing_equations(laws, start, stop, regime, known))

@@ -278,8 +278,9 @@ def _renamed(span: Span, names: Mapping[sp.Symbol, sp.Expr]) -> Span:
 
 
 def _signs(value: Valuation, named: Mapping[sp.Symbol, sp.Expr], since: Stop, regime: Regime) -> Valuation:
-    """A valuation that also knows the letters of the start as they were drawn, for signs."""
-    more = {since.letters[s]: value(s) for s in regime.letters if s in since.letters and s in value.values}
+    """A valuation that also knows the letters of the start, which it does not know, as they were drawn, for signs."""
+    letters = {s: since.letters[s] for s in regime.letters if s in since.letters and s in value.values}
+    more = {own: value(s) for s, own in letters.items() if own not in value.values}
     extended = value.extended(more)
     return extended.extended({d: extended(e) for d, e in named.items() if e.free_symbols <= set(extended.values)})
 
