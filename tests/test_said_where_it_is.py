@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 STACKED = """\
@@ -126,3 +128,34 @@ find: {v_T: v(stone).along(-90 deg) @ end, t_low: t @ low}
         solve_problem(problem)
     assert "found for `t_low`" in str(error.value)
     assert str(error.value).endswith("asked for without what is open, `v_T` can be told")
+
+
+SLOTTED = """\
+title: A pin in the slot of a rod
+{known}
+points: {{B: [0, 0], O: [-2*R, 0], P: {{from: B, distance: R, angle: 150 deg}}}}
+bodies: {{D: {{disk: B, radius: R, points: [P]}}, S: {{rod: [O, {end}]}}}}
+joints:
+  - pin: {{at: B, between: [ground, D]}}
+  - pin: {{at: O, between: [ground, S]}}
+  - guide: {{point: P, along: S}}
+motion: [omega(D) = 10 rad/s]
+find: {{w_S: omega(S)}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("known", "end", "said"),
+    [
+        ("given: {R: 50 mm}", "B", "slot of S through P parallel to its line, 0.025 m beside it"),
+        ("given: {R: 2 ft}", "B", "slot of S through P parallel to its line, 1 ft beside it"),
+        ("symbols: {R: m}", "B", "slot of S through P parallel to its line"),
+        ("given: {R: 50 mm}", "P", ""),
+        ("symbols: {R: m}", "P", ""),
+    ],
+)
+def test_a_slot_beside_the_line_of_its_rod_is_told(known: str, end: str, said: str) -> None:
+    """A pin that is drawn off the rod makes a slot parallel to it: where that is a slip, the page shows it."""
+    problem, _ = load_text(SLOTTED.format(known=known, end=end))
+    page = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
+    assert (said in page) if said else ("slot of" not in page)

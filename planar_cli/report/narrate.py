@@ -51,6 +51,7 @@ from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.shown import place_drawn
 from planar_cli.report.sizes import with_signs
+from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.tale_check import tale_check
@@ -117,9 +118,11 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             once = told_once(list(without_ritual(own)), blocks)
             blocks += key_blocks(once) if voice.audience == "exam" else once
     blocks[:0] = not_used(problem, blocks, voice.figures)
-    opening = (
-        () if why is not None else tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures))
-    )
+    opening: tuple[Note, ...] = ()
+    if why is None:
+        scene = next((i.instant.scene for part in solution.parts for i in part.instants), None)
+        drawn = () if first is None or scene is None else tuple(slots_beside(scene, first))
+        opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
     return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))

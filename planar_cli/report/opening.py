@@ -28,12 +28,17 @@ MOST_PIECES = 24
 
 
 def opening_notes(
-    problem: Problem, blocks: Sequence[Block], uses: Uses, phrases: Phrases | None, figures: int
+    problem: Problem,
+    blocks: Sequence[Block],
+    uses: Uses,
+    phrases: Phrases | None,
+    figures: int,
+    drawn: Sequence[Line] = (),
 ) -> Iterator[Note]:
     """Given, find and principle. `blocks`: the page, whose data are told; `uses`: on what it rests; `phrases`: with the
-    numbers of the first instant, where there is one.
+    numbers of the first instant, where there is one; `drawn`: what is told of the drawing besides.
     """
-    yield from _given(_rows(problem, mentioned(blocks), phrases, figures))
+    yield from _given([*_rows(problem, mentioned(blocks), phrases, figures), drawn])
     names = dict.fromkeys(f.name for f in problem.find)
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
