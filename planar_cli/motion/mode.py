@@ -36,7 +36,7 @@ MOST_COMPARED = 24
 """So many choices are tried to see whether another motion is consistent too, those that differ in one joint first."""
 
 
-INFINITE = "a force or a rate is infinite there, as it is divided by what is zero"
+INFINITE = "a force or a rate has no finite value there, as where it is divided by what is zero"
 
 
 @record
@@ -136,7 +136,7 @@ class Chooser:
         except Singular:
             failed = Violation("", "its forces are not determined", False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
-        except ZeroDivisionError:
+        except (ZeroDivisionError, ValueError):
             failed = Violation("", INFINITE, False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
         broken = [
