@@ -11,6 +11,9 @@ from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math
 from planar_cli.report.blocks import Relation as Related
 from planar_cli.report.ordering import HELD
 
+FOR_EVERY_BODY = "Newton's law for every body"
+"""So begins what a page says of a motion that is integrated in numbers: it rests on all masses."""
+
 
 @record
 class Mentioned:
@@ -38,7 +41,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
     letters: set[str] = set()
     built: set[str] = set()
     counted: set[str] = set()
-    kinetic = energies = summed = False
+    kinetic = energies = summed = integrated = False
     for block in page:
         built.add(_built(block))
         summed |= isinstance(block, Equation) and _is_of_forces(block.note)
@@ -46,6 +49,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
         for piece in pieces_of(block):
             match piece:
                 case Text(text):
+                    integrated |= text.startswith(FOR_EVERY_BODY)
                     found |= set(re.findall(r"\w+", text))
                 case blocks.Name(name):
                     letters |= _names_in(name)
@@ -56,10 +60,10 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
     words = frozenset(found | letters)
     return Mentioned(
         words=words,
-        kinetic=kinetic or energies,
+        kinetic=kinetic or energies or integrated,
         counted=frozenset(counted),
         letters=frozenset(letters),
-        energies=energies,
+        energies=energies or integrated,
         numeric=bool(counted),
         built=frozenset(built),
         summed=summed,

@@ -12,6 +12,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Bullet, Check, Equation, Heading, Line, Name, Paragraph, Table, Value, line
+from planar_cli.report.mentioned import FOR_EVERY_BODY
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.simulate.report import transition_words
@@ -58,7 +59,7 @@ def _integrated(motion: Simulation) -> Iterator[Block]:
     trajectory, count = motion.run.trajectory, motion.run.model.layout.count
     rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
     relations = f", together with {rows} relations of the joints between them," if rows else ""
-    law = f"Newton's law for every body, {count} equations for {count} accelerations{relations} is"
+    law = f"{FOR_EVERY_BODY}, {count} equations for {count} accelerations{relations} is"
     if is_prescribed(motion.run.problem):
         law = "What is prescribed gives the velocities at every instant, with no forces in it; they are"
     yield Heading("STEP 1", "Numerical integration")
