@@ -66,7 +66,15 @@ def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
     return Diagnostic(at, "PL602", f"these contradict each other: {'; '.join(words or texts)}", hint)
 
 
-def off_balance(instant: Instant, trial: Trial) -> NoSolution | None:
+class OffBalance(NoSolution):
+    """Loads on bodies without mass that balance in some positions only."""
+
+    def __init__(self, diagnostics: list[Diagnostic], bodies: list[str]) -> None:
+        super().__init__(diagnostics)
+        self.bodies = bodies
+
+
+def off_balance(instant: Instant, trial: Trial) -> OffBalance | None:
     """What to say where forces on bodies without mass balance in some positions only; None: nothing of that kind."""
     if trial.objection == "velocities" or not _contradicted(trial):
         return None
@@ -77,10 +85,10 @@ def off_balance(instant: Instant, trial: Trial) -> NoSolution | None:
     names, balance = listed(bodies), "balances" if len(bodies) == 1 else "balance"
     text = f"the loads on {names} balance in some positions only, and without mass forces tell no motion"
     hint = (
-        f"give {names} a mass, write under `motion` the relation between places in which it {balance}, or put springs "
-        "in series into one, 1/k = 1/k_1 + 1/k_2"
+        f"give {names} a mass, a `guide` along the line on which it moves, or write under `motion` the relation "
+        f"between places in which it {balance}; springs in series are one, 1/k = 1/k_1 + 1/k_2"
     )
-    return NoSolution([Diagnostic(_body_mark(instant, bodies[0], NOWHERE), "PL602", text, hint)])
+    return OffBalance([Diagnostic(_body_mark(instant, bodies[0], NOWHERE), "PL602", text, hint)], bodies)
 
 
 def _contradicted(trial: Trial) -> bool:

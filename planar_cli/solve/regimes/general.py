@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
 from itertools import islice
@@ -18,11 +18,11 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoSolution, Undecided
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
-from planar_cli.solve.diagnosis.clash import off_balance
+from planar_cli.solve.diagnosis.clash import OffBalance, off_balance
 from planar_cli.solve.diagnosis.placed import held_by_too_little, placed_by_nothing
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -32,6 +32,7 @@ from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.principled import usual
 from planar_cli.solve.regimes.constraints import Constraint, constraints_of, drawn_starts, project
 from planar_cli.solve.regimes.drawing import beside, ranges
+from planar_cli.solve.regimes.free_speeds import independent_speeds
 from planar_cli.solve.regimes.places import held_places
 from planar_cli.solve.regimes.separation import Parted, parted_joints, parted_modes
 from planar_cli.solve.solution import InstantSolution
@@ -174,9 +175,27 @@ def make_general(
     sides places are from which distances are measured.
     """
     still: frozenset[str] = frozenset()
+
+    def balances(speed: str) -> bool:
+        """Do the loads on what has no mass balance everywhere once this coordinate stays as drawn?"""
+        held = displaced(drawn, choice, still | {speed}, made)
+        try:
+            _general(problem, always, earlier, drawn, choice, held, resting | {speed}, made, sides)
+        except NoSolution:
+            return False
+        return True
+
     while True:
         displacement = displaced(drawn, choice, still, made)
-        found = _general(problem, always, earlier, drawn, choice, displacement, resting, made, sides)
+        try:
+            found = _general(problem, always, earlier, drawn, choice, displacement, resting, made, sides)
+        except OffBalance as lack:
+            # What has no mass is where its loads balance: between a cord and a spring on the line of both.
+            aside = next((s for s in _speeds_of(displacement, lack.bodies) if balances(s)), None)
+            if aside is None:
+                raise
+            still, resting = still | {aside}, resting | {aside}
+            continue
         velocities = found.trial.velocities
         if _idle(displacement, velocities) - still and loosened(drawn, choice) != choice:
             # What friction holds here may have come to another place before.
@@ -192,6 +211,11 @@ def make_general(
         if not idle - still:
             return found
         still |= idle
+
+
+def _speeds_of(displacement: Displacement, bodies: Collection[str]) -> list[str]:
+    """The speeds of the coordinates that we made for these bodies and that are drawn."""
+    return [c.speed.name for c in displacement.coordinates if c.body in bodies and c.drawn is not None and c.extra == 0]
 
 
 def _idle(displacement: Displacement, velocities: Sequence[Velocities]) -> frozenset[str]:
@@ -238,7 +262,7 @@ def _general(
     starts = {c.symbol: c.drawn for c in displacement.coordinates if c.drawn is not None}
     at = {s: n for s, drawn in starts.items() if (n := valuations[0].known(drawn)) is not None}
     there = solve_velocities(system, valuations[0].extended(at), False, sways=True)
-    independent = _independent(found, there, system.tree.velocity_unknowns(), displacement)
+    independent = independent_speeds(found, there, system.tree.velocity_unknowns(), displacement)
     ordinary = instant.scene.ledger.natural
     given = {s: anywhere(i) * ordinary(s) for i, s in enumerate(independent)}
     given |= {s: Decimal(0) for s in independent if s.name in resting}
@@ -267,51 +291,6 @@ def _fits_otherwise(instant: Instant, trial: Trial) -> bool:
     tried = (instant.try_choice(c, instant.scene.valuations, given=speeds) for c in others)
     false = (_contradicts(again) or again.objection == "velocities" for again in tried)
     return len(others) >= MOST_COMPARED or not all(false)
-
-
-def _independent(
-    found: Velocities, there: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement
-) -> tuple[sp.Symbol, ...]:
-    """As many velocity unknowns as there are freedoms, which fix all others: rates of the file's own coordinates first,
-    then those of the coordinates that we made; of these angular speeds first, as slides stand still at dead centres.
-
-    `there`: the velocities as drawn. Those that fix the others there too come before those that do not: two loads that
-    hang from one rope go up and down together, whichever way they may sway.
-    """
-    vectors = [dict(v) for v in found.loose.values()]
-    drawn = [dict(v) for v in there.loose.values()]
-    columns = list(dict.fromkeys(x for v in vectors for x in v))
-    ours = {c.speed: c.unit for c in displacement.coordinates}
-    columns.sort(key=lambda x: (x in tree, x not in ours, ours.get(x) != "rad"))
-    chosen: list[sp.Symbol] = []
-    for column in columns:
-        if _stands_out(column, vectors) is not None and _stands_out(column, drawn) is not None:
-            vectors, drawn = _reduced(column, vectors), _reduced(column, drawn)
-            chosen.append(column)
-    for column in columns:
-        if _stands_out(column, vectors) is not None:
-            vectors = _reduced(column, vectors)
-            chosen.append(column)
-    return tuple(x for x in columns if x in chosen)
-
-
-def _stands_out(column: sp.Symbol, vectors: Sequence[Mapping[sp.Symbol, Decimal]]) -> int | None:
-    """The motion in which this speed is largest; None: it is none in all of them."""
-    sizes = [abs(v.get(column, Decimal(0))) for v in vectors]
-    most = max(range(len(sizes)), key=sizes.__getitem__, default=None)
-    return None if most is None or sizes[most] < Decimal("1e-30") else most
-
-
-def _reduced(column: sp.Symbol, vectors: list[dict[sp.Symbol, Decimal]]) -> list[dict[sp.Symbol, Decimal]]:
-    """The motions in which this speed is zero."""
-    at = _stands_out(column, vectors)
-    assert at is not None
-    pivot = vectors[at]
-    found = []
-    for v in (v for i, v in enumerate(vectors) if i != at):
-        factor = v.get(column, Decimal(0)) / pivot[column]
-        found.append({x: v.get(x, Decimal(0)) - factor * pivot.get(x, Decimal(0)) for x in {**v, **pivot}})
-    return found
 
 
 def _projector(
