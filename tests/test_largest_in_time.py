@@ -68,3 +68,31 @@ def test_in_letters_with_the_page() -> None:
     assert "where its derivative is zero" in page
     assert "g/(4 π² f²)" in page
     assert "equilibrium" not in page
+
+
+TABLE = """
+title: Friction needed on a table that vibrates sideways
+plane: vertical
+given: {{f: 5 Hz, A: 5 mm}}
+unknowns: {{mu_s: 1}}
+points: {{P: [0, 0]}}
+surfaces: {{top: {{through: P, angle: 0 deg, body: table}}}}
+bodies:
+  table: {{points: [P]}}
+  block: {{particle: P, mass: any}}
+joints:
+  - guide: {{body: table, along: 0 deg, name: way}}
+  - contact: {{between: [block, top], at: P, mu_s: mu_s, name: face}}
+motion: ["x(table) = A*sin(2*pi*f*t)"]
+states: {{1: [t = 0], 2: [t = 0.05 s, mode(face) = stick, {limit}]}}
+find: {{mu_min: mu_s}}
+"""
+
+
+def test_limit_of_friction_that_the_hint_names() -> None:
+    """mu g = A (2 pi f)^2 at the end of the stroke."""
+    with pytest.raises(NoSolution) as error:
+        solve(TABLE.format(limit="mu_s is smallest"))
+    (why,) = error.value.diagnostics
+    limit = next(text for text in (why.hint or "").split("`") if text.startswith("friction("))
+    assert first(solve(TABLE.format(limit=limit))["mu_min"]) == pytest.approx(0.005 * (10 * pi) ** 2 / 9.81)

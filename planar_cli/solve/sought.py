@@ -9,7 +9,7 @@ from decimal import Decimal
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
-from planar_cli.problem.expression import Extreme
+from planar_cli.problem.expression import Extreme, Name
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
@@ -148,8 +148,20 @@ def _what_ceases(problem: Problem) -> str:
     kept = f"`N({contact}) = 0` of a contact that is only just kept, " if contact else ""
     kept += f"`tension({rope}) = 0` of a rope that only just stays taut, " if rope else ""
     body = problem.bodies[0].name if problem.bodies else "P"
+    kept += _about_to_slip(problem)
     moves = f"`v({body}).y = 0` of what only just comes so high"
     return f"write in its place what ceases to hold there: {kept}{moves}"
+
+
+def _about_to_slip(problem: Problem) -> str:
+    """The limit of friction at the first contact of which the coefficient is sought; "": of none."""
+    bodies, sought = {body.name for body in problem.bodies}, {u.name for u in problem.unknowns}
+    for joint in problem.joints:
+        limit = getattr(joint, "mu_s", None) or getattr(joint, "mu", None)
+        own = next((b for b in getattr(joint, "between", ()) if b in bodies), None)
+        if joint.touches and isinstance(limit, Name) and limit.name in sought and own is not None:
+            return f"`friction({joint.name}/{own}).mag = {limit.name}*N({joint.name})` of what is about to slip, "
+    return ""
 
 
 def by_motion(

@@ -55,9 +55,11 @@ def stationary(
         if "__" in letters[0].name:
             return _by_a_balance(equations, objective, unknowns, kept, like, sought)
         text = f"{like.words}: no equation bounds it, only inequalities may"
-        hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives; "
-        hint += "or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is smallest]`, "
-        hint += "and give it in this one: `given: {mu: limit.mu}`"
+        hint = "state the limit itself: `friction(C/b).mag = mu*N(C)` where b is about to slip, `N(C) = 0` where it is "
+        hint += "only just pressed on, `v(P).mag = 0` where it just arrives"
+        if like.stop:
+            hint += "; or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is "
+            hint += "smallest]`, and give it in this one: `given: {mu: limit.mu}`"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
     if reduced := _without_time(related, aim, letters, objective, like, sought):
         return reduced
