@@ -144,3 +144,22 @@ def test_both_faces_of_a_wedge_reach_their_limit_at_once() -> None:
     friction = math.atan(0.2)
     assert float(value) == pytest.approx(1000 * (math.tan(numbers["beta"] + friction) + 0.2), rel=1e-9)
     assert "Assume cos β > μ sin β" in page(WEDGE)
+
+
+BACK = """
+title: Block that is sent up a rough slope and slides back
+plane: vertical
+symbols: {m: kg, beta: deg, mu: 1, v_0: m/s}
+points: {C: [0, 0]}
+surfaces: {slope: {through: C, angle: beta}}
+bodies: {block: {particle: C, mass: m}}
+joints:
+  - contact: {between: [block, slope], mu: mu, name: F}
+states: {1: [t = 0, v(block).along(beta) = v_0], top: [v(block).along(beta) = 0], back: [x(block) = 0]}
+find: {v: v(block).mag @ back}
+"""
+
+
+def test_a_motion_that_happens_for_some_letters_says_for_which() -> None:
+    """v = v_0 √((sin β - μ cos β)/(sin β + μ cos β)): with more friction the block stays at the top."""
+    assert page(BACK).count("Assume sin β > μ cos β") == 1

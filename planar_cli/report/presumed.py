@@ -13,6 +13,7 @@ from planar_cli.problem.expression import JustAfter, Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.conditions import without_factors
 from planar_cli.solve.solved_problem import PartSolution
 
 LONGEST = 30
@@ -31,7 +32,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     provisos = [p for instant in part.instants for p in instant.conditions]
     signs += [p.positive for p in provisos]
     if part.motion is not None:
-        signs += part.motion.presumed
+        signs += [*part.motion.presumed, *_under_roots(part)]
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST) and (above := _above_zero(expr)) not in stated and above.reversed not in stated:
             yield Note("Assume", line(phrases.math(above)))
@@ -46,6 +47,16 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     for told in _taking_hold(part.motion.problem):
         yield Note("Assume", line(told))
+
+
+def _under_roots(part: PartSolution) -> Iterator[sp.Expr]:
+    """What stands under a root in an answer in letters, and is negative for some of them: there is no such motion."""
+    scene = part.instants[0].instant.scene
+    letters = set(scene.ledger.letters)
+    for answer in (e for f in part.found if f.values is None and f.curve is None for e in f.expressions or ()):
+        roots = sorted((p for p in answer.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2), key=sp.default_sort_key)
+        told = [p.base for p in roots if p.base.free_symbols <= letters and not longer(p.base, LONGEST)]
+        yield from (e for b in scene.not_always_positive(told) if (e := without_factors(scene, b)).free_symbols)
 
 
 def assumed_in_file(part: PartSolution) -> Iterator[sp.Expr]:
