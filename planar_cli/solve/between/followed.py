@@ -6,6 +6,7 @@ from dataclasses import field
 
 import sympy as sp
 
+from planar_cli.errors import NoSolution
 from planar_cli.records import changing, record
 from planar_cli.simulate.run import Run
 from planar_cli.solve.between.events import FollowedSegment, State
@@ -40,6 +41,8 @@ class Followed:
     """Symbols of the states that were reached."""
     lost: str = ""
     """Why it can not be followed in these regimes; "" where it can."""
+    spent: NoSolution | None = None
+    """What to say where that is so because a free part of a rope has run out."""
     struck: tuple[int, float, str] | None = None
     """A stretch on which something strikes that no state of the file speaks of, when [s], and what."""
     ends: Ends | None = None

@@ -21,6 +21,15 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
 
 
+def spent(problem: Problem, outcome: Outcome) -> NoSolution | None:
+    """What to say where a motion ends as a free part of a rope has run out; None: it does not."""
+    if outcome.code != "PL712":
+        return None
+    joint = next(j for j in distinct(problem.joints) if j.name == outcome.joint)
+    hint = "draw the point at its end further off, or let the last state come before that"
+    return NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words.partition(":")[0], hint),))
+
+
 def moved_by_nothing(problem: Problem) -> NoSolution | None:
     """What to say where an acceleration stays open: what has no mass goes as nothing tells it to; None: all have."""
     light = next((b for b in problem.bodies if b.is_massless), None)

@@ -23,7 +23,7 @@ from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.given_times import asked_without_end, without_end
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.diagnosis.left_open import demand_told
+from planar_cli.solve.diagnosis.left_open import demand_told, spent
 from planar_cli.solve.following.ends import TOGETHER, EndSearch, is_put_in
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.following.passage_times import by_formula, steady_time
@@ -252,6 +252,7 @@ class Follower:
         if math.isinf(until) and self.motion.refused:
             demand_told(self.course.problem, self.motion.run.trajectory.outcome)
             done.lost = self.motion.run.trajectory.outcome.words
+            done.spent = spent(self.course.problem, self.motion.run.trajectory.outcome)
             return None
         if math.isinf(until):
             done.missed, done.onward = state.name, segment

@@ -121,9 +121,8 @@ class ModeSearch(ModeChoice):
         for regime in sequence.regimes:
             regime.general.demand_unique(regime.undetermined)
         mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
-        text = (
-            f"{mark.file}:{mark.line}: not decided, {len(looked)} assumptions about the modes of joints have been tried"
-        )
+        tried = f"{len(looked)} assumptions about the modes of joints have been tried"
+        text = f"{mark.file}:{mark.line}: not decided, {tried}"
         raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
@@ -230,7 +229,8 @@ class ModeSearch(ModeChoice):
             found = self._led(course, finds, branches) if branches else None
             if found is not None:
                 return found
-            raise self.lack or undecided_at(course.states[0].mark, f"the motion can not be followed: {followed.lost}")
+            text = f"the motion can not be followed: {followed.lost}"
+            raise self.lack or followed.spent or undecided_at(course.states[0].mark, text)
         if followed.missed is not None:
             related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
