@@ -68,7 +68,7 @@ def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
             continue
         before, place = seen[name]
         body = scope.bodies.get(name)
-        if body is not None and _middle(body) == name and "a point" in (before, what):
+        if body is not None and _middle(body) == name and {before, what} == {"a point", "a body"}:
             continue
         message = f"'{name}' names {what} here and {before} in line {place.line}"
         yield Diagnostic(mark, "PL402", message, _repair(name, body, before, what))
@@ -85,7 +85,7 @@ def _repair(name: str, body: Body | None, before: str, what: str) -> str:
     roles = {"a given value", "a symbol", "an unknown", "a coordinate"}
     if {before, what} <= roles:
         return "`given` has a value, `symbols` stay letters, `unknowns` are solved for: choose one"
-    if body is not None and isinstance(body.shape, Particle):
+    if body is not None and isinstance(body.shape, Particle) and {before, what} == {"a point", "a body"}:
         return f"a particle may share its own point's name: `{name}: {{particle: {name}}}`"
     return "all names of a file differ; rename one of them"
 
