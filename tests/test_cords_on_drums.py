@@ -156,3 +156,58 @@ def test_a_sheave_whose_rim_the_cord_does_not_touch_is_refused(old: str, new: st
     text = (ROOT / "problems/kinematics/differential-hoist.yaml").read_text(encoding="utf-8")
     with pytest.raises(NoSolution, match=r"and the rim of sheave is not on that line, but 0\.\d+ in beside it"):
         solve(text.replace(old, new))
+
+
+DRUM = """
+title: Drum that is turned by a cord
+plane: vertical
+points: {O: [0, 0], T: [0.2 m, 0], P: [PX, -1 m]}
+bodies: {drum: {disk: O, radius: 0.2 m, mass: 5 kg}}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+loads:
+  - force: {body: drum, wound_at: T, magnitude: 50 N, PULL}
+instant: [at rest]
+find: {alpha: alpha(drum)}
+"""
+
+
+@pytest.mark.parametrize(("pull", "x"), [("angle: -60 deg", "0.2 m"), ("towards: P", "0.5 m")])
+def test_a_cord_that_unwinds_is_not_pulled_across_the_rim(pull: str, x: str) -> None:
+    with pytest.raises(NoSolution) as refused:
+        solve(DRUM.replace("PULL", pull).replace("PX", x))
+    why = refused.value.diagnostics[0]
+    assert (why.code, why.mark.line) == ("PL522", 9)
+    assert why.message.endswith("leaves drum at T, and not at right angles to the radius there")
+
+
+@pytest.mark.parametrize("pull", ["angle: -90 deg", "towards: P"])
+def test_a_cord_that_unwinds_is_pulled_along_the_rim(pull: str) -> None:
+    found = solve(DRUM.replace("PULL", pull).replace("PX", "0.2 m"))["alpha"].values
+    assert found is not None
+    assert float(found[0]) == pytest.approx(-50 * 0.2 / (0.5 * 5 * 0.2**2))
+
+
+BELT = """
+title: Belt
+points: {A: [0, 0], B: [APART, 0]}
+bodies: {one: {disk: A, radius: 0.1 m}, two: {disk: B, radius: 0.3 m}}
+joints:
+  - pin: {at: A, between: [ground, one]}
+  - pin: {at: B, between: [ground, two]}
+  - belt: {between: [one, two]CROSSED}
+motion: [omega(one) = 2 rad/s]
+find: {omega: omega(two)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("crossed", "near", "far"), [("", "0.15 m", "0.25 m"), (", crossed: true", "0.35 m", "0.45 m")]
+)
+def test_the_disks_of_a_belt_are_far_enough_apart(crossed: str, near: str, far: str) -> None:
+    with pytest.raises(NoSolution, match=r"runs straight from one to two: they are too near each other") as refused:
+        solve(BELT.replace("CROSSED", crossed).replace("APART", near))
+    assert (refused.value.diagnostics[0].code, refused.value.diagnostics[0].mark.line) == ("PL522", 8)
+    found = solve(BELT.replace("CROSSED", crossed).replace("APART", far))["omega"].values
+    assert found is not None
+    assert float(found[0]) == pytest.approx(-2 / 3 if crossed else 2 / 3)

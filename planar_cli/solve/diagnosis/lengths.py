@@ -17,11 +17,9 @@ from planar_cli.problem.keys import RopeStop
 from planar_cli.problem.scene import Body, Problem, Rod, Round
 from planar_cli.problem.scope import members_of
 from planar_cli.problem.walk import walk
+from planar_cli.solve.diagnosis.tangents import ROUNDED, untaut
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.units import LENGTH, default_unit, parse_unit
-
-ROUNDED = Decimal("5e-4")
-"""Places are drawn with some four digits: a length may differ from their distance by this part."""
 
 Length = tuple[Body, str, str, Side]
 """A rod, its two points, and its length."""
@@ -32,9 +30,11 @@ Line = tuple[Round, str, str, RopeStop, str, Mark]
 
 
 def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
-    """NoSolution: a rod is not as long as its ends are apart, or a cord leaves a drum where there is no rim."""
+    """NoSolution: a rod is not as long as its ends are apart, a cord leaves a drum where there is no rim or not along
+    the rim, or the disks of a belt are too near each other.
+    """
     rods, cords, lines = list(_rods(problem)), list(_cords(problem)), list(_lines(problem))
-    if not rods and not cords:
+    if not rods and not cords and not any(joint.kind == "belt" for joint in problem.joints):
         return
     now: tuple[Any, ...] = problem.instant or (problem.states[0].relations if problem.states else ())
     # What is told by the time is open here, as any place is that is sought.
@@ -44,6 +44,7 @@ def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     scene = Setup(problem, statements, earlier, False).scene
     wrong = [d for d in (*(_unfit(scene, *r) for r in rods), *(_off_rim(scene, *c) for c in cords)) if d is not None]
     wrong = wrong or [d for line in lines if (d := _off_tangent(scene, line)) is not None]
+    wrong = wrong or list(untaut(scene))
     if wrong:
         raise NoSolution(wrong)
 
