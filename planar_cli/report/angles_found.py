@@ -61,6 +61,8 @@ def by_tangent(residual: sp.Expr, r: Result, phrases: Phrases) -> tuple[Any, ...
     if not (a.is_Rational and b.is_Rational and a != 0) or sp.expand(residual - a * sine - b * cosine) != 0:
         return ()
     ratio = -b / a
+    if ratio.is_Integer:
+        return phrases.math(sp.tan(sine.args[0])), phrases.math(ratio)
     return phrases.math(sp.tan(sine.args[0])), phrases.math(ratio), Value(phrases.value(ratio), "", phrases.figures)
 
 

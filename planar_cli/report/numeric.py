@@ -18,7 +18,7 @@ from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
-from planar_cli.units import ACCELERATION, ENERGY, FORCE, VELOCITY, Dimension, pretty_unit
+from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, VELOCITY, Dimension, pretty_unit
 
 NAMED, MOST = 16, 24
 """An acceleration or an equation of forces with more operations is in numbers from the start."""
@@ -28,6 +28,8 @@ LONGEST = 30
 DIFFERENTIATED = "coordinate"
 """The source of a relation that comes from a place: it is divided by a sine or cosine of all its terms."""
 
+ANGLE_OF = "angle of "
+"""What the turning of a body is told of that a coordinate places."""
 STATED = {"v": VELOCITY, "a": ACCELERATION}
 
 Printed = tuple[tuple[Any, ...], Line]
@@ -166,7 +168,8 @@ class NumericTelling:
         if w.law == "moment":
             return ENERGY
         if w.source in ("closure", "coordinate"):
-            return VELOCITY if stage.level == "velocity" else ACCELERATION
+            whole = VELOCITY if stage.level == "velocity" else ACCELERATION
+            return whole / LENGTH if w.lead.startswith(ANGLE_OF) else whole
         return _of_statement(w) if w.source == "given" else None
 
 

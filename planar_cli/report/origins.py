@@ -126,7 +126,7 @@ def calculus(e: Relation) -> str:
     if is_steady(e):
         return f"{_steady_words(e.law, e.kind)}, {q.words}"
     single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
-    words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
+    words = re.sub(r"\bsolved for q\b", f"solved for {single}", re.sub(r"\bdq\b", f"d{single}", e.span.words))
     if q.unit == "rad":
         words = re.sub(r"\b(d?)v(?=²|\b)", r"\1ω", re.sub(r"\ba\b", "α", words))
     return f"{words}, {q.words}" if q.words != q.symbol.name else words

@@ -7,6 +7,8 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
+from planar_cli.problem.expression import Name
+from planar_cli.problem.scene import Circle, Problem, TwoFacts
 from planar_cli.report.assumed import broken_by
 from planar_cli.report.blocks import Block, Line, Paragraph, line
 from planar_cli.report.sides import said
@@ -74,7 +76,7 @@ def _reason(instant: InstantSolution, choice: Any, phrases: Phrases) -> Line:
         own = _same_root(choice, roots.get(choice.symbol))
         apart = sum(c.taken != taken.get(s) for s, c in roots.items())
         if own is not None and own != choice.taken and (own not in nearest or apart < nearest[own][0]):
-            nearest[own] = (apart, _objection(other, phrases))
+            nearest[own] = (apart, _objection(other, phrases) or _of_size(instant, choice, own))
     lost = {i for i in range(len(choice.roots)) if i != choice.taken} - nearest.keys()
     reasons = sorted({why for _, why in nearest.values()}, key=str)
     reasons += [line("with it the other equations have no solution")] * bool(lost)
@@ -90,10 +92,30 @@ def _same_root(choice: Any, other: Any) -> int | None:
     return next((i for i, agrees in enumerate(near) if agrees), None)
 
 
+def _of_size(instant: InstantSolution, choice: Any, own: int) -> Line:
+    """Why a root is left out against which nothing in the file speaks: a distance is not negative; else how the one
+    that is taken differs from it.
+    """
+    taken, other = (choice.roots[i].value for i in (choice.taken, own))
+    if other < 0 < taken and _is_distance(instant.instant.scene.problem, choice.symbol.name):
+        return line("a distance is not negative")
+    if taken * other < 0:
+        return line(f"it holds as well; the {'positive' if taken > 0 else 'negative'} one is taken")
+    return line(f"it holds as well; the {'smaller' if abs(taken) < abs(other) else 'larger'} one is taken")
+
+
+def _is_distance(problem: Problem, name: str) -> bool:
+    """Is a letter by itself the distance of two points, or the radius of a circle?"""
+    places = (p.place for p in problem.points)
+    found = [d for place in places if isinstance(place, TwoFacts) for _, d in place.distances]
+    found += [s.shape.radius for s in problem.surfaces if isinstance(s.shape, Circle)]
+    return any(isinstance(side, Name) and side.name == name for side in found)
+
+
 def _objection(other: Any, phrases: Phrases) -> Line:
     """Why a branch is left out; an inequality of the file in the notation of the page."""
     if not other.objection:
-        return line("it holds as well; the smaller one is taken")
+        return ()
     broken = other.trial.broken
     if other.trial.tests and other.objection == other.trial.objection:
         return broken_by(other.trial, phrases) or line(other.objection)

@@ -20,7 +20,7 @@ def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Li
     if w.source != "row" or not w.lead.endswith(KEEPS):
         return ()
     places = _places(system)
-    residual = expanded(w.left - w.right)
+    residual = expanded(_of_all(w, system) if twice else w.left - w.right)
     found = sp.S.Zero
     for term in sp.Add.make_args(residual):
         factor, rest = term.as_coeff_Mul()
@@ -33,6 +33,12 @@ def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Li
         found = -found
     called = f"{w.lead[:1].upper()}{w.lead[1:]}"
     return line(f"{called}, ", phrases.math(found), f" = const., differentiated{' twice' if twice else ''}:")
+
+
+def _of_all(w: Written, system: System) -> sp.Expr:
+    """The velocities along a rope, with those that do not change, whose accelerations have gone from the equation."""
+    rows = [row for mode in system.modes.values() for row in mode.facts.rows if row.title == w.lead]
+    return system.first.row_velocity(rows[0]) if len(rows) == 1 else w.left - w.right
 
 
 def wound(w: Written, system: System) -> str:

@@ -29,6 +29,7 @@ SUM, FACTOR, POWER = 0, 1, 2
 """How closely a place binds: what stands there in a looser formula gets brackets."""
 AS_WRITTEN = 6
 """A number of the file with at most so many figures is not rounded."""
+WAVES = ("sin", "cos", "tan")
 RATES = ("dot", "ddot")
 CONSTANTS = {"pi": "π", "infinity": "∞"}
 
@@ -99,6 +100,8 @@ def _said(side: Side, figures: int, place: int) -> Line:
 
 def _combined(side: Binary, figures: int, place: int) -> Line:
     if side.operator == "^":
+        if (wave := _power_of_wave(side, figures)) is not None:
+            return wave
         base = _said(side.left, figures, POWER)
         power = number_of(side.right)
         if power is not None and power[0] == int(power[0]) >= 0:
@@ -117,6 +120,18 @@ def _combined(side: Binary, figures: int, place: int) -> Line:
         numeral = isinstance(opens, Value) or (isinstance(opens, Text) and opens.text[:1].isdigit())
         found = line(left, " · " if numeral or _has_unit(left[-1]) else " ", right)
     return _bracketed(found) if place == POWER else found
+
+
+def _power_of_wave(side: Binary, figures: int) -> Line | None:
+    """sin² θ, which is not sin θ²; None: it is no power of a sine."""
+    power = number_of(side.right)
+    if not isinstance(side.left, Function) or side.left.name not in WAVES or side.left.at is not None:
+        return None
+    if power is None or power[0] != int(power[0]) or power[0] < 2:
+        return line("(", _said(side.left, figures, SUM), ")^(", _said(side.right, figures, SUM), ")")
+    argument = _said(side.left.argument, figures, SUM)
+    inside = line("(", argument, ")") if len(argument) > 1 else line(" ", argument)
+    return line(f"{side.left.name}{superscript(str(int(power[0])))}", inside)
 
 
 def _has_unit(piece: blocks.Inline) -> bool:

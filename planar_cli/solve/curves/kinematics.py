@@ -95,7 +95,8 @@ class Story:
             for name, jet in self._jets(thing, angular):
                 whole = not angular and any(is_whole(u.quantity, thing) for u in asked)
                 for n, row in enumerate(self._derivatives(name, jet, level, angular, whole)):
-                    if row is not None:
+                    # A particle and the point at which it is are one.
+                    if row is not None and row not in rows[n]:
                         rows[n].append(row)
         told = [self._function(f) for f in explained(self.functions.found, self.used)]
         known = {sides_of(r)[0] for r in told}
@@ -214,7 +215,10 @@ class Story:
 
     def _by_chain(self, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:
         """The derivative of a place or a velocity by the chain rule, before the rates of the coordinates are put in."""
-        rates = {q: sp.Symbol(f"{q.name}_dot", real=True) for q in self.regime.rates if q in closed.free_symbols}
+        inside = closed.free_symbols
+        once = {q: sp.Symbol(f"{q.name}_dot", real=True) for q in self.regime.rates}
+        twice = {rate: sp.Symbol(f"{q.name}_ddot", real=True) for q, rate in once.items()}
+        rates = {s: rate for s, rate in {**once, **twice}.items() if s in inside}
         if self.driven is not None or not self.with_rates or any(q in self.functions.found for q in rates):
             return ()
         found = factored(simplified(sp.Add(*(sp.diff(closed, q) * rate for q, rate in rates.items()))))
