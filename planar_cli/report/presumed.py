@@ -30,6 +30,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     signs = list(positive)
     signs += [e for instant in part.instants for e in instant.instant.scene.presumed()]
     provisos = [p for instant in part.instants for p in instant.conditions]
+    provisos += part.motion.provisos if part.motion is not None else ()
     signs += [p.positive for p in provisos]
     if part.motion is not None:
         signs += [*part.motion.presumed, *_under_roots(part)]

@@ -23,6 +23,7 @@ from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
 from planar_cli.solve.between.methods import by_method, demand_reached
 from planar_cli.solve.between.motion_trace import motion_trace
+from planar_cli.solve.between.provisos import course_provisos
 from planar_cli.solve.between.reached import reaching
 from planar_cli.solve.between.route import Router
 from planar_cli.solve.between.solved_motion import SolvedMotion
@@ -119,6 +120,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     passages = tuple(a.passage for a in answers if a.passage is not None)
     tale = Tale(passages, whole=False) if passages else None
     trace = motion_trace(found, route, answers, assumed, instants)
+    trace = replace(trace, provisos=course_provisos(found, router.route))
     seen = found.followed.run if found.followed is not None and found.followed.foreseen else None
     # What is only approached is looked for again, less finely.
     seen = None if seen is not None and seen.trajectory.missed else seen

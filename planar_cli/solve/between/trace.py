@@ -19,6 +19,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
+from planar_cli.solve.instant.conditions import Proviso
 from planar_cli.solve.instant.roots import Root
 from planar_cli.solve.law import Law
 from planar_cli.solve.solution import InstantSolution
@@ -350,6 +351,8 @@ class MotionTrace:
     """States at which a body passes over a corner, with its speed kept."""
     taken: Taken
     """For a motion that is followed anew."""
+    provisos: tuple[Proviso, ...] = ()
+    """What the letters must be for the motion to take this course."""
     named: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Finds that are unknowns of the route, by letters of the states."""
 

@@ -1,0 +1,99 @@
+"""What letters must be for a motion to take the course in which it was solved stands on the page."""
+
+from __future__ import annotations
+
+import pytest
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+SLIDING = """
+title: Block that slides and stops
+plane: vertical
+symbols: {m: kg, mu: 1, v_0: m/s, T: s}
+points: {C: [0, 0]}
+surfaces: {floor: {through: C, angle: 0}}
+bodies: {block: {particle: C, mass: m}}
+joints:
+  - contact: {between: [block, floor], mu: mu, name: F}
+states: {1: [t = 0, v(block).x = v_0], 2: [t = T]}
+find: {x: x(block) @ 2}
+"""
+
+DRAG = """
+title: Ball thrown up against the air
+plane: vertical
+symbols: {m: kg, c: kg/m, v_0: m/s, g: m/s^2, T: s}
+points: {P: [0, 0]}
+bodies: {ball: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 90 deg}
+loads:
+  - drag: {body: ball, magnitude: c*v(ball).mag^2}
+states: {up: [t = 0, v(ball).y = v_0], then: [t = T]}
+find: {v: v(ball).y @ then}
+"""
+
+CARS = """
+title: A car that brakes behind another one
+plane: horizontal
+symbols: {v_A: m/s, v_B: m/s, a: m/s^2, d: m}
+bodies: {A: {particle: [0, 0]}, B: {particle: [d, 0]}}
+motion: [a(A).x = -a, a(A).y = 0, v(B).x = v_B, v(B).y = 0]
+states: {1: [t = 0, v(A).x = v_A, v(A).y = 0], 2: [x(A) = x(B)]}
+find: {t: t @ 2}
+"""
+
+CIRCLE = """
+title: Ball on a cord to the top
+plane: vertical
+symbols: {m: kg, L: m, v_0: m/s}
+points: {O: [0, 0], P: [0, -L]}
+bodies: {ball: {particle: P, mass: m}}
+joints:
+  - rope: {path: [O, P], name: S}
+states: {1: [t = 0, v(ball).x = v_0], top: [y(ball) = L]}
+find: {v: v(ball).mag @ top}
+"""
+
+
+def assumed(text: str) -> list[str]:
+    """The lines of what is assumed."""
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    lines = Terminal().render(narrate(solve_problem(problem))).splitlines()
+    first = next((i for i, line in enumerate(lines) if line.startswith("Assume")), len(lines))
+    found = []
+    for line in lines[first:]:
+        if found and not line.startswith(" " * 12):
+            break
+        found.append(line[12:])
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        (SLIDING, "v_0 > μ T g"),
+        (DRAG, "arctan(v_0 √(c/(m g))) > T √(c g/m)"),
+        (CARS, "v_A > v_B + √(v_A² + v_B² - 2 a d - 2 v_A v_B)"),
+        (CIRCLE, "v_0² > 5 g L"),
+    ],
+)
+def test_until_when_it_holds_is_told(text: str, condition: str) -> None:
+    """At rest it stays with friction, comes down with drag, never meets, and falls from a cord that is not taut."""
+    assert condition in assumed(text)
+
+
+def test_the_file_may_say_it_itself() -> None:
+    """Then it is told once."""
+    said = assumed(SLIDING.replace("points:", "assume: [v_0 > mu*g*T]\npoints:"))
+    assert len(said) == 2
+
+
+def test_what_always_holds_is_not_assumed() -> None:
+    """A block that slides to its stop stops with all letters."""
+    stops = SLIDING.replace("2: [t = T]", "2: [v(block).x = 0]").replace(", T: s}", "}")
+    assert assumed(stops) == ["block at C slips"]
