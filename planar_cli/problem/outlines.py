@@ -97,8 +97,10 @@ def meeting_place(scene: Setting, between: Sequence[str], at: str) -> Vec:
 def demand_there(scene: Setting, between: Sequence[str], at: str, mark: Mark) -> None:
     """FileProblem: a particle is not drawn at the point where it is to touch."""
     particle = _particle(scene, between)
-    reach = None if particle is None else scene.center(particle) - scene.point(at)
-    if reach is None or scene.is_zero(reach.dot(reach)):
+    if particle is None or at in (particle, scene.center_name(particle)):
+        return
+    reach = scene.center(particle) - scene.point(at)
+    if scene.is_zero(reach.dot(reach)):
         return
     away = gap(scene, scene.length(reach))
     text = f"the particle {particle} is not drawn at {at}, where it is to touch" + (away and f", but {away} away")
