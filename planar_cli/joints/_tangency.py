@@ -64,11 +64,17 @@ def away(mover: Outline, base: Outline, place: Vec, scene: Setting) -> Vec:
     return out
 
 
+def drawn_by_points(body: str, scene: Setting) -> bool:
+    """Is a body drawn by points alone, with no mass centre among them?"""
+    points = scene.drawn_by(body)
+    return bool(points) and scene.center_name(body) not in points
+
+
 def middle_of(body: str, scene: Setting) -> Vec:
     """The mass centre of a body; of one that is drawn by points alone, and has none, their mean."""
-    points = scene.drawn_by(body)
-    if not points or scene.center_name(body) in points:
+    if not drawn_by_points(body, scene):
         return scene.center(body)
+    points = scene.drawn_by(body)
     total = scene.point(points[0])
     for name in points[1:]:
         total = total + scene.point(name)

@@ -6,7 +6,14 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import Mark
-from planar_cli.joints._tangency import away, beyond_the_line, demand_above, demand_common_tangent, middle_of
+from planar_cli.joints._tangency import (
+    away,
+    beyond_the_line,
+    demand_above,
+    demand_common_tangent,
+    drawn_by_points,
+    middle_of,
+)
 from planar_cli.problem.facts import (
     Facts,
     Joining,
@@ -157,10 +164,11 @@ class Touching:
     def _away_from_base(self) -> Vec:
         """From the middle of the base; a round wall named beside its body, about its centre, is the inside."""
         base = self.base
-        if base.body == "ground":
-            return Vec(0, 0)
+        surfaced = base.body not in self.contact.between
+        if base.body == "ground" or (surfaced and drawn_by_points(base.body, self.scene)):
+            return Vec(0, 0)  # points of a truck tell nothing of its bed
         out = self.place - middle_of(base.body, self.scene)
-        if base.kind != "arc" or base.center is None or base.body in self.contact.between:
+        if base.kind != "arc" or base.center is None or not surfaced:
             return out
         gap = base.center - self.scene.center(base.body)
         return -out if self.scene.is_zero(gap.dot(gap)) else Vec(0, 0)
