@@ -58,6 +58,48 @@ states: {1: [t = 0, v(ball).x = v_0], top: [y(ball) = L]}
 find: {v: v(ball).mag @ top}
 """
 
+SPRING = """
+title: Block with friction on a spring
+plane: vertical
+symbols: {m: kg, mu: 1, x_0: m, k: N/m, T: s, L: m}
+points: {W: [0, 0], C: [L, 0]}
+surfaces: {floor: {through: C, angle: 0}}
+bodies: {block: {particle: C, mass: m}}
+joints:
+  - contact: {between: [block, floor], mu: mu, name: F}
+loads:
+  - spring: {between: [W, C], stiffness: k, natural_length: L - x_0}
+states: {1: [t = 0, at rest], 2: [t = T]}
+find: {v: v(block).x @ 2}
+"""
+
+DOME = """
+title: Particle down a dome
+plane: vertical
+symbols: {m: kg, R: m, h: m}
+points: {O: [0, 0], P: [0, R]}
+surfaces: {dome: {center: O, radius: R}}
+bodies: {ball: {particle: P, mass: m}}
+joints:
+  - contact: {between: [ball, dome], mu: 0, name: N}
+states: {1: [t = 0, at rest], low: [y(ball) = R - h, x(ball) > 0]}
+find: {v: v(ball).y @ low}
+"""
+
+BACK = """
+title: Block that slides back down a rough slope
+plane: vertical
+symbols: {m: kg, beta: deg, mu: 1, v_0: m/s, T: s}
+assume: [T > v_0/(g*(sin(beta) + mu*cos(beta)))]
+points: {C: [0, 0]}
+surfaces: {slope: {through: C, angle: beta}}
+bodies: {block: {particle: C, mass: m}}
+joints:
+  - contact: {between: [block, slope], mu: mu, name: F}
+states: {1: [t = 0, v(block).along(beta) = v_0], 2: [t = T]}
+find: {v: v(block).along(beta) @ 2}
+"""
+
 
 def assumed(text: str) -> list[str]:
     """The lines of what is assumed."""
@@ -80,6 +122,10 @@ def assumed(text: str) -> list[str]:
         (DRAG, "arctan(v_0 √(c/(m g))) > T √(c g/m)"),
         (CARS, "v_A > v_B + √(v_A² + v_B² - 2 a d - 2 v_A v_B)"),
         (CIRCLE, "v_0² > 5 g L"),
+        (SPRING, "k x_0 > μ m g"),
+        (SPRING, "π > T √(k/m)"),
+        (DOME, "3 h > R"),
+        (BACK, "sin β > μ cos β"),
     ],
 )
 def test_until_when_it_holds_is_told(text: str, condition: str) -> None:

@@ -12,15 +12,17 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer
+from planar_cli.records import record
 from planar_cli.solve.between.answers import put_in
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.instant.conditions import LONGEST, Proviso
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.regimes.timeline import Stop
 
 SLACK = 1e-9
 """What is smaller, in parts of its size, is at its limit."""
@@ -28,36 +30,66 @@ ENOUGH = 8
 """So many draws at least show that a sign follows from others."""
 
 
+@record
+class Kept:
+    """What holds in a stretch of the motion."""
+
+    signs: tuple[sp.Expr, ...]
+    """Any of these is positive then, and only then: in letters of states."""
+    words: str
+
+
 def course_provisos(found: SolvedMotion, way: Callable[[list[sp.Symbol]], Route]) -> tuple[Proviso, ...]:
     """What must be positive, in letters of the file. `way`: to letters of states, asked for or not."""
     course = found.course
     if not course.symbolic:
         return ()
-    told = [p for p in _told(course) if _positive(found.value, p.positive)]
-    wanted = {s for p in told for s in p.positive.free_symbols} & course.chain().unknowns
+    told = [k for k in _told(course, found.value) if k.signs]
+    wanted = {s for k in told for e in k.signs for s in e.free_symbols} & course.chain().unknowns
     if not wanted:
         return ()
     route = way(sorted(wanted, key=lambda s: s.name))
     letters = set(course.scene.ledger.letters)
-    put = [(put_in(p.positive, route), p.words) for p in told]
-    open_ = {e: words for e, words in reversed(put) if e.free_symbols and e.free_symbols <= letters}
+    open_: dict[sp.Expr, str] = {}
+    for kept in told:
+        put = (put_in(e, route) for e in kept.signs)
+        expr = next((e for e in put if e.free_symbols <= letters), sp.S.Zero)
+        if expr.free_symbols:
+            open_.setdefault(expr, kept.words)
     draws = course.scene.everywhere() if open_ else ()
     made: dict[sp.Expr, str] = {}
-    for expr, words in reversed(open_.items()):
+    for expr, words in open_.items():
         if _negative(expr, draws):
-            made.setdefault(expr if longer(expr, LONGEST) else _plainer(expr, draws), words)
+            made |= {e: made.get(e, words) for e in _factors(expr, found.value, draws)}
     return tuple(Proviso(e, made[e]) for e in _least(list(made), draws))
 
 
-def _told(course: MotionEquations) -> Iterator[Proviso]:
-    """What is positive at both ends of every stretch, in letters of the states."""
+def _told(course: MotionEquations, value: Valuation) -> Iterator[Kept]:
+    """What holds at both ends of every stretch."""
     for i, (p, r) in enumerate(pairwise(course.stops[s.name] for s in course.states)):
         if course.is_impulsive(i):
             continue
-        yield Proviso(r.t - p.t, f"{r.name} comes after {p.name}")
-        for stop in (r, p):
-            for expr, words in _kept(course.regimes[i]):
-                yield Proviso(stop.at(expr), f"{words} from {p.name} to {r.name}")
+        regime = course.regimes[i]
+        yield Kept(tuple(_passed(regime, p, r, value)), f"{r.name} comes after {p.name}")
+        for expr, words in _kept(regime):
+            here = words + f" from {p.name} to {r.name}"
+            begun = p.at(expr)
+            if value.known(begun) is not None and not _positive(value, begun):
+                begun = p.at(regime.derivative(expr))
+            for e in (r.at(expr), begun):
+                yield Kept((e,) if _positive(value, e) else (), here)
+
+
+def _passed(regime: Regime, p: Stop, r: Stop, value: Valuation) -> Iterator[sp.Expr]:
+    """What grows from one state to the next: the time, and coordinates that go one way at both ends."""
+    yield r.t - p.t
+    for q, rate in regime.rates.items():
+        way = r.letters[q] - p.letters[q]
+        for sense in (1, -1):
+            ends = (p.at(rate), r.at(rate))
+            speeds = [_positive(value, sense * e) for e in ends]
+            if _positive(value, sense * way) and all(speeds):
+                yield sense * way
 
 
 def _kept(regime: Regime) -> Iterator[tuple[sp.Expr, str]]:
@@ -73,20 +105,34 @@ def _positive(value: Valuation, expr: sp.Expr) -> bool:
     return number is not None and float(number) > SLACK * float(value.size(expr))
 
 
-def _plainer(expr: sp.Expr, draws: Sequence[Valuation]) -> sp.Expr:
-    """What has the sign of a formula, without fractions and factors that are positive in all draws.
+def _factors(expr: sp.Expr, value: Valuation, draws: Sequence[Valuation]) -> Iterator[sp.Expr]:
+    """The factors of a formula, each as it is positive with these numbers, but for those that are so in all draws."""
+    if longer(expr, LONGEST):
+        yield expr
+        return
+    for factor in sp.Mul.make_args(factored(expr)):
+        base = factor.base if factor.is_Pow and factor.exp.is_Integer else factor
+        number = value.known(base)
+        if base.is_number or number is None or (base is not factor and factor.exp % 2 == 0):
+            continue
+        for held in _in_branch(base, value) or [base if number > 0 else -base]:
+            if _negative(held, draws):
+                yield held
 
-    A tangent that is finite all the way keeps to its branch, so that its sign is that of its angle.
+
+def _in_branch(factor: sp.Expr, value: Valuation) -> list[sp.Expr]:
+    """Within what an angle stays where its sine, cosine or tangent keeps its sign all the way; none for anything else,
+    and where that is not the first branch.
     """
-    above, below = sp.fraction(sp.together(expr))
-    factors = sp.Mul.make_args(factor_terms(sp.expand(above)) * below)
-    signs = [sp.sign(f) for f in factors if f.is_number]
-    plain = sp.Mul(*signs, *(_of_angle(f) for f in factors if not f.is_number and _negative(f, draws)))
-    return sp.sympify(plain)
-
-
-def _of_angle(factor: sp.Expr) -> sp.Expr:
-    return factor.args[0] if isinstance(factor, sp.tan) and factor.has(sp.atan) else factor
+    if not isinstance(factor, sp.sin | sp.cos | sp.tan):
+        return []
+    (angle,) = factor.args
+    near = sp.pi if isinstance(factor, sp.sin) else sp.pi / 2
+    low, high = (-near, near) if isinstance(factor, sp.cos) else (sp.S.Zero, near)
+    if not isinstance(factor, sp.cos) and (value.known(angle) or 0) < 0:
+        low, high = -near, sp.S.Zero
+    bounds = [angle - low, high - angle]
+    return bounds if all(_positive(value, e) for e in bounds) else []
 
 
 def _negative(expr: sp.Expr, draws: Sequence[Valuation]) -> bool:
