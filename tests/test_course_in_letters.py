@@ -139,6 +139,15 @@ def test_the_file_may_say_it_itself() -> None:
     assert len(said) == 2
 
 
+def test_what_fails_on_the_way_is_told_in_words() -> None:
+    """It may be lifted by a force that swings, and be down again at T: m g > F_0 sin(w T) does not tell that."""
+    force = "force: {body: block, magnitude: F_0*sin(w*t), angle: 90 deg}"
+    smooth = SLIDING.replace("mu: mu", "mu: 0").replace("mu: 1, ", "").replace("T: s}", "T: s, F_0: N, w: rad/s}")
+    said = assumed(smooth.replace("states:", f"loads:\n  - {force}\nstates:"))
+    assert "m g > F_0 sin(T w)" in said
+    assert "N_F presses from 1 to 2; whether it is so depends on the letters" in said
+
+
 def test_what_always_holds_is_not_assumed() -> None:
     """A block that slides to its stop stops with all letters."""
     stops = SLIDING.replace("2: [t = T]", "2: [v(block).x = 0]").replace(", T: s}", "}")

@@ -31,13 +31,13 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     signs += [e for instant in part.instants for e in instant.instant.scene.presumed()]
     provisos = [p for instant in part.instants for p in instant.conditions]
     provisos += part.motion.provisos if part.motion is not None else ()
-    signs += [p.positive for p in provisos]
+    signs += [p.positive for p in provisos if p.positive.free_symbols]
     if part.motion is not None:
         signs += [*part.motion.presumed, *_under_roots(part)]
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST) and (above := _above_zero(expr)) not in stated and above.reversed not in stated:
             yield Note("Assume", line(phrases.math(above)))
-    for words in dict.fromkeys(p.words for p in provisos if p.words and longer(p.positive, LONGEST)):
+    for words in dict.fromkeys(p.words for p in provisos if p.words and _in_words(p.positive)):
         yield Note("Assume", line(f"{words}; whether it is so depends on the letters"))
     if light := _without_mass(part):
         neglected = "it is neglected, or counted with another body"
@@ -48,6 +48,11 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     for told in _taking_hold(part.motion.problem):
         yield Note("Assume", line(told))
+
+
+def _in_words(expr: sp.Expr) -> bool:
+    """Is there no formula that is short enough? A number stands for one that is not known."""
+    return longer(expr, LONGEST) or not expr.free_symbols
 
 
 def _under_roots(part: PartSolution) -> Iterator[sp.Expr]:

@@ -14,7 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import derivative, longer
 from planar_cli.records import record
 from planar_cli.solve.between.answers import put_in
 from planar_cli.solve.between.derivation import Route
@@ -26,6 +26,8 @@ from planar_cli.solve.regimes.timeline import Stop
 
 SLACK = 1e-9
 """What is smaller, in parts of its size, is at its limit."""
+LOOKS = 16
+"""In so many parts a stretch is looked at."""
 ENOUGH = 8
 """So many draws at least show that a sign follows from others."""
 
@@ -37,6 +39,10 @@ class Kept:
     signs: tuple[sp.Expr, ...]
     """Any of these is positive then, and only then: in letters of states."""
     words: str
+    over: tuple[sp.Expr, sp.Expr] | None = None
+    """The times of both ends, for what is told at the second one."""
+    acting: frozenset[sp.Symbol] = frozenset()
+    """The letters of what acts in between: a time of which this rests is not only that of the end."""
 
 
 def course_provisos(found: SolvedMotion, way: Callable[[list[sp.Symbol]], Route]) -> tuple[Proviso, ...]:
@@ -51,17 +57,22 @@ def course_provisos(found: SolvedMotion, way: Callable[[list[sp.Symbol]], Route]
     route = way(sorted(wanted, key=lambda s: s.name))
     letters = set(course.scene.ledger.letters)
     open_: dict[sp.Expr, str] = {}
+    ways: list[tuple[str, list[sp.Expr]]] = []
     for kept in told:
         put = (put_in(e, route) for e in kept.signs)
         expr = next((e for e in put if e.free_symbols <= letters), sp.S.Zero)
         if expr.free_symbols:
             open_.setdefault(expr, kept.words)
+            ways += [(kept.words, _inside(expr, [put_in(e, route) for e in kept.over], kept))] if kept.over else []
     draws = course.scene.everywhere() if open_ else ()
     made: dict[sp.Expr, str] = {}
     for expr, words in open_.items():
         if _negative(expr, draws):
             made |= {e: made.get(e, words) for e in _factors(expr, found.value, draws)}
-    return tuple(Proviso(e, made[e]) for e in _least(list(made), draws))
+    told_so = _least(list(made), draws)
+    fit = [d for d in draws if all((d.known(e) or 0) > 0 for e in told_so)] if ways else []
+    lost = dict.fromkeys(words for words, inside in ways if any(_negative(e, fit) for e in inside))
+    return (*(Proviso(e, made[e]) for e in told_so), *(Proviso(sp.S.One, words) for words in lost))
 
 
 def _told(course: MotionEquations, value: Valuation) -> Iterator[Kept]:
@@ -70,14 +81,28 @@ def _told(course: MotionEquations, value: Valuation) -> Iterator[Kept]:
         if course.is_impulsive(i):
             continue
         regime = course.regimes[i]
+        laws = (*regime.rates.values(), *regime.accelerations.values(), *(e for e, _ in _kept(regime)))
+        acting = frozenset(s for e in laws for s in e.free_symbols)
         yield Kept(tuple(_passed(regime, p, r, value)), f"{r.name} comes after {p.name}")
         for expr, words in _kept(regime):
             here = words + f" from {p.name} to {r.name}"
             begun = p.at(expr)
             if value.known(begun) is not None and not _positive(value, begun):
                 begun = p.at(regime.derivative(expr))
-            for e in (r.at(expr), begun):
-                yield Kept((e,) if _positive(value, e) else (), here)
+            for e, over in ((r.at(expr), (p.t, r.t)), (begun, None)):
+                yield Kept((e,) if _positive(value, e) else (), here, over, acting)
+
+
+def _inside(expr: sp.Expr, times: Sequence[sp.Expr], kept: Kept) -> list[sp.Expr]:
+    """What is told at the end of a stretch, at times before; nothing where it changes evenly, so that the ends tell it,
+    and where the end is not told by its time.
+    """
+    since, until = times
+    if not until.is_Symbol or until in kept.acting | since.free_symbols:
+        return []
+    if until not in derivative(expr, until).free_symbols:
+        return []
+    return [expr.xreplace({until: since + (until - since) * k / LOOKS}) for k in range(1, LOOKS)]
 
 
 def _passed(regime: Regime, p: Stop, r: Stop, value: Valuation) -> Iterator[sp.Expr]:

@@ -25,7 +25,10 @@ Formulas = Callable[[list[sp.Expr]], list[sp.Expr]]
 
 @record
 class Proviso:
-    """What is `positive` as an answer is assumed to hold, and need not be; in `words`, where a formula is too long."""
+    """What is `positive` as an answer is assumed to hold, and need not be; in `words`, where a formula is too long.
+
+    It is 1 where there is no formula.
+    """
 
     positive: sp.Expr
     words: str
