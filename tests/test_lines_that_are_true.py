@@ -117,3 +117,109 @@ find: {t_full: t @ full}
 def test_an_integral_is_solved_for_the_letter_of_the_page(page: Page) -> None:
     text = page(ROAD)
     assert "solved for q" not in text
+
+
+LOOP = """
+title: Pellet round a loop
+plane: vertical
+given: {m: 0.2 kg, R: 0.6 m}
+unknowns: {v_B: m/s}
+points: {O: [0, R], P: [0, 0]}
+surfaces: {loop: {center: O, radius: R}}
+bodies: {pellet: {particle: P, mass: m}}
+joints:
+  - contact: {between: [pellet, loop], at: P, mu: 0, name: track}
+states:
+  B: [t = 0, v(pellet).x = v_B, v_B > 0]
+  D: [y(pellet) = 2*R, N(track) = 0]
+find: {v_B: v_B}
+"""
+
+
+def test_what_a_state_says_of_a_force_is_given(page: Page) -> None:
+    given = page(LOOP).split(" Find ")[0]
+    assert given.endswith("D: y_pellet = 2 R, the normal force at track = 0")
+
+
+ARC = """
+title: Collar on an arc with a spring
+plane: vertical
+given: {m: 2 kg, R: 0.6 m, k: 150 N/m}
+points: {O: [0, 0], A: [-R, 0], D: [R, -R]}
+surfaces: {arc: {center: O, radius: R}}
+bodies: {collar: {particle: A, mass: m}}
+joints:
+  - guide: {point: A, along: arc, name: rod}
+loads:
+  - spring: {between: [A, D], stiffness: k, natural_length: 0.3 m}
+states:
+  A: [at rest]
+  B: [y(collar) = -R]
+find: {v_B: v(collar).mag @ B}
+"""
+
+
+def test_an_angle_in_a_cosine_is_in_one_unit(page: Page) -> None:
+    text = page(ARC)
+    assert "cos(180° + 45°)" in text
+    assert "0.785" not in text
+
+
+def test_a_spring_is_called_by_both_ends(page: Page) -> None:
+    assert "stretch of the spring AD, s_A" in page(ARC)
+
+
+TWO_SPRINGS = (
+    ARC.replace("states:", "  - spring: {between: [A, O], stiffness: 2*k, natural_length: 0.2 m}\nstates:")
+    .replace("O: [0, 0]", "O: [0, 0], Q: [0, 0.4 m]")
+    .replace("[A, O], stiffness", "[A, Q], stiffness")
+)
+
+
+def test_two_springs_are_called_by_their_ends(page: Page) -> None:
+    text = page(TWO_SPRINGS)
+    assert "stretch of the spring AD" in text
+    assert "stretch of the spring AQ" in text
+
+
+PUSHED = """
+title: Block pushed on a rough plane
+plane: vertical
+unknowns: {P: N}
+points: {B: [0, 0]}
+surfaces: {floor: {through: B, angle: 0 deg}}
+bodies: {block: {particle: B, mass: 90 kg}}
+joints:
+  - contact: {between: [block, floor], mu_k: 0.25}
+loads:
+  - force: {body: block, magnitude: P, angle: -30 deg}
+instant: [v(block).x > 0, a(block).x = sqrt(3^2) * 1 m/s^2]
+find: {P: P, N: N(block)}
+"""
+
+
+def test_a_direction_of_summing_is_chosen_for_what_does_not_count(page: Page) -> None:
+    text = page(PUSHED)
+    assert "block, in the direction in which P does not count:" in text
+    assert "virtual motion" not in text
+
+
+HUMP = """
+title: Car over a hump
+plane: vertical
+given: {m: 900 kg, h: 12 m}
+unknowns: {rho: m}
+points: {K: [0, 5 m - rho], Q: [0, 5 m]}
+surfaces: {hump: {center: K, radius: rho}}
+bodies: {car: {particle: Q, mass: m}}
+joints:
+  - contact: {between: [car, hump], at: Q, mu: 0, name: track}
+instant: [v(car).x = sqrt(2*g*(h - 5 m)), N(track) = 0]
+find: {rho: rho}
+"""
+
+
+def test_a_relation_of_the_file_is_told_in_the_notation_of_the_page(page: Page) -> None:
+    text = page(HUMP)
+    assert "v_car,x = √(2 g (h - 5 m))" in text
+    assert "sqrt" not in text

@@ -21,6 +21,7 @@ A member states facts only and does not import SymPy at module level, so that re
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
@@ -29,6 +30,8 @@ from planar_cli.problem.entry import Entry
 from planar_cli.problem.facts import Effect, Mode, Wrench
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import MovingSetting, Setting
+
+_POINT = re.compile(r"[A-Z]\d?")
 
 
 def mode_key(load: str) -> str:
@@ -61,12 +64,21 @@ class Load(Entry, ABC):
 
     @property
     def called(self) -> str:
-        """By its ends where it has no name of its own: then it has that of its first point, perhaps with a number."""
-        ends: tuple[str, ...] = getattr(self, "between", ())
-        own = self.name.removeprefix(ends[0]).removeprefix("_") if ends else self.name
-        if own and not own.isdigit():
-            return self.phrase(self.name)
-        return f"the {self.kind} from {ends[0]} to {ends[1]}"
+        """By its ends where it has no name of its own: then it has that of one of them, perhaps with a number."""
+        ends: tuple[str, ...] = getattr(self, "between", None) or ()
+        return f"the {self.kind} from {ends[0]} to {ends[1]}" if self._has_no_name else self.phrase(self.name)
+
+    @property
+    def short_name(self) -> str:
+        """AB by its ends, where it has no name of its own and they have short ones; else the name that it has."""
+        ends: tuple[str, ...] = getattr(self, "between", None) or ()
+        return "".join(ends) if self._has_no_name and all(_POINT.fullmatch(end) for end in ends) else self.name
+
+    @property
+    def _has_no_name(self) -> bool:
+        """Has it only the name of one of its ends, perhaps with a number?"""
+        ends: tuple[str, ...] = getattr(self, "between", None) or ()
+        return any(re.fullmatch(rf"{re.escape(end)}_?\d*", self.name) for end in ends)
 
     def in_full(self) -> Self:
         """The load with what its short forms stand for, once its body is known."""

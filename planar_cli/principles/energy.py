@@ -189,7 +189,8 @@ def _sources(position: Position) -> Iterator[tuple[Source, set[str]]]:
         alike = loads.get((kind, name), [])
         made = alike[0].stored(setting) if len(alike) == 1 else None
         stored = _stored_in(alike, setting)
-        working = alike[0].working or alike[0].phrase(alike[0].name).removeprefix("the ") if alike else FRICTION
+        own = alike[0].short_name if len(alike) == 1 else name
+        working = alike[0].working or alike[0].phrase(own).removeprefix("the ") if alike else FRICTION
         of = None if made is None else Stored(sp.sympify(made[0]), sp.sympify(made[1]), made[2], made[3])
         function = None if stored is None else -sp.sympify(stored)
         yield Source(working.format(name), power, function, of), {w.body for w in wrenches}

@@ -12,6 +12,7 @@ from planar_cli.equation.system import System
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.candidates import VIRTUAL_MOTION
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
@@ -33,6 +34,17 @@ def perpendicular(system: System, words: str) -> Line:
     """`across N_A` as a direction in words; other words as they are."""
     symbol = system.symbols.get(words.removeprefix("across ")) if words.startswith("across ") else None
     return line(words) if symbol is None else line("perpendicular to ", *force_named(system, symbol))
+
+
+def free_direction(w: Written, stage: Stage) -> Line:
+    """Of one body the direction in which forces are summed is chosen for what does not enter; else nothing."""
+    gone = _left_out(w, stage) if w.words == VIRTUAL_MOTION and len(w.bodies) == 1 else []
+    listed = [piece for s in gone for piece in (", ", Math(s))][1:]
+    return (
+        line("in the direction in which ", *listed, " do not count" if len(gone) > 1 else " does not count")
+        if gone
+        else ()
+    )
 
 
 def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> Line:

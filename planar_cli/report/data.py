@@ -49,6 +49,13 @@ class DataTelling:
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
 
+    def given(self, w: Written, behind: str) -> Line:
+        """`Given: v = √(2 g h), differentiated`, as the file has it; empty: it has no such form."""
+        stated = stated_in(self.scene.problem, self.state, w.lead) if w.source == "given" else None
+        law = sentence(stated, self.phrases.figures) if stated is not None else ()
+        often = ("", ", differentiated", ", differentiated twice")[w.times]
+        return line("Given: ", law, f"{often}{behind}") if law else ()
+
     def _formula(self, stated: Stated | None, value: Decimal) -> Line:
         """A formula of numbers as the file has it."""
         if not isinstance(stated, Relation) or number_of(stated.right) is not None or isinstance(stated.right, Letter):

@@ -206,7 +206,7 @@ class EnergyTelling(EnergyPieces):
         elif made.power == 1:
             yield from self._weight(made, put, lead)
         else:
-            yield from self._spring(made, put, lead, several)
+            yield from self._spring(made, put, lead, several, each)
 
     def _at_sight(self, made: Storage, put: sp.Expr) -> bool:
         """Is a spring at its own length in one state, and its stretch in the other a letter or a difference of two?"""
@@ -281,7 +281,7 @@ class EnergyTelling(EnergyPieces):
         texts = {s: significant(x, self.phrases.figures) for s, x in factor.items()}
         return Math(told, texts) if texts else self.phrases.math(told)
 
-    def _spring(self, made: Storage, put: sp.Expr, lead: Line, several: bool) -> Iterator[Block]:
+    def _spring(self, made: Storage, put: sp.Expr, lead: Line, several: bool, each: str) -> Iterator[Block]:
         """k (s_1² - s_2²)/2, the stretches in lines of their own, each once."""
         letter = "delta" if made.letter in self.phrases.ledger.symbols else made.letter
         name = made.words.rpartition(" ")[2]
@@ -291,7 +291,7 @@ class EnergyTelling(EnergyPieces):
             ends[own] = self._put(expr)
             if (own, ends[own]) not in self.told:
                 self.told.add((own, ends[own]))
-                stretch = line(f"stretch of the {made.words}, ", Math(own))
+                stretch = line(f"stretch of the {each}, ", Math(own))
                 yield self._line(stretch, *self._length(ends[own]), dimension=LENGTH)
         one, two = ends
         inside = sp.Add(one**2, -(two**2), evaluate=False)

@@ -11,6 +11,10 @@ from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, line
 from planar_cli.report.mentioned import Mentioned, pieces_of
 from planar_cli.report.sides import is_zero, number_of, said
+from planar_cli.report.spoken import WORDS
+
+FORCES = ("N", "tension", "friction")
+"""What a state says of forces, as where something is about to lift: N = 0."""
 
 
 def states_given(problem: Problem, figures: int) -> Iterator[list[Line]]:
@@ -40,11 +44,18 @@ def _told(statement: object, problem: Problem, figures: int, first: bool) -> Ite
 
 
 def _equation(relation: Relation, figures: int) -> Iterator[Line]:
-    left, right = said(relation.left, figures), said(relation.right, figures)
+    left, right = said(relation.left, figures) or _force(relation.left), said(relation.right, figures)
     number = number_of(relation.right)
     right = line("0") if number is not None and not number[0] and number[1] != "deg" else right
     if left and right:
         yield line(left, " = ", right)
+
+
+def _force(side: Side) -> Line:
+    """`the tension in cord`: a force of a joint has letters of its own only where a diagram shows it."""
+    if not isinstance(side, Quantity) or side.word not in FORCES or side.parts or side.at or len(side.things) != 1:
+        return ()
+    return line(WORDS[side.word].format(side.things[0]))
 
 
 def laws_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:

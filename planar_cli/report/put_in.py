@@ -256,6 +256,8 @@ class Writer:
         known, rest = expr.as_independent(*self.unknowns, as_Add=True)
         if known == 0 or not expr.is_Add:
             return self._tree(expr)
+        if (known / sp.pi).is_Rational:
+            return sp.Add(self._tree(rest), known)
         degrees = self.phrases.value(known * 180 / sp.pi)
         shown = self._text(significant(abs(degrees), self.phrases.figures) + "°", abs(degrees) * DEGREE, degrees < 0)
         return sp.Add(self._tree(rest), shown)

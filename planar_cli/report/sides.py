@@ -29,6 +29,7 @@ SUM, FACTOR, POWER = 0, 1, 2
 """How closely a place binds: what stands there in a looser formula gets brackets."""
 AS_WRITTEN = 6
 """A number of the file with at most so many figures is not rounded."""
+TURNING = ("omega", "ω", "alpha", "α")
 WAVES = ("sin", "cos", "tan")
 RATES = ("dot", "ddot")
 CONSTANTS = {"pi": "π", "infinity": "∞"}
@@ -43,7 +44,7 @@ def _has_a_name(node: Tree) -> bool:
     """Is it nothing that only a sentence can tell?"""
     match node:
         case Quantity():
-            known = RELATIVE if len(node.things) == 2 else LETTERS
+            known = (*RELATIVE, *TURNING) if len(node.things) == 2 else LETTERS
             parts = ("x", "y", "mag", "angle", "along", "across") + (("t", "n") if len(node.things) == 1 else ())
             one = len(node.parts) == 0 or (len(node.parts) == 1 and node.parts[0].kind in parts)
             if node.word in RATES and isinstance(node.argument, Name):

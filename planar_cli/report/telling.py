@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer
-from planar_cli.report.actions import moment_words, onward, perpendicular
+from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
@@ -276,7 +276,7 @@ class Telling:
         lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
         sides = self._with_zero(w, stage, sides)
         return [
-            Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w), ":")),
+            Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w, stage), ":")),
             Equation(sides, number, lead, note),
         ]
 
@@ -289,9 +289,9 @@ class Telling:
         self.solving.nil.add((id(stage.algebra), w.number))
         return sides if letter in sides else (sides[0], line(sides[1], ", so that ", letter, " = 0"))
 
-    def _way(self, w: Written) -> Line:
+    def _way(self, w: Written, stage: Stage) -> Line:
         """The direction along which forces are summed."""
-        found = perpendicular(self.system, w.words)
+        found = free_direction(w, stage) or perpendicular(self.system, w.words)
         return self._named(w.words) if len(found) == 1 else found
 
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
@@ -302,6 +302,7 @@ class Telling:
             self.vectors.zero |= {speed[1].symbol} if speed[1].formula == 0 else set()
             return [speed[0]]
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
+        length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         words = self.vectors.before(w, stage.level) or [Paragraph(length or self._named(self._relation_words(w)))]
@@ -319,8 +320,8 @@ class Telling:
             return [*words, Equation(chain, number)]
         if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.as_coeff_Mul()[1].is_Symbol:
             w = replace(w, left=w.right, right=w.left)
-        turned = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
-        sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
+        opposite = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
+        sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if opposite else (w.left, w.right))
         return [*words, Equation(sides, number, (), note)]
 
     def _nil(self, w: Written, found: SolvedLine, stage: Stage, number: int) -> Block:

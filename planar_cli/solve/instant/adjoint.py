@@ -21,6 +21,7 @@ from planar_cli.solve.instant.candidates import (
     CONSTRUCTED,
     FAR,
     NAMED_SLANT,
+    VIRTUAL_MOTION,
     Candidate,
     Choice,
     combine,
@@ -170,9 +171,7 @@ def _candidate(
             return None
         direction = Vec(_rational(fx / length), _rational(fy / length))
         row = _cleaned(combine(rows[:2], (fx / length, fy / length)))
-        return priced(
-            bodies, None, Choice(False, direction, "the direction of the common virtual motion"), row, NAMED_SLANT
-        )
+        return priced(bodies, None, Choice(False, direction, VIRTUAL_MOTION), row, NAMED_SLANT)
     x, y = -fy / m, fx / m
     if system.scene.ledger.symbolic:
         return None

@@ -21,6 +21,7 @@ from planar_cli.solve.multibody.linear import Row, clean, rank, scaled
 
 ALONG_CONTACT = 0.95
 """Along and across a slope is how it is drawn."""
+VIRTUAL_MOTION = "the direction of the common virtual motion"
 AXIS, NAMED_POINT, ACROSS, NAMED_SLANT, CONSTRUCTED, FAR = 1.0, 1.1, 1.2, 1.3, 2.0, 3.0
 CONTACT = "along the contact"
 PER_BODY, PER_UNKNOWN = 0.6, 0.15
