@@ -203,7 +203,12 @@ class Instant:
     def _allowed(self, joint: Joint | Load, found: tuple[Mode, ...]) -> list[int]:
         """The modes that the file leaves open."""
         name = self.aliases[joint.name]
-        wanted = {word for stated, word in self.statements.modes if stated == name}
+        # Several joints may be called by one point: a contact that sticks and a rope that may be slack.
+        alike = [m for j, modes in self.modes if self.aliases[j.name] == name for m in modes]
+        own, known = {m.name for m in found}, {m.name for m in alike}
+        wanted = {
+            word for stated, word in self.statements.modes if stated == name and (word in own or word not in known)
+        }
         return [i for i, mode in enumerate(found) if not wanted or mode.name in wanted or not mode.name]
 
     def try_choice(
