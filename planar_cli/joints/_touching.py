@@ -165,8 +165,11 @@ class Touching:
         """From the middle of the base; a round wall named beside its body, about its centre, is the inside."""
         base = self.base
         surfaced = base.body not in self.contact.between
-        if base.body == "ground" or (surfaced and drawn_by_points(base.body, self.scene)):
-            return Vec(0, 0)  # points of a truck tell nothing of its bed
+        shapeless = base.body != "ground" and (
+            drawn_by_points(base.body, self.scene) or not self.scene.rigid(base.body)
+        )
+        if base.body == "ground" or (surfaced and shapeless):
+            return Vec(0, 0)  # points of a truck tell nothing of its bed, nor does a wedge drawn as a particle
         out = self.place - middle_of(base.body, self.scene)
         if base.kind != "arc" or base.center is None or not surfaced:
             return out
