@@ -93,7 +93,8 @@ class Moving:
             u = speeds[0]
             along = Vec(sp.diff(velocity.x, u), sp.diff(velocity.y, u))
             if all(expanded(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
-                found: Vec = -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
+                reach = sp.sqrt(simplified(along.dot(along)))
+                found: Vec = -along * (_with_sign(u, sp.expand(simplified(size))) / reach)
                 return found
         return Vec(*(-p * (size / sp.sqrt(simplified(velocity.dot(velocity)))) for p in (velocity.x, velocity.y)))
 
@@ -225,3 +226,9 @@ def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
     if skid.base == GROUND:
         return [on_body]
     return [on_body, Wrench(skid.joint, "skid", skid.base, skid.point, -force, 0, skid.size)]
+
+
+def _with_sign(u: sp.Symbol, size: sp.Expr) -> sp.Expr:
+    """sign(u) times a size; |u| sign(u) = u, which has a slope where u passes zero."""
+    terms = (t.as_independent(sp.Abs(u), as_Add=False) for t in sp.Add.make_args(size))
+    return sp.Add(*(k * u if power == sp.Abs(u) else k * power * sp.sign(u) for k, power in terms))
