@@ -11,6 +11,8 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.exact import Unvalued
+from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Math
 from planar_cli.report.clean import common_dimension
@@ -168,3 +170,22 @@ class _Collected:
         if expr.is_Symbol or not (expr.is_Add or expr.is_Mul or expr.is_Pow):
             return expr
         return expr.func(*(self._with_rationals(a) for a in expr.args))
+
+
+def divides_by_zero(expr: sp.Expr, phrases: Phrases) -> bool:
+    """Is a divisor zero but for rounding, as in arctan(v/(x - x_eq)) where x is x_eq? None of that is told."""
+    if expr.is_number:
+        return False
+    powers = (p for p in expr.atoms(sp.Pow) if p.exp.could_extract_minus_sign())
+    return any(_vanishes(term, phrases) for p in powers for term in sp.Mul.make_args(p.base) if term.is_Add)
+
+
+def _vanishes(total: sp.Expr, phrases: Phrases) -> bool:
+    """Do the terms of a sum cancel, all but the rounding of sixty digits?"""
+    if not all(phrases.has_numbers(s) for s in total.free_symbols):
+        return False
+    try:
+        sizes = [phrases.value(term) for term in total.args]
+    except (NoValue, Unvalued):
+        return False
+    return abs(sum(sizes, Decimal(0))) <= SMALL * max(map(abs, sizes))

@@ -22,7 +22,7 @@ from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.impulse_rows import before_leg
-from planar_cli.report.in_numbers import solved_for
+from planar_cli.report.in_numbers import divides_by_zero, solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
@@ -358,7 +358,7 @@ class MotionTelling:
 
     def _formula(self, r: Result) -> sp.Expr | None:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
-        if r.formula is None:
+        if r.formula is None or divides_by_zero(r.formula, self.numeric):
             return None
         formula = of_ratios(r.formula, self.found.ledger)
         formula = by_data(in_times(over_coordinates(formula, self.general), self.found), r.unknown, self.found)
@@ -374,6 +374,8 @@ class MotionTelling:
         long formula is left out where its equation stands in numbers.
         """
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
+            return []
+        if divides_by_zero(r.formula, self.numeric):
             return []
         if not explicit and longer(r.formula, SHORT):
             return []

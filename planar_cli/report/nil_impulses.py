@@ -27,7 +27,9 @@ def nil_of_blow(found: SpanIntegral) -> sp.Symbol | None:
 def nil_impulses(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """What the file says of a blow: the hands feel none, so that the impulse at the grip is zero."""
     asked = {p for r in found.requests for p in r.parts}
+    # An impulse that follows from the laws of the blow was not given.
+    derived = {s for leg in found.route.steps if not leg.is_datum for s in leg.unknowns}
     for span in found.spans:
-        if (impulse := nil_of_blow(span)) is not None and span.symbol not in asked:
+        if (impulse := nil_of_blow(span)) is not None and span.symbol not in asked and impulse not in derived:
             lead = line(f"no impulse in the blow from {span.pieces[0].since} to {span.pieces[0].until}, as given:")
             yield Equation((phrases.math(impulse), line("0")), None, lead)

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import is_clean
@@ -160,17 +161,25 @@ class NumericTelling:
         x, y = (self.phrases.value(sp.sympify(p)) for p in w.along)
         return sp.Rational(str((x * x + y * y).sqrt()))
 
-    @staticmethod
-    def _dimension(w: Written, stage: Stage) -> Dimension | None:
+    def _dimension(self, w: Written, stage: Stage) -> Dimension | None:
         """What the sides of an equation are, by the law from which it comes."""
         if w.law == "force":
             return FORCE
         if w.law == "moment":
             return ENERGY
         if w.source in ("closure", "coordinate"):
-            whole = VELOCITY if stage.level == "velocity" else ACCELERATION
+            whole = VELOCITY if level_of(w, stage, self.phrases.ledger) == "velocity" else ACCELERATION
             return whole / LENGTH if w.lead.startswith(ANGLE_OF) else whole
         return _of_statement(w) if w.source == "given" else None
+
+
+def level_of(w: Written, stage: Stage, ledger: Ledger) -> str:
+    """The level of a relation of kinematics: where velocities and accelerations are found together, a relation of
+    unknown speeds without an acceleration is one of velocities.
+    """
+    roles = ledger.roles
+    kinds = {roles[s].kind for s in w.residual.free_symbols & stage.algebra.unknowns if s in roles}
+    return "velocity" if Kind.SPEED in kinds and Kind.ACCELERATION not in kinds else stage.level
 
 
 def _of_statement(w: Written) -> Dimension | None:

@@ -70,6 +70,7 @@ def put_in(
     sides, where it is known; a number among them may hide a unit.
     """
     parts = [left] if isinstance(left, sp.Expr) else list(left)
+    *parts, right = _without_rounding([*parts, right], unknowns, phrases)
     left = sp.Add(*parts)
     if left.free_symbols & set(unknowns) or not parts:
         parts = _alike(parts, unknowns) or [left]
@@ -86,6 +87,23 @@ def put_in(
     before = sp.Add(*found, evaluate=False) if len(found) > 1 else found[0]
     shown = (Math(before, writer.texts), Math(after, writer.texts))
     return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after))
+
+
+def _without_rounding(amounts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> list[sp.Expr]:
+    """Amounts of an equation without the terms that are the rounding of sixty digits: ẋ cos 90°."""
+    if not all(phrases.has_numbers(s) for e in amounts for s in e.free_symbols - set(unknowns)):
+        return list(amounts)
+    terms = [[t.as_independent(*unknowns, as_Add=False) for t in sp.Add.make_args(e)] for e in amounts]
+    try:
+        sizes = [[abs(phrases.value(known)) for known, _ in own] for own in terms]
+    except (NoValue, Unvalued):
+        return list(amounts)
+    least = SMALL * max((size for own in sizes for size in own), default=Decimal(0))
+    found = []
+    for e, own, around in zip(amounts, terms, sizes, strict=True):
+        kept = [known * rest for (known, rest), size in zip(own, around, strict=True) if size > least]
+        found.append(e if len(kept) == len(own) else sp.Add(*kept))
+    return found
 
 
 def _alike(parts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol]) -> list[sp.Expr]:

@@ -23,7 +23,7 @@ from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
-from planar_cli.report.numeric import NumericTelling, vanishing
+from planar_cli.report.numeric import NumericTelling, level_of, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.rolled_points import rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
@@ -305,8 +305,9 @@ class Telling:
         length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
-        words = self.vectors.before(w, stage.level) or [Paragraph(length or self._named(self._relation_words(w)))]
-        words = [*vector_before(w, self.vectors, stage.level), *words]
+        level = level_of(w, stage, self.scene.ledger)
+        words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w)))]
+        words = [*vector_before(w, self.vectors, level), *words]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
