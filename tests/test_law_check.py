@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -62,3 +65,35 @@ def test_none_in_letters() -> None:
     page = _page("atwood-let-go")
     assert "times the time" not in page
     assert "is constant" not in page
+
+
+BRAKED = """
+title: A particle that is brought to rest by a deceleration with the root of its speed
+bodies: {{P: {{particle: [0, 0]}}}}
+joints: [{{guide: {{point: P, along: 0 deg}}}}]
+motion: ["a(P).x = {law}"]
+states:
+  0: [t = 0, v(P).x = {since}]
+  1: [v(P).x = 0]
+find: {{t: t @ 1, d: x(P) @ 1}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "since", "t", "d"),
+    [
+        ("-4 m^(1/2)/s^(3/2) * sqrt(v(P).x)", "36 m/s", 3.0, 36.0),
+        ("-2 m^(1/2)/s^(3/2) * sqrt(v(P).x)", "9 m/s", 3.0, 9.0),
+    ],
+)
+def test_a_rate_that_grows_without_bound_is_not_printed(
+    tmp_path: Path, law: str, since: str, t: float, d: float
+) -> None:
+    """t = 2 √v/c, d = 2 v^(3/2)/(3 c); 1/a has no value where the particle stands."""
+    path = tmp_path / "braked.yaml"
+    path.write_text(BRAKED.format(law=law, since=since), encoding="utf-8")
+    solution = solve_problem(read(str(path)))
+    page = Terminal(200).render(narrate(solution))
+    found = {f.name: float(f.values[0]) for part in solution.parts for f in part.found if f.values}
+    assert found == {"t": pytest.approx(t), "d": pytest.approx(d)}
+    assert "Simpson" not in page

@@ -89,3 +89,15 @@ def test_angles_go_on_over_many_turns() -> None:
         turning.last = found
     assert graph.rate(angle, {x: graph.number(2.0)}).value == pytest.approx(2.0)
     assert math.isclose(angle.value, 0.0, abs_tol=1e-15)
+
+
+def test_a_power_that_is_not_real_is_outside() -> None:
+    """Steps of an integrator try values beyond those that a motion has: v^(3/2) of a negative v is no number."""
+    graph = Graph()
+    x = graph.variable("x", 4.0)
+    code = compiled([graph.power(x, graph.number(1.5)), graph.power(x, graph.number(5.0))], [x])
+    assert code.function(0.0, [4.0]) == [8.0, 1024.0]
+    with pytest.raises(ValueError, match="not real"):
+        code.function(0.0, [-4.0])
+    with pytest.raises(ValueError, match="not real"):
+        evaluate([graph.power(x, graph.number(1.5))], {x: -4.0})

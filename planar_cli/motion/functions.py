@@ -148,6 +148,14 @@ def summed(a: float, b: float) -> float:
     return 0.0 if abs(total) <= EXACT * max(abs(a), abs(b)) else total
 
 
+def real_power(base: float, exponent: float) -> float:
+    """base^exponent. ValueError: it is not real, as v^(3/2) where a step tries a negative v."""
+    found: float | complex = base**exponent
+    if isinstance(found, complex):
+        raise ValueError("a power that is not real")
+    return found
+
+
 def safely(function: Callable[..., float], *values: float) -> float:
     """The value, or nan outside the domain: only what is evaluated there must have one."""
     try:

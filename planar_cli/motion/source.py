@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from planar_cli.errors import PlanarError
+from planar_cli.motion.functions import real_power
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.records import record
 
@@ -173,12 +174,13 @@ class _Writer:
         elif op == "/":
             a, b = args
             self.text[term], self.binds[term] = f"{self._as(a, PRODUCT)}/{self._as(b, ATOM)}", PRODUCT
-        elif op == "**":
+        elif op == "**" and args[1].constant and args[1].value.is_integer():
             a, b = args
             self.text[term], self.binds[term] = f"{self._as(a, ATOM)}**{self._as(b, ATOM)}", PRODUCT
         else:
-            self.functions[op] = term.graph.function(op)
-            self.text[term] = f"{op}({', '.join(self.text[a] for a in args)})"
+            name = "real_power" if op == "**" else op
+            self.functions[name] = real_power if op == "**" else term.graph.function(op)
+            self.text[term] = f"{name}({', '.join(self.text[a] for a in args)})"
             self.binds[term] = ATOM
 
     def _sum(self, a: Term, b: Term) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
 from operator import attrgetter
 
-from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, own_size, safely, summed
+from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, own_size, real_power, safely, summed
 from planar_cli.records import changing
 
 ROUNDING = 1e-11
@@ -188,7 +188,7 @@ class Graph:
     def power(self, a: Term, b: Term) -> Term:
         """a to the power b; small whole powers are products."""
         if a.constant and b.constant:
-            return self.number(safely(pow, a.value, b.value))
+            return self.number(safely(real_power, a.value, b.value))
         if b.constant and b.value in (0.0, 0.5, 1.0, 2.0, 3.0, -1.0):
             match b.value:
                 case 0.0:
@@ -203,7 +203,7 @@ class Graph:
                     return self.multiply(a, self.multiply(a, a))
                 case _:
                     return self.divide(self.number(1.0), a)
-        value = safely(pow, a.value, b.value)
+        value = safely(real_power, a.value, b.value)
         return self._made(("**", a.index, b.index), "**", (a, b), value, abs(value))
 
     def call(self, name: str, *args: Term) -> Term:
@@ -376,7 +376,7 @@ def evaluate(terms: Iterable[Term], values: Mapping[Term, float]) -> list[float]
             case "/":
                 found[t] = args[0] / args[1]
             case "**":
-                found[t] = pow(args[0], args[1])
+                found[t] = real_power(args[0], args[1])
             case _:
                 found[t] = t.graph.function(t.op)(*args)
     return [found[t] for t in wanted]

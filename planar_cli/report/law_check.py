@@ -130,11 +130,13 @@ class _Ends:
         change = (other * other - one * one) / 2 if squared else other - one
         places = (start, (start + end) / 2, end)
         at = self.running[over]
-        found = [self.phrases.value(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
+        known = [self.phrases.value.known(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
+        found = [r for r in known if r is not None and r.is_finite()]
+        if change == 0 or len(found) < len(places):
+            # It comes to a place where 1/a grows without bound: a body that is brought to rest by -c √v.
+            return
         largest = max(map(abs, found))
         first, half, last = rates = [ZERO if abs(r) <= largest * ROUNDING else r for r in found]
-        if change == 0 or not all(r.is_finite() for r in rates):
-            return
         if not (over == "t" or squared or all(rates)):
             # It begins with an acceleration that grows without bound, of which there is no number to print.
             return

@@ -1,4 +1,6 @@
-"""What to write where a state just after a blow contradicts the rest: a joint may hold in the blow where it lets go."""
+"""What to write where a state just after another contradicts the rest: a joint may hold in the blow where it lets go,
+or nothing strikes.
+"""
 
 from __future__ import annotations
 
@@ -20,5 +22,21 @@ def what_to_write(problem: Problem, state: str) -> str:
             blow = f"the blow from {before} to {known.name}"
             return f"{held[0].name} holds in {blow} itself: where it lets go in it, {write}"
         if known.name == state:
+            if before is not None and not _strikes(problem, before, state):
+                write = f"an `impulse` of unknown magnitude with `during: {before}->{state}`"
+                return (
+                    f"nothing strikes from {before} to {state}, so that velocities stay as they are; else write {write}"
+                )
             break
     return LEAVE_OUT
+
+
+def _strikes(problem: Problem, before: str, after: str) -> bool:
+    """May velocities change in this blow: by an impulse or impact, or a joint that begins to hold there?"""
+    loads = any(x.strikes and x.during in (None, (before, after)) for x in problem.loads)
+    joints = any(
+        (j.strikes and j.during in (None, (before, after)))
+        or (j.during is not None and (before in j.during or after in j.during))
+        for j in problem.joints
+    )
+    return loads or joints

@@ -287,7 +287,7 @@ def _tells_the_drawing(stated: Equation, equations: Iterable[Equation]) -> bool:
 
 
 def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSolution:
-    """Why the state that was missed does not come."""
+    """Why the state that was missed does not come. NoSolution: a state before it is not as it is stated."""
     name = followed.missed
     assert name is not None
     stop, demands = course.stops[name], course.demands[name]
@@ -297,10 +297,12 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
         lacking = missing(course)
         if lacking is not None:
             return lacking
+    if not course.sought():
+        passed = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in value.values}
+        demand_agreement(course, value.extended(passed), passed)
+    hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
     if any(d.kind == "extreme" for d in demands):
         hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
-        return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
-    hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
 
 
