@@ -42,7 +42,7 @@ from planar_cli.problem.scene import (
     Surface,
     TwoFacts,
 )
-from planar_cli.problem.shapes import closest_first, own_points
+from planar_cli.problem.shapes import attached, closest_first, own_points
 
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
@@ -390,10 +390,6 @@ class Scene(Decided):
         for body in closest_first(self.problem.bodies):
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
-        for joint in self.problem.joints:
-            for point, body_name in joint.attachments():
-                belongs(point, self.carrier(body_name))
-        for load in self.problem.loads:
-            for point, body_name in load.attachments():
-                belongs(point, body_name)
+        for point, partner in attached(self.problem):
+            belongs(point, self.carrier(partner))
         return owners

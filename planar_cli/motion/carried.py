@@ -20,7 +20,7 @@ from planar_cli.problem.expression import Name, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
-from planar_cli.problem.shapes import closest_first, own_points
+from planar_cli.problem.shapes import attached, closest_first, own_points
 from planar_cli.records import record
 from planar_cli.units import LENGTH, parse_unit
 
@@ -158,9 +158,8 @@ class Carried:
         for body in closest_first(self.problem.bodies):
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
-        for member in (*self.problem.joints, *self.problem.loads):
-            for point, partner in member.attachments():
-                belongs(point, self.carrier(partner))
+        for point, partner in attached(self.problem):
+            belongs(point, self.carrier(partner))
         return owners, own | {b.name for b in self.problem.bodies}
 
     def rates(self) -> dict[Term, Term]:

@@ -187,8 +187,12 @@ def _groups(scene: Scene) -> list[tuple[str, ...]]:
 
 
 def _own_points(position: Position, body: str) -> dict[str, Vec]:
-    """Points that keep their place beside the mass centre of a body that may turn."""
+    """Points that keep their place beside the mass centre of a body that may turn; a particle has no balance of
+    moments, whatever presses on the surface that it carries.
+    """
     scene = position.system.scene
+    if not scene.rigid(body):
+        return {}
     center = scene.center(body)
     letters = {c.symbol for c in position.coordinates}
     found = {}

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
-from planar_cli.problem.scene import Body, Outline, Particle, Rod, Round, Sector
+from planar_cli.problem.scene import Body, Circle, Line, Outline, Particle, Problem, Rod, Round, Sector
 
 
 def closest_first(bodies: Iterable[Body]) -> list[Body]:
@@ -43,3 +43,20 @@ def drawn_by(body: Body) -> tuple[str, ...]:
     if not isinstance(body.shape, Outline) or body.shape.rim is not None:
         return ()
     return tuple(dict.fromkeys((*own_points(body.shape), *body.points)))
+
+
+def attached(problem: Problem) -> Iterator[tuple[str, str]]:
+    """Points with what carries them: as joints and loads tell, and of surfaces on bodies those that nothing else has.
+
+    A bowl cut in a cart moves with it, and so does its centre, though no one lists that among the points of the cart.
+    """
+    taken = {p for body in problem.bodies for p in (body.name, *own_points(body.shape), *body.points)}
+    for member in (*problem.joints, *problem.loads):
+        for point, partner in member.attachments():
+            taken.add(point)
+            yield point, partner
+    for surface in problem.surfaces:
+        shape = surface.shape
+        through = shape.center if isinstance(shape, Circle) else shape.through if isinstance(shape, Line) else ""
+        if surface.body is not None and through and through not in taken:
+            yield through, surface.body
