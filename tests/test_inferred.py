@@ -233,7 +233,7 @@ def test_a_point_on_a_line(place: str) -> None:
 @pytest.mark.parametrize(
     ("place", "code", "hint"),
     [
-        ("{distances: {A: b}, line: [O, 0 deg], on: [O, 0 deg]}", "PL321", "give one of them"),
+        ("{distances: {A: b}, line: [O, 0 deg], on: [O, 0 deg]}", "PL323", ""),
         ("{from: A, distance: b, on: [O, 0 deg], x: b}", "PL321", ""),
         ("{from: A, length: b, angle: 30 deg}", "PL310", "write `distance: b`"),
     ],

@@ -109,8 +109,7 @@ def test_points() -> None:
     assert [name for name, _ in c.distances] == ["A", "B"]
     assert c.side == "above"
     assert isinstance(d, TwoFacts)
-    assert d.line is not None
-    assert d.line[0] == "A"
+    assert [line[0] for line in d.lines] == ["A"]
 
 
 def test_shapes() -> None:
