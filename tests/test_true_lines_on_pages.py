@@ -101,3 +101,19 @@ def test_an_impulse_that_follows_is_not_given() -> None:
 
 def test_an_impulse_that_the_file_gives_is_given() -> None:
     assert "no impulse in the blow from 1 to 2, as given: J_Ay = 0" in page_of_file("where-a-bat-meets-the-ball")
+
+
+BED = """
+title: Dump bed raised by a hydraulic cylinder
+points: {O: [0, 0], A: [1 m, -0.5 m], B: {from: O, distance: 1.5 m, angle: 30 deg}}
+bodies: {bed: {rod: [O, B]}}
+joints: [pin: {at: O, between: [ground, bed]}]
+motion: [dot(r(B/A).mag) = 0.15 m/s]
+find: {w: omega(bed), alpha: alpha(bed)}
+"""
+
+
+def test_a_number_that_hides_a_length_gives_no_unit() -> None:
+    """The distance AB grows by 1.089 m for each radian: 1.089 α is not in 1/s²."""
+    (row,) = (row for row in page(BED).splitlines() if "1.089 α = 0.003863" in row)
+    assert row.endswith("0.003863")

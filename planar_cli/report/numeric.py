@@ -152,7 +152,10 @@ class NumericTelling:
         found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart)
         if found is None:
             return None
-        return (found.left, found.right), _unit_note(found, self.phrases)
+        # In the derivative of what the file gives, a number may hide a unit: a distance for each radian.
+        hidden = w.source == "given" and w.times and self._dimension(w, stage) is None
+        bare = hidden and not is_clean(self.phrases.ledger, left, right)
+        return (found.left, found.right), () if bare else _unit_note(found, self.phrases)
 
     def _length(self, w: Written) -> sp.Expr:
         """The length of the vector along which a component was taken; the sense in which its terms are positive."""
