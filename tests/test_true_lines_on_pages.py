@@ -117,3 +117,7 @@ def test_a_number_that_hides_a_length_gives_no_unit() -> None:
     """The distance AB grows by 1.089 m for each radian: 1.089 α is not in 1/s²."""
     (row,) = (row for row in page(BED).splitlines() if "1.089 α = 0.003863" in row)
     assert row.endswith("0.003863")
+
+
+def test_the_derivative_of_a_given_velocity_is_an_acceleration() -> None:
+    assert "0.4 α = -0.5 in m/s²" in page_of_file("body-wheel-rim-point")

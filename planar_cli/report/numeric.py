@@ -19,7 +19,7 @@ from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
-from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, VELOCITY, Dimension, pretty_unit
+from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, TIME, VELOCITY, Dimension, pretty_unit
 
 NAMED, MOST = 16, 24
 """An acceleration or an equation of forces with more operations is in numbers from the start."""
@@ -193,7 +193,7 @@ def _of_statement(w: Written) -> Dimension | None:
         return None
     letters = w.residual.free_symbols
     square = match[2] == ".mag" and any(w.residual.diff(s).free_symbols & letters for s in letters)
-    return dimension * dimension if square else dimension
+    return (dimension * dimension if square else dimension) / TIME**w.times
 
 
 def _unit_note(found: Sides, phrases: Phrases) -> Line:
