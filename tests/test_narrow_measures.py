@@ -11,7 +11,7 @@ import sympy as sp
 from answered import solve
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.errors import NoSolution
+from planar_cli.errors import NOWHERE, NoSolution
 from planar_cli.integrators.base import Setting
 from planar_cli.motion.crossings import Watch
 from planar_cli.motion.drive import drive
@@ -84,6 +84,7 @@ def fulfils(residual: sp.Expr, **numbers: str) -> bool:
     course: Any = SimpleNamespace(
         ledger=SimpleNamespace(units=units),
         stops={"2": SimpleNamespace(letters=letters)},
+        states=[SimpleNamespace(mark=NOWHERE)],
         equations=[SimpleNamespace(kind="law", residual=residual, words="a law")],
     )
     value = Valuation({s: sp.Rational(numbers.get(s.name[0], "1")) for s in units})
