@@ -12,7 +12,7 @@ import sympy as sp
 from answered import first, solve
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.errors import NoSolution
+from planar_cli.errors import NOWHERE, NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -133,6 +133,7 @@ def test_numbers_that_break_an_equation_are_a_fault() -> None:
     course: Any = SimpleNamespace(
         equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),),
         stops={"3": SimpleNamespace(letters={x: x})},
+        states=[SimpleNamespace(mark=NOWHERE)],
         ledger=SimpleNamespace(units={x: SimpleNamespace(dimension="length")}),
     )
     demand_fulfilled(course, Valuation({x: Decimal(2)}), {x})

@@ -23,7 +23,7 @@ def _page(name: str) -> str:
         "x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t) (3) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (3): t_stop = π √(m/k)",
         "(4) x_stop = l cos(ω_0 t_stop) = l cos π = -l",
         "Answer eom: ẍ = -k x/m",
-        "U of the spring = 1/2 k l²",
+        "U of the spring WP = 1/2 k l²",
     ],
 )
 def test_a_block_on_a_spring(words: str) -> None:
