@@ -54,7 +54,7 @@ def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases)
     named = [x for t in sorted(times, key=str) for x in (", ", Math(t))][1:]
     formula = aim.formula.xreplace(plain)
     free = sorted(formula.free_symbols & found.unknowns, key=str)
-    of = ("(", phrases.math(free[0]), ")") if len(free) == 1 and aim.quantity.is_Symbol else ()
+    of = ("(", phrases.math(free[0]), ")") if len(free) == 1 and not aim.quantity.is_Add else ()
     own = line(phrases.math(aim.quantity), *of)
     numeric = any(_has_numbers(residual.xreplace(plain), phrases) for residual in aim.timed)
     note = _counted_in(aim.quantity, phrases) if numeric else ()
