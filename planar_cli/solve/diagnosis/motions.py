@@ -193,12 +193,14 @@ def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | N
 # --- data contradict each other --------------------------------------------------------------------------------------
 
 
-def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
+def demand_agreement(
+    course: StatedMotion, value: Valuation, guessed: Collection[sp.Symbol] = (), missed: str | None = None
+) -> None:
     """NoSolution: a state that was found by some of its relations does not satisfy the others. `guessed`: letters with
-    machine numbers, whose rounding is measured by the largest value that they have in any state.
+    machine numbers, measured by the largest value that they have in any state. `missed`: a state that is not reached.
     """
     large = value.extended(_largest(course, value, guessed))
-    for state in course.states:
+    for state in (s for s in course.states if s.name != missed):
         for d in course.demands[state.name]:
             if d.kind not in ("equation", "inequality"):
                 continue
@@ -264,16 +266,16 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
             continue
         if free:
             found.append(e)
-    if len(found) < 1:
+    if not found:
         return None
     texts = list(dict.fromkeys(e.words for e in found))
-    if len(texts) == 1 and _tells_the_drawing(found[-1], equations):
-        text = f"state {found[-1].stop}: `{texts[0]}` does not hold in the drawn position"
-        hint = "draw the points at the first state, or write one with a coordinate"
-        return _wrong(found[-1].mark, "PL609", text, hint)
-    rest = f"contradicts {_quoted(texts[:-1])}" if len(texts) > 1 else "contradicts what else is known"
-    text = f"state {found[-1].stop}: `{texts[-1]}` {rest}"
-    return _wrong(found[-1].mark, "PL624", text, what_to_write(course.problem, found[-1].stop))
+    last = found[-1]
+    if len(texts) == 1 and _tells_the_drawing(last, equations):
+        text = f"state {last.stop}: `{texts[0]}` does not hold in the drawn position"
+        return _wrong(last.mark, "PL609", text, "draw the points at the first state, or write one with a coordinate")
+    rest = _quoted(texts[:-1]) if len(texts) > 1 else "what else is known"
+    text = f"state {last.stop}: `{texts[-1]}` contradicts {rest}"
+    return _wrong(last.mark, "PL624", text, what_to_write(course.problem, last.stop))
 
 
 def _tells_the_drawing(stated: Equation, equations: Iterable[Equation]) -> bool:
@@ -293,13 +295,12 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     stop, demands = course.stops[name], course.demands[name]
     stated = next(s.relations for s in course.problem.states if s.name == name)
     texts = "; ".join(dict.fromkeys(r.text for r in stated))
-    if not demands or all(d.kind == "inequality" for d in demands):
-        lacking = missing(course)
-        if lacking is not None:
-            return lacking
+    bare = all(d.kind == "inequality" for d in demands)
+    if bare and (lacking := missing(course)) is not None:
+        return lacking
     if not course.sought():
         passed = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in value.values}
-        demand_agreement(course, value.extended(passed), passed)
+        demand_agreement(course, value.extended(passed), passed, name)
     hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
     if any(d.kind == "extreme" for d in demands):
         hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
@@ -319,8 +320,7 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
     reader = _reader(course, followed, value)
     for segment in followed.segments:
-        when = _common(reader, equations, stop, segment, segment.t1)
-        if when is not None:
+        if (when := _common(reader, equations, stop, segment, segment.t1)) is not None:
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
     onward = followed.onward
     found = []
