@@ -88,7 +88,7 @@ class SpanTelling:
             rest = rest[-1:]
         sides = (*((name,) if name else ()), *first, *rest)
         yield Equation(sides, None, lead, note)
-        if turns:
+        if turns and found.dated:
             yield Result(line("it turns at ", *_times(turns)))
 
     def _whole(self, found: SpanIntegral, shown: list[Math]) -> Math | None:
@@ -189,7 +189,8 @@ def _unit(q: Quantity, dimension: Dimension | None, angle: bool) -> str:
 
 def _events(found: SpanIntegral) -> Iterator[Block]:
     if found.events:
-        yield Result(line(f"it happens {len(found.events)} times: at ", *_times(found.events)))
+        when = (": at ", *_times(found.events)) if found.dated else ()
+        yield Result(line(f"it happens {len(found.events)} times", *when))
     else:
         yield Result(line("it does not happen"))
 

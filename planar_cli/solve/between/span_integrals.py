@@ -65,21 +65,21 @@ class SpanSolver:
         return exact_segments(self.course, self._dated, self.followed)
 
     def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
-        q = asked.quantity
+        q, dated = asked.quantity, self.course.departure is None
         parts = self._parts(asked)
         if q.word == "count":
             events = tuple(
                 t for p, r, segment in parts for t in self._events(p, q, self._rates(asked, segment), segment)
             )
             n = len(events)
-            return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events)
+            return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events, dated=dated)
         pieces = tuple(self._piece(p, r, asked, segment) for p, r, segment in parts)
         pieces += tuple(self._blow(blow, q) for blow in self._blows(asked))
         number = sum((p.number for p in pieces), Decimal(0))
         formulas = [p.formula for p in pieces]
         formula = None if None in formulas else sp.Add(*formulas)
         if q.word != "mean":
-            return SpanIntegral(symbol, q, pieces, number, formula)
+            return SpanIntegral(symbol, q, pieces, number, formula, dated=dated)
         a, b = (self.course.stops[n] for n in asked.span)
         time = b.t - a.t
         return SpanIntegral(

@@ -240,6 +240,8 @@ class SpanIntegral:
     """What a mean is divided by, s; else 1."""
     events: tuple[Decimal, ...] = ()
     """Of a count: the times of what is counted, s."""
+    dated: bool = True
+    """Do its times tell more than a slight touch by which the motion began?"""
 
 
 # --- the motion ------------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.span_quantities import SpanQuantity
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import number_function
@@ -51,8 +52,14 @@ def demand_no_times(course: StatedMotion, finds: tuple[AskedFind, ...]) -> None:
     for asked in finds:
         parts = asked.parts()
         spans = {s for p in parts for s in p.free_symbols if s in course.spanned}
-        lasting = any(course.spanned[s].quantity.word in OVER_TIME for s in spans)
+        lasting = any(_lasts(course, course.spanned[s]) for s in spans)
         if lasting or any(p.free_symbols & times for p in parts):
             text = f"{asked.find.name}: it begins at rest in an unstable equilibrium, and takes longer without bound"
             hint = "ask for places, velocities and forces, or give the touch: a small angle or speed in the first state"
             raise Endless([Diagnostic(asked.find.mark, "PL621", text, hint)])
+
+
+def _lasts(course: StatedMotion, asked: SpanQuantity) -> bool:
+    """Does it rest on how long the span takes? A blow takes no time, however late it comes."""
+    a, b = sorted(next(i for i, s in enumerate(course.states) if s.name == n) for n in asked.span)
+    return asked.quantity.word in OVER_TIME and not all(i in course.blows for i in range(a, b))

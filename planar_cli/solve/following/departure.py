@@ -17,6 +17,8 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.records import record
 from planar_cli.solve.between.events import length_of
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.following.stillness import resting
 from planar_cli.solve.regimes.regime import Regime
 
 SLIGHT = 1e-9
@@ -59,6 +61,15 @@ def departure_of(
     pace = math.sqrt(growth)
     slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
     return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)))
+
+
+def resting_until_struck(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+    """Free speeds that rest by themselves from an unstable start on, where a blow follows: it may send them off, so
+    they are not held.
+    """
+    regime, value = course.regimes[0], course.base().extended(dict(start))
+    still = [u for u in regime.free if start.get(u) == 0 and u in regime.accelerations]
+    return resting(course, start) if any(_growth(regime, u, value) > 0 for u in still) else frozenset()
 
 
 def _coordinate(regime: Regime, u: sp.Symbol) -> Coordinate | None:

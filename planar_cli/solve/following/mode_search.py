@@ -34,7 +34,7 @@ from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.diagnosis.undated import undated
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows
-from planar_cli.solve.following.departure import DEPARTS, departure_of
+from planar_cli.solve.following.departure import DEPARTS, departure_of, resting_until_struck
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.following.foreseen import as_it_happens, foreseen
 from planar_cli.solve.following.known_prefix import Beginning, beginning
@@ -121,9 +121,10 @@ class ModeSearch(ModeChoice):
         for regime in sequence.regimes:
             regime.general.demand_unique(regime.undetermined)
         mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
-        tried = f"{len(looked)} assumptions about the modes of joints have been tried"
-        text = f"{mark.file}:{mark.line}: not decided, {tried}"
-        raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
+        why = (
+            f"not decided, {len(looked)} assumptions about the modes of joints have been tried; it may help to ask for"
+        )
+        raise Undecided(f"{mark.file}:{mark.line}: {why} less of the motion, or to follow it with `planar simulate`")
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The same, after a slight touch where a state is not reached from rest; `reached(s)` is about no touch."""
@@ -185,8 +186,9 @@ class ModeSearch(ModeChoice):
             start |= {departure.speed: departure.value} if departure is not None else {}
         kept = frozenset() if course.blows or self.sense else balanced(course, start)
         rests = frozenset() if course.blows else resting(course, start) | kept
-        if not self.sense and departure_of(course.regimes[0], course.base(), start, 1, rests) is not None:
-            self.unstable, self.departing = course.modes, rests
+        idle = resting_until_struck(course, start) if course.blows else rests
+        if not self.sense and departure_of(course.regimes[0], course.base(), start, 1, idle) is not None:
+            self.unstable, self.departing = course.modes, idle
         self.stays = self.stays or bool(kept)
         if any(rests - s.resting for s in course.modes.stretches):
             if self.loose is None and self._alone:
