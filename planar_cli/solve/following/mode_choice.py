@@ -8,7 +8,7 @@ from dataclasses import field, replace
 from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
 from planar_cli.solve.between.departed import apart
@@ -76,6 +76,14 @@ class ModeChoice:
         """All choices of modes for a stretch have been tried."""
         text = f"no assumption about the contacts holds from here on: {self.why}"
         return NoSolution([Diagnostic(modes.states[i].mark, "PL622", text)])
+
+    def _undecided(self, count: int) -> Undecided:
+        """So many assumptions have been tried, and none has been found to hold or to be the last."""
+        mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
+        text = f"not decided, {count} assumptions about the modes of joints have been tried"
+        return undecided_at(
+            mark, f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`"
+        )
 
     def _other(self, modes: ModeSequence, i: int, why: str) -> ModeSequence | None:
         """The same with another choice of modes on stretch i, those first that differ least from what was before; None:

@@ -120,11 +120,7 @@ class ModeSearch(ModeChoice):
             modes = found
         for regime in sequence.regimes:
             regime.general.demand_unique(regime.undetermined)
-        mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
-        why = (
-            f"not decided, {len(looked)} assumptions about the modes of joints have been tried; it may help to ask for"
-        )
-        raise Undecided(f"{mark.file}:{mark.line}: {why} less of the motion, or to follow it with `planar simulate`")
+        raise self._undecided(len(looked))
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The same, after a slight touch where a state is not reached from rest; `reached(s)` is about no touch."""
