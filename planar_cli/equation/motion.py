@@ -13,13 +13,14 @@ guide the speed of the slide, free bodies two components and a rotation. Joints 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.components import Components
 from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.problem.facts import Joining, Row
+from planar_cli.problem.facts import Joining, Path, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
@@ -86,9 +87,11 @@ class TreeBuilder:
         center_name: Callable[[str], str],
         bodies: Iterable[str],
         components: Mapping[str, Components] | None = None,
+        heading: Callable[[str, Path], int] | None = None,
     ) -> None:
+        """`heading`: does a body move forward on a path, +1, or back, -1? 0: that is not known."""
         self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
-        self.components = components or {}
+        self.components, self.heading = components or {}, heading
         self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 
@@ -181,6 +184,7 @@ class TreeBuilder:
         spin, rate = self.spin_of(body) if turns else (None, None)
         slide = slide_rate = None
         if joining.path is not None:
+            joining = self._onward(joining, body, joining.path)
             place, base = joining.place, joining.base
             if backward and joining.far and not self.rigid(body):
                 # v_B = v_A + v_B/A: it is placed by the mover, over which the base's own speed is counted.
@@ -188,12 +192,18 @@ class TreeBuilder:
             name = place if base == GROUND else f"{place}_{base}"
             seen = "" if base == GROUND else f" seen from {base}"
             path = f"of {place} along its path{seen}"
-            bent = joining.path.curvature != 0
+            bent = joining.path is not None and joining.path.curvature != 0
             slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}", bent=bent)
             if slide in taken:
                 path = f"of {body} along its path{seen}"
                 slide, slide_rate = self._pair(body, f"speed {path}", f"acceleration {path}", bent=bent)
         return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
+
+    def _onward(self, joining: Joining, body: str, path: Path) -> Joining:
+        """The same joining with a path in space the way the body moves on it."""
+        fixed = self.heading is not None and joining.base == GROUND and body == joining.mover
+        back = fixed and self.heading is not None and self.heading(body, path) < 0
+        return replace(joining, path=Path(-path.tangent, -path.curvature)) if back else joining
 
 
 def component(name: str, axis: str) -> str:

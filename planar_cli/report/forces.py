@@ -93,7 +93,9 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
                 back = sp.sympify(w.magnitude).could_extract_minus_sign()
                 size = -w.magnitude if back else w.magnitude
                 plain = replace(phrases, ways={})
-                parts.append([_amount(size, FORCE * lasting, plain), Text(f" {_sense(w, phrases, back)}{where}")])
+                # A letter that no equation has stands for the size of its force.
+                idle = sp.sympify(size).is_Symbol and size not in used
+                parts.append([_amount(size, FORCE * lasting, plain), Text(f" {_sense(w, phrases, back, idle)}{where}")])
             elif w.couple != 0:
                 back = sp.sympify(w.couple).could_extract_minus_sign()
                 parts.append(
@@ -174,9 +176,9 @@ def _amount(size: sp.Expr, dimension: Dimension, phrases: Phrases) -> Math | Val
     return Value(display(phrases.value(size), unit, phrases.ledger.us), unit.text, phrases.figures)
 
 
-def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
+def _sense(w: Wrench, phrases: Phrases, back: bool, idle: bool = False) -> str:
     """The direction in which a positive magnitude acts, or its opposite; the sense of a velocity that it opposes may be
-    open.
+    open. `idle`: no equation has it; that of the force itself.
     """
     assert w.force is not None
     if (kind_of(w) or Load).opposes and phrases.symbolic:
@@ -184,7 +186,7 @@ def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
         x, y = (one_way(sp.sympify(p), phrases.ways).xreplace(dict(phrases.ways)) for p in (w.force.x, w.force.y))
         open_ = x.has(sp.Abs, sp.sign) or y.has(sp.Abs, sp.sign)
         return "against its velocity" if open_ or not phrases.ways else phrases.arrow(x, y)
-    reversed_sense = ((phrases.drawn or phrases.value)(sp.sympify(w.magnitude)) < 0) != back
+    reversed_sense = not idle and ((phrases.drawn or phrases.value)(sp.sympify(w.magnitude)) < 0) != back
     x, y = w.force.x, w.force.y
     if not phrases.arrow(x, y) and w.magnitude != 0:
         # Nought in the position that is drawn, as a damper at rest is: the sense in which its size counts.

@@ -223,17 +223,14 @@ class Telling:
         if last is None:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
-        if kinetic:
-            relations = [w for w in relations if not self._of_forces(w)]
-        extremes = [w for w in relations if w.source == "extreme"]
-        relations = [*(w for w in relations if w.source != "extreme"), *extremes]
-        if relations and stages:
-            blocks.append(Paragraph(line("Accelerations:")))
+        relations = [w for w in relations if not kinetic or not self._of_forces(w)]
+        relations.sort(key=lambda w: w.source == "extreme")
         ends = [found[0] for w in relations if (found := named_end(w, last, self.system)) is not None]
-        blocks += [self._explicit(x, last) for x in last.lines if x in ends]
-        blocks += self._equations(relations, last)
-        blocks += self._centres(last) if kinetic else ()
-        return [*blocks, *(self._explicit(x, last) for x in last.lines if x not in ends)]
+        rates = [*(self._explicit(x, last) for x in last.lines if x in ends), *self._equations(relations, last)]
+        rates += self._centres(last) if kinetic else ()
+        rates += [self._explicit(x, last) for x in last.lines if x not in ends]
+        apart = rates and (blocks or (relations and stages))
+        return [*blocks, *([Paragraph(line("Accelerations:"))] if apart else []), *rates]
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
         sides, note = self.numeric.named(x, stage)
@@ -323,6 +320,9 @@ class Telling:
             w = replace(w, left=w.right, right=w.left)
         opposite = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if opposite else (w.left, w.right))
+        if note and (result := self.numeric.result(line_of, sides)):
+            self.solving.merged.add((id(stage.algebra), w.number))
+            sides, note = result, ()
         return [*words, Equation(sides, number, (), note)]
 
     def _nil(self, w: Written, found: SolvedLine, stage: Stage, number: int) -> Block:

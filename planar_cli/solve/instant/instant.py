@@ -15,6 +15,7 @@ from planar_cli.equation.components import components_of
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.headings import headings
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
@@ -114,7 +115,8 @@ class Instant:
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""
-        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies, components_of(self.scene))
+        scene, heading = self.scene, headings(self.scene, self.statements)
+        return TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
 
     def name_of(self, push: Push) -> tuple[str, str]:
         """How a push is called, and its unit."""

@@ -77,24 +77,24 @@ def _while_tables_act(drawn: Instant, value: Valuation) -> Range | None:
     return None if found is None else (found[0] + (found[1] - found[0]) * NEAR, found[1] - (found[1] - found[0]) * NEAR)
 
 
-def _beside(at: Decimal, reach: Decimal) -> Range:
-    return at + reach * NEAR, at + reach * FAR
+def _beside(at: Decimal, reach: Decimal, above: bool = True) -> Range:
+    return (at + reach * NEAR, at + reach * FAR) if above else (at - reach * FAR, at - reach * NEAR)
 
 
 def _stated(drawn: Instant, symbol: sp.Symbol, value: Valuation, size: Decimal) -> Range | None:
-    """Beside the first value that a state gives, a zero last, else between its bounds; None: states say nothing in
-    numbers. `size`: of the scene [m], for what lies beside the origin of a length.
+    """Beside the first value that a state gives, a zero last, on the side of the others; else between its bounds; None:
+    states say nothing in numbers. `size`: of the scene [m], for what lies beside the origin of a length.
     """
     low: Decimal | None = None
     high: Decimal | None = None
-    zero = False
-    for operator, number in _bounds(drawn, symbol, value):
+    bounds = list(_bounds(drawn, symbol, value))
+    given = [number for operator, number in bounds if operator == "="]
+    angle = drawn.scene.ledger.units[symbol].text in ("rad", "deg", "rev")
+    if first := next((number for number in given if number), None):
+        return _beside(first, Decimal(1) if angle else abs(first), max(given) > first or min(given) == first)
+    for operator, number in bounds:
         if operator == "=":
-            if not number:
-                zero = True
-                continue
-            reach = abs(number) if drawn.scene.ledger.units[symbol].text not in ("rad", "deg", "rev") else Decimal(1)
-            return _beside(number, reach)
+            continue
         if operator in (">", ">="):
             low = number if low is None else max(low, number)
         else:
@@ -105,7 +105,8 @@ def _stated(drawn: Instant, symbol: sp.Symbol, value: Valuation, size: Decimal) 
         return low + max(abs(low), Decimal(1)) * NEAR, low + max(abs(low), Decimal(1))
     if high is not None:
         return high - max(abs(high), Decimal(1)), high - max(abs(high), Decimal(1)) * NEAR
-    return _beside(Decimal(0), size) if zero and drawn.scene.ledger.units[symbol].dimension == LENGTH else None
+    length = drawn.scene.ledger.units[symbol].dimension == LENGTH
+    return _beside(Decimal(0), size if length else Decimal(1)) if given and (angle or length) else None
 
 
 def _bounds(drawn: Instant, symbol: sp.Symbol, value: Valuation) -> Iterator[tuple[str, Decimal]]:

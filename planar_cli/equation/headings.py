@@ -1,0 +1,55 @@
+"""Which way bodies move, where the data of an instant tell it: speeds along their paths count as positive that way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import sympy as sp
+
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.system import Statements
+from planar_cli.errors import PlanarError
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.facts import Path
+from planar_cli.problem.geometry import Vec
+
+
+def headings(scene: Scene, statements: Statements) -> Callable[[str, Path], int]:
+    """Tells of a body and its path +1 or -1: forward or backward along the tangent; 0 where the data do not tell. What
+    moves along an axis keeps the sense of the axis.
+    """
+    ways: dict[str, Vec] = {}
+    if scene.displacement is None:
+        for relation in (*(r for r, _ in statements.relations), *statements.inequalities):
+            for body, way in _told(scene, relation):
+                ways.setdefault(body, way)
+
+    def heading(body: str, path: Path) -> int:
+        way = ways.get(body)
+        plain = path.curvature == 0 and 0 in (path.tangent.x, path.tangent.y)
+        return 0 if way is None or plain else scene.sign(path.tangent.dot(way))
+
+    return heading
+
+
+def _told(scene: Scene, relation: Relation) -> Iterator[tuple[str, Vec]]:
+    """The body and its direction, where a relation tells them: v(B).y = 600 km/h, v(B).x < 0."""
+    q = relation.left
+    if not isinstance(q, Quantity) or q.word != "v" or len(q.things) != 1 or len(q.parts) != 1:
+        return
+    axis = {"x": Vec(sp.S.One, sp.S.Zero), "y": Vec(sp.S.Zero, sp.S.One)}.get(q.parts[0].kind)
+    body = q.things[0] if q.things[0] in scene.bodies else scene.owner(q.things[0])
+    if axis is None or body not in scene.bodies:
+        return
+    try:
+        size = scene.valuations[0].known(scene.value(relation.right))
+    except PlanarError:
+        return
+    if size is None:
+        return
+    if relation.operator == "=":
+        sign = (size > 0) - (size < 0)
+    else:
+        sign = 0 if size else 1 if relation.operator in (">", ">=") else -1
+    if sign:
+        yield body, axis * sign
