@@ -158,7 +158,7 @@ def test_a_prescribed_motion_that_is_read_off_has_no_law_of_forces(tmp_path: Pat
 
 
 @pytest.mark.parametrize(("stem", "row"), [
-    ("car-that-brakes-in-a-bend", "v_car = 60 in ft/s"),
+    ("car-that-brakes-in-a-bend", "v_car = 60 ft/s"),
     ("car-that-brakes-in-a-bend", "v_car⁴ + a_car,t² = 100 in ft²/s⁴"),
     ("ball-in-a-forked-slot", "0.64 ω² = 4 in m²/s²"),
     ("gear-between-racks", "0.4 α_gear = 0.8 in m/s²"),

@@ -48,7 +48,9 @@ def test_a_curve_in_letters_keeps_its_formulas() -> None:
     assert "a_P = a_Pt e_t + v_P²/ρ e_n" in page
 
 
-def test_a_speed_that_counts_against_its_path_keeps_its_square() -> None:
-    """The positive root is the other motion."""
+def test_a_speed_counts_the_way_that_the_body_moves() -> None:
+    """The state says v_taxi,x > 0."""
     page = _page("kinematics/cars-on-a-road-and-in-a-bend")
-    assert "v_taxi² = 100" in page
+    assert "(3) speed: v_taxi = 10 m/s" in page
+    assert "(4) a_taxi,t = 2 m/s²" in page
+    assert "other roots" not in page

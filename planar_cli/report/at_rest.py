@@ -8,6 +8,19 @@ import sympy as sp
 
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.report.numeric import vanishing
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.solution import InstantSolution
+
+
+def said_at_rest(instant: InstantSolution, last: Stage | None, system: System) -> str:
+    """What is said beside the heading of a position of rest, where a velocity would matter."""
+    trial, nothing = instant.trial, set(vanishing(last) if last is not None else ())
+    for block in last.blocks if last is not None else ():
+        nothing -= {u for u in block.unknowns if any(w.source == "closure" for w in block.equations)}
+    moving = any(v for t in trial.velocities[:1] for v in t.values.values())
+    rests = instant.instant.at_rest and not moving and bool(trial.velocities)
+    return "at rest: all velocities are zero" if rests and speeds_matter(system, nothing) else ""
 
 
 def speeds_matter(system: System, still: Collection[sp.Symbol]) -> bool:

@@ -103,13 +103,22 @@ class NumericTelling:
 
     def result(self, found: SolvedLine | None, sides: tuple[Any, ...]) -> tuple[Any, ...]:
         """letter = value with its unit, where an equation in numbers says so already; else nothing."""
-        if found is None or len(sides) != 2 or not all(isinstance(side, Math) for side in sides):
+        if (
+            found is None
+            or self.phrases.symbolic
+            or len(sides) != 2
+            or not all(isinstance(side, Math) for side in sides)
+        ):
             return ()
         letter, number = (sides[0], sides[1]) if sides[0].expr == found.symbol else (sides[1], sides[0])
         size = number.expr.as_coeff_Mul()[1]
-        if letter.expr != found.symbol or not (size == 1 or size in (number.values or ())):
+        if letter.expr != found.symbol or not (number.expr.is_Number or size in (number.values or ())):
             return ()
         return letter, self.phrases.shown(found.symbol, found.value)
+
+    def told(self, w: Written, stage: Stage) -> None:
+        """An equation stands on the page with its numbers."""
+        self._put.add((id(stage.algebra), w.number))
 
     def put_in(self, w: Written, stage: Stage, unknowns: Collection[sp.Symbol]) -> Printed | None:
         """An equation in numbers, in unknowns that are still to be found; None where it was printed so."""

@@ -13,7 +13,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
-from planar_cli.report.at_rest import speeds_matter
+from planar_cli.report.at_rest import said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, Value, line
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.data import DataTelling
@@ -28,6 +28,7 @@ from planar_cli.report.polar import polar_blocks
 from planar_cli.report.rolled_points import rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
+from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import begun, spoken
@@ -104,7 +105,7 @@ class Telling:
             *self._polar(last),
         ]
         legend = touching(self.system, kinetic)
-        resting = self._resting(last)
+        resting = said_at_rest(self.instant, last, self.system)
         if kinematics or resting:
             blocks.append(self._step("Kinematic analysis", resting))
         blocks += [*(legend if kinematics else ()), *kinematics]
@@ -128,15 +129,6 @@ class Telling:
         """Does a relation rest on the equations of forces, or speak of forces itself?"""
         forces = set(self.system.symbols.values())
         return w.law == "relation" and (w.source in OF_FORCES or bool(w.residual.free_symbols & forces))
-
-    def _resting(self, last: Stage | None) -> str:
-        """What is said beside the heading of a position of rest, where a velocity would matter."""
-        trial, nothing = self.instant.trial, set(vanishing(last) if last is not None else ())
-        for block in last.blocks if last is not None else ():
-            nothing -= {u for u in block.unknowns if any(w.source == "closure" for w in block.equations)}
-        moving = any(v for t in trial.velocities[:1] for v in t.values.values())
-        rests = self.instant.instant.at_rest and not moving and bool(trial.velocities)
-        return "at rest: all velocities are zero" if rests and speeds_matter(self.system, nothing) else ""
 
     def _polar(self, last: Stage | None) -> Iterator[Block]:
         """Particles in polar coordinates that equations or questions are about."""
@@ -298,6 +290,9 @@ class Telling:
             self.solving.nil.add((id(stage.algebra), w.number))
             self.vectors.zero |= {speed[1].symbol} if speed[1].formula == 0 else set()
             return [speed[0]]
+        if rope := rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero):
+            self.solving.merged.add((id(stage.algebra), w.number))
+            return rope
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
         length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:
@@ -320,7 +315,7 @@ class Telling:
             w = replace(w, left=w.right, right=w.left)
         opposite = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if opposite else (w.left, w.right))
-        if note and (result := self.numeric.result(line_of, sides)):
+        if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
         return [*words, Equation(sides, number, (), note)]
