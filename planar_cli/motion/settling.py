@@ -14,6 +14,8 @@ from planar_cli.motion.segment import Segment
 
 NOISE = 10.0
 """Less than so many tolerances is what errors of steps make of it."""
+FINEST = 1e-13
+"""However small the tolerance is: so much the rounding of the velocities leaves."""
 ROUNDING = 1e-9
 """A power of two is reached but for rounding."""
 WITHIN = 4
@@ -30,7 +32,7 @@ def next_look(since: float, t: float, span: float) -> float:
 def settled(segments: Sequence[Segment], since: float, scale: Sequence[float], tolerance: float) -> bool:
     """Do the velocities stay over the later half of the time since then; and, where these are zero, the places?"""
     t, y = segments[-1].t1, segments[-1].end
-    half, least = len(y) // 2, NOISE * tolerance
+    half, least = len(y) // 2, NOISE * max(tolerance, FINEST)
     resting = all(abs(v) <= least * s for v, s in zip(y[half:], scale[half:], strict=True))
     first = 0 if resting else half
     return all(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
-from planar_cli.problem.expression import Name
+from planar_cli.problem.expression import Binary, Name, Number, Quantity, Scaled
 from planar_cli.problem.scene import Body, Composite, Problem, Shape
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.walk import walk
@@ -32,12 +32,38 @@ def coefficients_in_letters(problem: Problem) -> frozenset[str]:
 
 def not_negative(problem: Problem) -> frozenset[str]:
     """The names of the unknowns that stand alone for friction, for a size, for a mass, for a spring or a damper, or for
-    a force of which the direction is sought as well.
+    a force of which the direction is sought as well; or for what the resistance of the air is in proportion to.
     """
     amounts = (getattr(body, key) for body in problem.bodies for key in AMOUNTS)
     sizes = (getattr(shape, key, None) for body in problem.bodies for shape in _shapes(body) for key in SIZES)
     rates = (getattr(load, key, None) for load in problem.loads for key in RATES)
-    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *rates, *_turned(problem)))
+    braking = (n for d in problem.loads if d.opposes for n in _in_proportion(getattr(d, "magnitude", None)))
+    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *rates, *_turned(problem), *braking))
+
+
+def _in_proportion(side: object) -> tuple[Name, ...]:
+    """The name in `c*v(b).mag^2/2`, where all other factors are numbers above zero and sizes; else nothing."""
+    factors = tuple(_factors(side))
+    names = tuple(f for f in factors if isinstance(f, Name))
+    positive = ((isinstance(f, Number) and f.value * f.sense > 0) or _is_size(f) for f in factors if f not in names)
+    return names if len(names) == 1 and all(positive) else ()
+
+
+def _factors(side: object) -> Iterator[object]:
+    match side:
+        case Binary(operator="*" | "/", left=left, right=right):
+            yield from _factors(left)
+            yield from _factors(right)
+        case Scaled(operand=operand, sense=1):
+            yield from _factors(operand)
+        case Binary(operator="^", left=left, right=Number()):
+            yield left
+        case _:
+            yield side
+
+
+def _is_size(side: object) -> bool:
+    return isinstance(side, Quantity) and bool(side.parts) and side.parts[-1].kind == "mag"
 
 
 def _turned(problem: Problem) -> Iterable[object]:

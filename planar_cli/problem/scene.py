@@ -289,6 +289,8 @@ class State:
     mark: Mark
     before: bool = False
     """Is it an equilibrium that the file lists before the state with which the motion begins?"""
+    dated: bool = False
+    """Is it the `instant` of a file, whose time follows from what it says?"""
 
 
 @record

@@ -16,6 +16,7 @@ from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NoValue, Undecided, refuse
 from planar_cli.problem.extreme_and_given import with_rates
+from planar_cli.problem.instants_in_time import with_dated_instants
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.central import best_placed
@@ -63,7 +64,7 @@ def _solved(problem: Problem, method: str | None) -> Solution:
     seed(SEED)
     if not problem.find and not any(case.problem.find for case in problem.cases):
         raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
-    problem = lettered(_by(problem, method or problem.method))
+    problem = with_dated_instants(lettered(_by(problem, method or problem.method)))
     objection = "" if problem.method is None else principle_of(problem.method).objection(problem)
     if objection:
         hint = f"leave `method` out, or write {instant_words()}"

@@ -49,7 +49,9 @@ def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
             if d.kind == "extreme":
                 v = course.base().extended(branch.values).known(stop.at(d.residual))
                 keys.append(-TIES.plus((v or Decimal(0)) * d.extreme))
-        keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
+        when = ROUGHLY.plus(branch.values.get(stop.t, Decimal(0)))
+        # A motion begins at a time that is not negative, where it may.
+        keys += [when < 0, when] if state is course.states[0] else [when]
     below = [s for s in course.sought() if branch.values.get(s, Decimal(0)) < 0]
     negative = sum(not course.ledger.units[s].angle for s in below)
     return (negative if course.blows else 0, *keys, negative, len(below))

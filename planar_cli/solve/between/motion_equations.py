@@ -9,6 +9,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.errors import refuse
 from planar_cli.problem.scene import Round
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Chain
@@ -137,6 +138,9 @@ def _stated(motion: StatedMotion) -> list[Equation]:
         found.append(Equation(motion.stops[name].at(expr), "turn", words, name))
     first = motion.first
     if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
+        if motion.states[0].dated:
+            text = "what depends on t has a value only at a time that is known"
+            raise refuse(first.mark, "PL590", text, "say at which time, `t = 2 s`, or what tells it: a place, a speed")
         found.append(Equation(first.t, "start", "time is counted from here", first.name))
     return found
 

@@ -326,8 +326,8 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
     found = []
     for d in equations if onward is not None and onward.pieces else ():
         assert onward is not None
-        g = reader.along(d.residual, stop, onward)
         try:
+            g = reader.along(d.residual, stop, onward)
             first = next(events(g, onward), None)
             if first is not None:
                 found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
@@ -336,7 +336,7 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
             times = [onward.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
             away, at = _nearest(g, times)
             lasts = max(abs(g(t)) for t in times) - away <= BEFORE * away
-        except NoValue:
+        except (NoValue, Unvalued):
             return ""
         apart = _apart(course, d, Decimal(repr(away)))
         if lasts and apart:

@@ -1,0 +1,76 @@
+"""An `instant` whose time nobody writes down, but whose relations tell it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from answered import first, solve
+
+from planar_cli.errors import FileProblem
+
+ALONG = """
+title: Along a line
+bodies: {{P: {{particle: free}}}}
+motion: ["x(P) = {law}", y(P) = 0]
+instant: ["{now}"]
+find: {{t: t, v: v(P).x, far: x(P) > 1 m}}
+"""
+TURNING = """
+title: Turning rod
+points: {{A: [0, 0], B: [0.3 m, 0]}}
+bodies: {{r: {{rod: [A, B]}}}}
+joints: [{{pin: {{at: A, between: [r, ground]}}}}]
+motion: ["{law}"]
+instant: ["{now}"]
+find: {{t: t, a: a(B).mag}}
+"""
+PUSHED = """
+title: Growing force
+plane: horizontal
+bodies: {{b: {{particle: [0, 0], mass: 2 kg}}}}
+loads: [{{force: {{body: b, magnitude: 3 N/s * t, angle: 0 deg}}}}]
+instant: [at rest{now}]
+find: {{t: t}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "now", "t", "v"),
+    [
+        ("2 m/s * t", "x(P) = 3 m", 1.5, 2),
+        ("2 m/s * t + 1 m/s^3 * t^3", "x(P) = 3 m", 1, 5),
+        ("2 m/s^2 * t^2", "x(P) = 8 m", 2, 8),
+        ("2 m/s^3 * t^3", "v(P).x = 24 m/s", 2, 24),
+        ("2 m/s * t + 1 m * sin(1 rad/s * t)", "x(P) = 3 m", 1.0630731, 2 + math.cos(1.0630731)),
+    ],
+)
+def test_a_place_or_a_speed_tells_when_it_is(law: str, now: str, t: float, v: float) -> None:
+    found = solve(ALONG.format(law=law, now=now))
+    assert first(found["t"]) == pytest.approx(t)
+    assert first(found["v"]) == pytest.approx(v)
+    assert found["far"].word == "true"
+
+
+def test_a_turning_rod() -> None:
+    found = solve(TURNING.format(law="omega(r) = 2 rad/s^2 * t", now="omega(r) = 6 rad/s"))
+    assert first(found["t"]) == pytest.approx(3)
+    assert first(found["a"]) == pytest.approx(0.3 * math.hypot(2, 36))
+
+
+def test_of_two_times_the_one_that_is_not_negative() -> None:
+    found = solve(TURNING.format(law="theta(r) = 2 rad/s^2 * t^2", now="theta(r) = 60 deg"))
+    assert first(found["t"]) == pytest.approx(math.sqrt(math.pi / 6))
+
+
+def test_a_force_that_grows() -> None:
+    assert first(solve(PUSHED.format(now=", a(b).x = 6 m/s^2"))["t"]) == pytest.approx(4)
+
+
+@pytest.mark.parametrize(
+    "text", [TURNING.format(law="omega(r) = 2 rad/s^2 * t", now="v(A).x = 0"), PUSHED.format(now="")]
+)
+def test_where_nothing_tells_when_it_is_that_is_asked_for(text: str) -> None:
+    with pytest.raises(FileProblem) as refused:
+        solve(text)
+    assert refused.value.diagnostics[0].code == "PL590"
