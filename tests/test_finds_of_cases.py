@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 
 from planar_cli.errors import FileProblem
+from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import solve_and_compare
 from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 STONE = """
 title: Stone thrown up, then faster
@@ -69,3 +72,26 @@ def test_a_formula_in_what_is_no_letter_any_more() -> None:
     assert problem is not None, wrong
     with pytest.raises(FileProblem, match=r"first\.v_1 has no value here"):
         solve_and_compare(problem)
+
+
+PULL = """
+title: A block on a slope is pulled
+plane: vertical
+given: {m: 40 kg, beta: 20 deg, P: 100 N}
+points: {A: [0, 0]}
+surfaces: {incline: {through: A, angle: beta}}
+bodies: {block: {particle: A, mass: m}}
+joints: [contact: {between: [block, incline], mu_s: 0.3, mu_k: 0.25}]
+loads: [force: {body: block, magnitude: P, angle: 0 deg}]
+instant: [at rest]
+cases:
+  weak: {given: {P: 100 N}}
+  strong: {given: {P: 300 N}, find: {F: friction(block).along(beta)}}
+"""
+
+
+def test_nothing_is_told_of_a_case_in_which_nothing_is_asked() -> None:
+    page = Terminal(110).render(narrate(solve_problem(load_text(PULL)[0])))
+    assert "CASE  strong" in page
+    assert "CASE  weak" not in page
+    assert page.count("multibody") == 1

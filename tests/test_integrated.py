@@ -8,7 +8,9 @@ from dataclasses import replace
 import sympy as sp
 from answered import assert_close, solve
 
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.integrated import apart, digits
 from planar_cli.solve.following.mode_search import ModeSearch
 from planar_cli.solve.regimes.mode_sequence import Workshop
@@ -83,3 +85,44 @@ def test_a_divisor_that_passes_through_zero_cuts_what_is_compared() -> None:
     found = solve(PUCK)
     assert_close(found["v"], 3.0)
     assert_close(found["turns"], 7.5 / math.pi)
+
+
+CORD = """
+title: A ball on an elastic cord is thrown against the ceiling
+plane: vertical
+given: {m: 1.5 kg, k: 800 N/m, l_0: 1 m, s: 0.25 m, e: 0.8}
+points: {C: [0, 0], B: [0, -l_0 - s]}
+surfaces: {ceiling: {through: C, angle: 0 deg}}
+bodies: {ball: {particle: B, mass: m}}
+joints: [impact: {between: [ball, ceiling], restitution: e, during: hit->back}]
+loads: [spring: {between: [C, B], stiffness: k, natural_length: l_0, acts: pull, name: cord}]
+states: {go: [at rest], hit: [y(ball) = 0], back: [just after hit], low: [y(ball) is smallest]}
+find: {stretch: -y(ball) @ low - l_0}
+"""
+BURN = """
+title: A burn into a transfer
+given: {GM: 398600 km^3/s^2, r_1: 6700 km, v_1: 10.1326 km/s, m: 1 kg}
+points: {O: [0, 0], P: [r_1, 0]}
+bodies: {ship: {particle: P, mass: m}}
+loads:
+  - force: {body: ship, magnitude: GM*m/r(ship).mag^2, towards: O}
+  - impulse: {body: ship, magnitude: m*2.4 km/s, angle: 90 deg, during: a->b}
+states:
+  a: [t = 0, v(ship).x = 0, v(ship).y = 7.7 km/s]
+  b: [just after a]
+  c: [r(ship).mag = 40000 km]
+find: {time: t @ c in h}
+"""
+
+
+def test_the_laws_of_each_stretch_and_the_blow_between_them() -> None:
+    page = " ".join(Terminal(200).render(narrate(solve_problem(load_text(CORD)[0]))).split())
+    assert "from go to slack, from taut to low: a_Bx =" in page
+    assert "from slack to hit, from back to taut: a_By = -g" in page
+    assert "At hit there is a blow: the velocities from back on follow from those before it" in page
+
+
+def test_the_integration_begins_after_the_blow_of_the_first_state() -> None:
+    page = " ".join(Terminal(200).render(narrate(solve_problem(load_text(BURN)[0]))).split())
+    assert "from state b on, where" in page
+    assert "from state a on" not in page

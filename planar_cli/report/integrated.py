@@ -8,12 +8,15 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer
+from planar_cli.problem.expression import JustAfter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Result
 from planar_cli.solve.instant.used import used_blocks
 
+Blows = list[tuple[str, str]]
+"""States just before and just after blows."""
 NAMED = 6
 """More letters are not listed by name."""
 MOST = 70
@@ -34,9 +37,11 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
         names = _names(tried or letters)
         yield Paragraph(line(*names, found_so, " found by trial, so that the motion passes all states."))
         return
-    shown = [e for rate, law in laws.items() if (e := _law(found, phrases, rate, law)) is not None]
-    start = _start(found, phrases, [*laws.values()], [*laws])
-    whole = len(shown) == len(laws)
+    blows = _blows(found, stops)
+    begun = [after for before, after in blows if before == found.states[0]]
+    first = begun[0] if begun else found.states[0]
+    shown, whole = _shown(found, phrases, regimes, blows)
+    start = _start(found, phrases, first, [*laws.values()])
     what = "the equation of motion is" if len(laws) == 1 else "the equations of motion are"
     if not whole:
         what = "the equations above, solved for the accelerations at every step, are"
@@ -45,9 +50,49 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     named = line(*_names(told), several) if told else line("What follows is")
     how = " with trial values, until the motion passes all states" if tried else ""
     words = f" found by numerical integration: {what} integrated{how} (by a Runge–Kutta method)"
-    begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
-    yield Paragraph(line(*named, words, *begun, ":"))
+    beginning = (f" from state {first} on, where ", *start) if start else ()
+    yield Paragraph(line(*named, words, *beginning, ":"))
     yield from shown if whole else ()
+    for before, after in blows:
+        if tried or first not in (before, after):
+            yield Paragraph(_across(found, before, after))
+
+
+def _shown(
+    found: MotionTrace, phrases: Phrases, regimes: Sequence[RegimeTrace], blows: Blows
+) -> tuple[list[Block], bool]:
+    """The laws, with the stretches where each set of them holds if there are several; and are these all of them?"""
+    sets: dict[tuple[tuple[sp.Symbol, sp.Expr], ...], list[str]] = {}
+    for r in regimes:
+        moving = [(since, stop) for since, stop in r.stretches if since != stop and (since, stop) not in blows]
+        spans = [f"from {since} to {stop}" if stop else f"from {since} on" for since, stop in moving]
+        sets.setdefault(tuple((rate, law) for rate, law in r.laws), []).extend(spans)
+    blocks: list[Block] = []
+    whole = True
+    for laws, spans in sets.items():
+        told = [(rate, law) for rate, law in laws if law != 0]
+        rows = [e for rate, law in told if (e := _law(found, phrases, rate, law)) is not None]
+        whole = whole and len(rows) == len(told)
+        blocks += [Paragraph(line(", ".join(spans) + ":"))] if len(sets) > 1 else []
+        blocks += rows or [Equation((phrases.math(rate), line("0"))) for rate, _ in laws]
+    return blocks, whole
+
+
+def _blows(found: MotionTrace, stops: set[str]) -> Blows:
+    """The states just before and just after each blow that the integration passes."""
+    names = found.states
+    last = max((names.index(s) for s in stops if s in names), default=0)
+    pairs = ((r.state, s.name) for s in found.problem.states for r in s.relations if isinstance(r, JustAfter))
+    return [(before, after) for before, after in pairs if after in names and names.index(after) <= last]
+
+
+def _across(found: MotionTrace, before: str, after: str) -> Line:
+    """How the velocities after a blow follow from those before it."""
+    struck = [j for j in found.problem.joints if j.strikes and getattr(j, "during", None) == (before, after)]
+    elastic = any(getattr(j, "restitution", None) is not None for j in struck)
+    rule = " and the law of restitution" if elastic else ""
+    words = f"At {before} there is a blow: the velocities from {after} on follow from those before it"
+    return line(f"{words} by the balance of momentum{rule}.")
 
 
 def _names(letters: Sequence[sp.Symbol]) -> Line:
@@ -85,9 +130,8 @@ def _law(found: MotionTrace, phrases: Phrases, rate: sp.Symbol, law: sp.Expr) ->
     return Equation((Math(rate), numbers.right), None, (), numbers.note)
 
 
-def _start(found: MotionTrace, phrases: Phrases, laws: Iterable[sp.Expr], rates: Iterable[sp.Symbol]) -> Line:
+def _start(found: MotionTrace, phrases: Phrases, first: str, laws: Iterable[sp.Expr]) -> Line:
     """The places and speeds from which it starts."""
-    first = found.states[0]
     roles = found.ledger.roles
     moving = {s for law in laws for s in law.free_symbols} & found.varying
     parts: list[Any] = []

@@ -100,7 +100,9 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     meanings: set[str] = set()
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
-        if why is not None and not any(f.name == why for f in part.found):
+        # Of a case in which nothing is asked there is nothing to tell.
+        asked = [f for f in part.found if why in (None, f.name)] or (why is None and not part.case)
+        if not asked:
             continue
         own = with_equals_together(with_tangents(part_blocks(part, voice, why, told)))
         if part.motion is not None and why is None:
