@@ -45,3 +45,25 @@ def test_what_the_file_leaves_open_stands_on_the_page(tmp_path: Path, capsys: py
     file.write_text(BALL.format(assume="", sign=""))
     assert cli.run(["solve", str(file)]) == 0
     assert "Assume      e μ v_y + μ v_y > 2 v_x/7\n" in capsys.readouterr().out
+
+
+NUMBERS = """\
+plane: vertical
+given: {r: 40 mm, m: 0.2 kg, e: 0.75, mu: 0.6}
+points: {C: [0, 0], G: [0, r]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {ball: {sphere: G, radius: r, mass: m}}
+joints:
+  - impact: {between: [ball, floor], restitution: e, mu: mu, during: 1->2, name: bounce}
+states:
+  1: [v(ball).x = 6 m/s, v(ball).y = -4 m/s, omega(ball) = 0]
+  2: [just after 1]
+find: {omega: omega(ball) @ 2, J: impulse(bounce).x @ 1->2}
+"""
+
+
+def test_the_friction_impulse_against_its_limit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "problem.yaml"
+    file.write_text("title: Ball on a rough floor\n" + NUMBERS, encoding="utf-8")
+    assert cli.run(["solve", str(file)]) == 0
+    assert "|J_F,bounce| = 0.3429 N·s ≤ μ J_N,bounce = 0.84 N·s" in " ".join(capsys.readouterr().out.split())

@@ -101,6 +101,7 @@ find: {stretch: -y(ball) @ low - l_0}
 """
 BURN = """
 title: A burn into a transfer
+plane: horizontal
 given: {GM: 398600 km^3/s^2, r_1: 6700 km, v_1: 10.1326 km/s, m: 1 kg}
 points: {O: [0, 0], P: [r_1, 0]}
 bodies: {ship: {particle: P, mass: m}}

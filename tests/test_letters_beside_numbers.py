@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from conftest import ROOT
 from worked import worked
@@ -42,3 +44,9 @@ def test_a_grip_that_feels_no_blow() -> None:
 def test_an_angle_that_is_a_number_on_a_page_of_letters() -> None:
     page = _page("energy/toppling-pole-that-stops-pressing")
     assert "φ = π/2 - θ_2 = arccos(0.6) = 0.9273 rad = 53.13°\n" in page
+
+
+def test_the_formula_of_an_angle_stands_before_its_number() -> None:
+    page = _page("motion/least-speed-to-a-target")
+    assert re.search(r"= \(π - arctan\(\d+/\d\)\)/2 = [\d.]+°\n", page)
+    assert not re.search(r"= [\d.]+° = \(π", page)

@@ -65,7 +65,10 @@ def _with_number(blocks: list[Block], answer: Found, part: PartSolution, phrases
     values = phrases.in_units(answer.values[0], answer.unit, answer.energy)
     if answer.unit.angle and answer.unit.text == "rad":
         values = [*values, Value(answer.values[0] * 180 / PI, "deg", phrases.figures)]
-    blocks[lines[-1]] = replace(block, sides=(*block.sides, Math(closed), *values))
+    head, told = block.sides
+    more = values if not isinstance(told, Value) else [told, *(v for v in values if v.unit != told.unit)]
+    formulas = (Math(closed),) if isinstance(told, Value) else (told, Math(closed))
+    blocks[lines[-1]] = replace(block, sides=(head, *formulas, *more))
 
 
 def _complement(total: sp.Expr) -> sp.Expr:

@@ -30,6 +30,7 @@ from planar_cli.report.blocks import (
     line,
 )
 from planar_cli.report.blow_check import blow_check
+from planar_cli.report.blow_limits import blow_limits
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.directions import with_tangents
@@ -195,7 +196,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None and why is None:
         others = (check(part.motion, settled) for check in MOTION_CHECKS)
-        blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
+        blocks += [Check(told) for told in (*blow_limits(part.motion, phrases), next(filter(None, others), ())) if told]
     if why is None and (derived := tale_check(part, phrases) or normal_check(part, phrases)):
         blocks.append(Check(derived))
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
