@@ -184,11 +184,11 @@ class MassReader:
             demand_time(self.ledger, value, body.inertia.mark, f"the moment of inertia of {body.name}")
             if body.about is None:
                 return value if self._varies(value) else self._shown(value, name, unit, title)
-            value = value - mass * self._shift(body, shape)
+            value = self._about_centre(body, shape, mass, value)
         elif body.gyration is not None:
             value = mass * self.evaluator.value(body.gyration) ** 2
             if body.about is not None:
-                value = value - mass * self._shift(body, shape)
+                value = self._about_centre(body, shape, mass, value)
         elif body.any_inertia or (isinstance(body.shape, Outline) and mass != 0):
             symbol = self.ledger.letter(self._free(name), unit)
             self.cancelling.append(symbol)
@@ -198,6 +198,23 @@ class MassReader:
         if value == 0 or self._varies(value):
             return value
         return self.ledger.define(name, value, unit, title, positive=True)
+
+    def _about_centre(self, body: Body, shape: Uniform, mass: sp.Expr, about: sp.Expr) -> sp.Expr:
+        """Of a moment of inertia about another point, which can not be less than the whole mass at the centre has."""
+        value = about - mass * self._shift(body, shape)
+        drawn, known = value, {**self.ledger.values, **self.ledger.definitions}
+        while drawn.free_symbols & known.keys():
+            drawn = drawn.xreplace(known)
+        drawn = simplified(drawn) if drawn.free_symbols else drawn
+        if drawn.is_negative:
+            told = body.inertia if body.inertia is not None else body.gyration
+            assert told is not None
+            what = "moment of inertia" if body.inertia is not None else "radius of gyration"
+            text = f"the {what} of {body.name} about {body.about} is less than the distance of its mass centre makes it"
+            raise refuse(
+                told.mark, "PL544", text, f"leave out `about: {body.about}` if it is that about the mass centre"
+            )
+        return value
 
     def _with_mass(self, inertia: sp.Expr, mass: sp.Expr, body: Body) -> sp.Expr:
         """A moment of inertia that is one number is that at t = 0, of a mass that goes with places that where it is

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import sympy as sp
 
+from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Valuation
@@ -36,6 +37,7 @@ class Decided:
     ledger: Ledger
     displacement: Displacement | None
     points: dict[str, Vec]
+    bodies: dict[str, BodyModel]
     sides: Mapping[str, int]
     sided: dict[str, tuple[int, sp.Expr]]
     facings: Mapping[str, int]
@@ -126,6 +128,10 @@ class Decided:
     def _assumed(self, valuation: Valuation) -> bool:
         for place in self.points.values():
             valuation(place.x), valuation(place.y)
+        inertias = [b.inertia for b in self.bodies.values() if b.inertia.free_symbols]
+        # One about a point grows with the distance of the mass centre from it: no body has less than that.
+        if any((valuation.known(i) or 0) < 0 for i in inertias):
+            return False
         return all(self.compare(r, valuation) for r in self.problem.assume)
 
     def compare(self, relation: Any, valuation: Valuation) -> bool:

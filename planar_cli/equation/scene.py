@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.arms import Arms
-from planar_cli.equation.bodies import BodyModel, MassReader
+from planar_cli.equation.bodies import MassReader
 from planar_cli.equation.curves import bend_at, carrier_pose
 from planar_cli.equation.decided import Decided
 from planar_cli.equation.displacement import Displacement
@@ -69,12 +69,12 @@ class Scene(Decided):
         self._building: list[str] = []
         self._lengths: dict[Vec, sp.Expr] = {}
         self._outlines: dict[tuple[str, Vec], Outline] = {}
+        self.bodies = {}
         self.undecided()
         self.gravity: sp.Expr = self._gravity()
         self._implicit_points()
         for point in problem.points:
             self.formula(point.name)
-        self.bodies: dict[str, BodyModel] = {}
         heavy = self.gravity or ledger.symbols.get("g", sp.S.Zero)
         reader = MassReader(ledger, evaluator, self.point, self.span, heavy, problem)
         for body in problem.bodies:

@@ -17,6 +17,7 @@ from planar_cli.equation.conditions import (
     order,
     stated,
 )
+from planar_cli.equation.driven_rest import relative_rest, told_by
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
 from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
@@ -218,11 +219,33 @@ class System:
         inside = set().union(*(a.free_symbols for a in parts))
         return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol) and a in inside]
 
+    def _driving(self, motion: Motion) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """What joints and `motion` demand of accelerations, and the second rates of coordinates."""
+        names = {s.name for s in self.scene.ledger.coordinates}
+        quantities = self.quantities_of(motion, self.reactions)
+        always: list[tuple[Relation, bool]] = [(r, True) for r, lasts in self.statements.relations if lasts]
+        rows = [row for mode in self.modes.values() for row in mode.facts.rows]
+        found = [
+            *joint_conditions(self.tree, rows, motion, ACCELERATION, self.scene.rigid),
+            *stated(always, quantities, quantities.evaluator, names, ACCELERATION),
+            *coordinate_conditions(quantities, set(self.scene.ledger.coordinates), ACCELERATION, self.tree),
+        ]
+        seconds = [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+        return [e for c in found for e in c.rows()], seconds
+
+    def driven(self) -> set[sp.Expr]:
+        """The accelerations that joints and `motion` tell."""
+        assert self.motion is not None
+        rows, seconds = self._driving(self.motion)
+        return told_by(rows, [*self.motion.tree.acceleration_unknowns(), *seconds], self.scene.valuations[0])
+
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
         if level == ACCELERATION and self._all_balanced():
             own = [*motion.tree.acceleration_unknowns(), *self._of_coordinates(motion.tree)]
             return [Condition("given", "equilibrium", a) for a in own]
-        found = []
+        found: list[Condition] = []
+        if level == ACCELERATION and None in self.statements.equilibrium:
+            found += relative_rest(motion, *self._driving(motion), self.scene.valuations[0])
         for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
             if name is None:
                 continue

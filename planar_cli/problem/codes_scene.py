@@ -108,6 +108,10 @@ _SCENE = {
         "bodies on a pin of the ground, `relaxed_at: [theta(b) = 30 deg]`; each end of the spring must follow from it."
     ),
     "PL543": "`speed:` makes a belt that runs along a line. For a round surface that moves let a disk turn instead.",
+    "PL544": (
+        "The moment of inertia about a point A is I_G + m d², where d is the distance of the mass centre from A; the "
+        "radius of gyration about A is at least d. Less is that of no body: it may be meant about the mass centre."
+    ),
 }
 
 _QUANTITIES = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from planar_cli.problem.expression import AtRest, Extreme, Name, Quantity, Relation, Side
+from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.walk import walk
 from planar_cli.report import blocks
@@ -37,6 +37,9 @@ def _told(statement: object, problem: Problem, figures: int, first: bool) -> Ite
     match statement:
         case AtRest():
             yield line(f"{statement.body} at rest" if statement.body else "at rest")
+        case Equilibrium() if problem.motion and statement.body is None:
+            # What is driven moves on; what nothing drives stays where it is beside it.
+            yield line("in relative equilibrium")
         case Extreme() if not first and (side := said(statement.side, figures)):
             yield line(side, " largest" if statement.sense > 0 else " smallest")
         case Relation(operator="=") if _gives(statement, unknown) or (not first and _says(statement, unknown)):

@@ -33,6 +33,9 @@ def demand_agreement(problem: Problem, measures: Measures) -> None:
 
 def _stays(model: Model, regime: Regime, t: float, y: Sequence[float]) -> bool:
     """Does nothing move but what is driven, and does it go on so?"""
+    if any(drive.rate is None for drive in model.drives):
+        # Beside what is driven by its acceleration all goes along with it: only the coordinates tell what stays.
+        return True
     half, time = model.layout.count, model.time_scale
     off = [a - b for a, b in zip(regime.rates(t, y), [*_driven(regime, t, y[:half]), *([0.0] * half)], strict=True)]
     if model.drives:

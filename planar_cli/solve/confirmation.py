@@ -27,6 +27,7 @@ from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.contradicted import DIFFERENT, HINT, Seen, disagreement
 from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.followable import closed, end_of, most_steps, not_followed
+from planar_cli.solve.following.departure import DEPARTS
 from planar_cli.solve.following.mode_search import AT_A_TOP
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
@@ -315,6 +316,8 @@ class _Compared:
         trajectory = self.other.run.trajectory
         if note := self._unstable():
             return f"numbers do not leave an unstable equilibrium: {note}"
+        if DEPARTS in self.trace.checks:
+            return "numbers do not leave an unstable equilibrium"
         at = self.instance.taken.times.get(state, trajectory.t1)
         if self._faint(self.other.run.prepared.start.y) or self._faint(trajectory.at(min(at, trajectory.t1))):
             return f"before state {state} speeds are lost in rounding"

@@ -41,7 +41,7 @@ class Oscillation:
     stop: Stop
     regime: Regime
     speeds: tuple[sp.Symbol, ...]
-    """The free speeds u; a rotation that enters no force is left out."""
+    """The free speeds u; a rotation that enters no force is left out, as is what `motion` drives."""
     laws: tuple[sp.Expr, ...]
     """du/dt of each, a formula of the general position."""
     stiffness: tuple[tuple[sp.Expr, ...], ...]
@@ -94,7 +94,10 @@ def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) 
 
     stiffness = [[at_rest(-_slope(law, u, rates)) for u in speeds] for law in laws]
     damping = [[at_rest(-derivative(law, u)) for u in speeds] for law in laws]
-    free = [j for j, u in enumerate(speeds) if _turns_only(regime, u) and _enters_nothing(j, stiffness, damping)]
+    general = regime.general
+    driven = general.trial.system.driven() if general.instant.scene.problem.motion else set()
+    beside = [_turns_only(regime, u) or general.rate_of(u) in driven for u in speeds]
+    free = [j for j, idle in enumerate(beside) if idle and _enters_nothing(j, stiffness, damping)]
     kept = [j for j in range(len(speeds)) if j not in free] or list(range(len(speeds)))
 
     def of_kept(rows: list[list[sp.Expr]]) -> tuple[tuple[sp.Expr, ...], ...]:

@@ -139,7 +139,8 @@ class Instant:
     @property
     def drives_at_will(self) -> bool:
         """Is an extreme sought of a motion that is prescribed with a constant which no load brings about? Then what
-        drives leaves that constant free, also where the bodies could move alone.
+        drives leaves that constant free, also where the bodies could move alone. So it does in the equilibrium beside
+        a motion that is known.
         """
         sought = {s.name for s in self.scene.ledger.sought}
         prescribed = [s for r, always in self.statements.relations if always for s in (r.left, r.right)]
@@ -150,6 +151,8 @@ class Instant:
             if isinstance(side := getattr(load, spec.name), Side)
         ]
         driven = {n for side in prescribed for n in names_anywhere(side)} & sought
+        if None in self.statements.equilibrium and prescribed and not driven:
+            return True
         return bool(self.statements.extremes and driven) and not any(names_anywhere(s) & driven for s in loads)
 
     def must_seek(self) -> bool:

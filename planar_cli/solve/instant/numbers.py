@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
 
@@ -46,6 +46,24 @@ class Numbers:
         whole = len(self.linear) == len(self.unknowns)
         rows = {expr: [*(row[j] for j in kept), row[-1]] for expr, row in self.rows.items()} if whole else {}
         return Numbers(tuple(self.unknowns[j] for j in kept), self.linear - idle, value, rows)
+
+    def with_turning(self, row: Row, rows: Sequence[Row], parts: Sequence[sp.Expr]) -> Row:
+        """The row of the sum of `rows`, each times one of `parts`: with the slopes of unknowns on which the direction
+        rests and nothing else, as that of a sought angle in the sum of forces along a cord.
+        """
+        found = list(row)
+        for j, x in enumerate(self.unknowns):
+            if x in self.linear or found[j]:
+                continue
+            slopes = [self._slope(part, x) for part in parts]
+            if any(slopes):
+                found[j] = sum((self._total(r) * s for r, s in zip(rows, slopes, strict=True)), ZERO)
+        return found
+
+    def _total(self, row: Row) -> Decimal:
+        """The value of what is linear in the unknowns, at their generic numbers; others stand in its constant."""
+        linear = ((c, x) for c, x in zip(row, self.unknowns, strict=False) if c and x in self.linear)
+        return row[-1] + sum((c * self.value(x) for c, x in linear), ZERO)
 
     def _row(self, expr: sp.Expr) -> Row:
         form = self.form(expr)

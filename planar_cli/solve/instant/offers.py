@@ -276,6 +276,7 @@ class Offers:
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
+        row = self.numbers.with_turning(row, group.rows[:2], (direction.x, direction.y))
         return priced(
             group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form
         )

@@ -6,6 +6,7 @@ roots; of what moves, the file says which way.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -16,7 +17,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import display
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.choosing import relation_between
@@ -73,10 +74,23 @@ def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark)
 
 
 def _of_place(instant: Instant, choice: Choice) -> bool:
-    """Is it one of roots that were looked for together, or a coordinate that equilibrium tells?"""
-    return choice.together or (
-        bool(instant.statements.equilibrium) and choice.symbol in instant.scene.ledger.coordinates
-    )
+    """Is it one of roots that were looked for together, or a coordinate that equilibrium tells? So it is where nothing
+    is said but that an angle does not change, and that angle is none between 0 and 90 degrees, which is meant most.
+    """
+    if choice.symbol not in instant.scene.ledger.coordinates:
+        return choice.together
+    if choice.together or instant.statements.equilibrium:
+        return True
+    usual = 0 <= choice.roots[choice.taken].value <= Decimal(math.pi) / 2
+    return not usual and any(_stays(r) for r, _ in instant.statements.relations)
+
+
+def _stays(relation: Relation) -> bool:
+    """Does a relation say that an angular acceleration is zero?"""
+    for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(one, Quantity) and one.word in ("alpha", "ddot") and isinstance(other, Number):
+            return other.value == 0
+    return False
 
 
 def _negative(instant: Instant, s: Sought) -> int:

@@ -299,7 +299,8 @@ class Reader:
             sticking = [m.sliding for m in general.trial.system.modes.values() if m.direction == 0]
             found += [row.rate for row in sticking if row is not None and not scene.is_zero(row.rate)]
             if isinstance(s, Equilibrium):
-                found += [general.rate_of(u) for u in general.free]
+                driven = general.trial.system.driven() if self.problem.motion else set()
+                found += [a for a in map(general.rate_of, general.free) if a not in driven]
             return found
         center = scene.center(s.body)
         v = motion.velocity(center, s.body)

@@ -1,0 +1,66 @@
+"""Equilibrium in a scene that `motion` drives: what nothing drives stays where it is, seen from what is driven."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.motion import Motion
+
+DIGITS = 40
+"""Coefficients are told to so many digits."""
+NOTHING = sp.Rational(1, 10**30)
+"""A smaller number is none, after so many digits."""
+
+
+def relative_rest(
+    motion: Motion, rows: Sequence[sp.Expr], coordinates: Sequence[sp.Expr], value: Valuation
+) -> Iterator[Condition]:
+    """What equilibrium demands beside that: no second rate of a coordinate that is not driven; without coordinates, no
+    acceleration relative to what a body is joined to, or to what is driven. `rows`: what joints and `motion` demand;
+    `coordinates`: their second rates.
+    """
+    tree = motion.tree
+    unknowns = tree.acceleration_unknowns()
+    joined = [e for e in tree.edges if e.rise_rate is None]
+    own = [a for e in joined for a in (e.slide_rate, e.spin_rate) if a is not None]
+    told = told_by(rows, [*unknowns, *coordinates], value)
+    for a in coordinates or own:
+        if a not in told:
+            yield Condition("given", "equilibrium", a)
+    driven = next((e for e in joined if {e.slide_rate, e.spin_rate} & told), None)
+    if coordinates or driven is None:
+        return
+    for edge in (e for e in tree.edges if e.rise_rate is not None and not told >= {e.slide_rate, e.rise_rate}):
+        at = motion.center(edge.body)
+        relative = motion.acceleration(at, edge.body) - motion.acceleration(at, driven.body)
+        yield Condition("given", "equilibrium", relative, body=edge.body, base=driven.body)
+        if edge.spin_rate is not None:
+            turning = edge.spin_rate - motion.accelerations[driven.body].angular
+            yield Condition("given", "equilibrium", turning, body=edge.body, base=driven.body)
+
+
+def told_by(rows: Sequence[sp.Expr], unknowns: Sequence[sp.Expr], value: Valuation) -> set[sp.Expr]:
+    """The unknowns that these relations between them determine."""
+    columns = list(dict.fromkeys(unknowns))
+    matrix = sp.Matrix([*_coefficients(rows, columns, value)] or [[sp.S.Zero] * len(columns)])
+    reduced, pivots = matrix.rref(iszerofunc=lambda x: abs(x) < NOTHING)
+    width = range(len(columns))
+    alone = ((i, p) for i, p in enumerate(pivots) if all(abs(reduced[i, j]) < NOTHING for j in width if j != p))
+    return {columns[p] for _, p in alone}
+
+
+def _coefficients(rows: Sequence[sp.Expr], columns: Sequence[sp.Expr], value: Valuation) -> Iterator[list[sp.Rational]]:
+    """Of the rows in which the unknowns stand linearly."""
+    for row in rows:
+        try:
+            terms = linear_form(row, set(columns)).terms
+        except Nonlinear:
+            continue
+        found = [value.known(terms[c]) if c in terms else 0 for c in columns]
+        if all(v is not None for v in found):
+            yield [sp.Rational(f"{v:.{DIGITS}f}") if v else sp.S.Zero for v in found]
