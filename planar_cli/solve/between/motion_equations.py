@@ -138,7 +138,7 @@ def _stated(motion: StatedMotion) -> list[Equation]:
         found.append(Equation(motion.stops[name].at(expr), "turn", words, name))
     first = motion.first
     if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
-        if motion.states[0].dated:
+        if motion.states and motion.states[0].dated:
             text = "what depends on t has a value only at a time that is known"
             raise refuse(first.mark, "PL590", text, "say at which time, `t = 2 s`, or what tells it: a place, a speed")
         found.append(Equation(first.t, "start", "time is counted from here", first.name))
