@@ -1,6 +1,7 @@
 """The ground that a body touches, `between: [wheel, ground]`: a horizontal floor through the point where they touch.
 
-Only in a plane where down is told; a wheel touches the floor with its lowest point, a plate that is drawn upright with
+Only in a plane where down is told; a wheel touches the floor with its lowest point (a stepped one may stand on a rail
+with its hub), a plate that is drawn upright with
 the middle of its lower edge, a particle where it is.
 """
 
@@ -15,7 +16,21 @@ from planar_cli.errors import Mark
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Binary, Number, Side
 from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import GROUND, Body, Line, Outline, Particle, Place, Plate, Point, Polar, Round, Surface
+from planar_cli.problem.scene import (
+    GROUND,
+    At,
+    Body,
+    Line,
+    Outline,
+    Particle,
+    Place,
+    Plate,
+    Point,
+    Polar,
+    Round,
+    Surface,
+)
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 
 
@@ -43,9 +58,11 @@ class Standing:
     """Those that are new."""
 
 
-def with_floor(joints: tuple[Joint, ...], bodies: tuple[Body, ...], floor: Floor, report: Report) -> Standing:
+def with_floor(
+    joints: tuple[Joint, ...], bodies: tuple[Body, ...], points: tuple[Point, ...], floor: Floor, report: Report
+) -> Standing:
     """What changes where a body touches the ground. Reported where the ground may be something else."""
-    reading = _Reading({b.name: b for b in bodies}, floor, report)
+    reading = _Reading({b.name: b for b in bodies}, {p.name: p.place for p in points}, floor, report)
     first = [reading.joint(joint) if joint.touches else joint for joint in joints]
     read = tuple(reading.met(joint) if joint.strikes else joint for joint in first)
     return Standing(read, tuple(reading.surfaces), tuple(reading.points))
@@ -54,8 +71,8 @@ def with_floor(joints: tuple[Joint, ...], bodies: tuple[Body, ...], floor: Floor
 class _Reading:
     """One file: the floor and the points found so far."""
 
-    def __init__(self, bodies: dict[str, Body], floor: Floor, report: Report) -> None:
-        self.bodies, self.floor, self.report = bodies, floor, report
+    def __init__(self, bodies: dict[str, Body], places: dict[str, Place], floor: Floor, report: Report) -> None:
+        self.bodies, self.places, self.floor, self.report = bodies, places, floor, report
         self.surfaces: list[Surface] = []
         self.points: list[Point] = []
 
@@ -125,18 +142,33 @@ class _Reading:
             case Particle(place=place):
                 return place if isinstance(place, str) else body.name
             case (
-                Round(center=center, radius=radius, hub=None)
-                | Outline(rim=Round(center=center, radius=radius, hub=None))
+                Round(center=center, radius=radius, hub=hub) | Outline(rim=Round(center=center, radius=radius, hub=hub))
             ):
-                return self._point(Polar(center, radius, down), mark)
+                rim = radius if hub is None else self._lower_rim(center, radius, hub)
+                return self._point(Polar(center, rim, down), mark)
             case Plate(center=center, height=height, angle=angle) if _is_zero(angle):
                 half = Binary("/", height, Number(Fraction(2), None, 1, mark), mark)
                 return self._point(Polar(center, half, down), mark)
         return ""
 
+    def _lower_rim(self, center: str, radius: Side, hub: Side) -> Side:
+        """The radius of the step with which a stepped wheel stands: the larger one, on which it stands on any floor;
+        the hub where the centre is drawn as high as that, on a rail beside which the wheel reaches lower.
+        """
+        place = self.places.get(center)
+        told = isinstance(place, At) and _alike(place.y, hub) and not _alike(place.y, radius)
+        return hub if told else radius
+
     def _point(self, place: Place, mark: Mark) -> str:
         self.points.append(Point(next(self.floor.points), place, mark))
         return self.points[-1].name
+
+
+def _alike(one: Side, other: Side) -> bool:
+    """Are two sides written in the same way?"""
+    parts = ("name", "value", "unit", "operator", "sense")
+    first, second = ([(type(n), *(getattr(n, p, None) for p in parts)) for n in walk(side)] for side in (one, other))
+    return first == second
 
 
 def _is_zero(angle: Side | None) -> bool:

@@ -216,11 +216,12 @@ def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
     said = plane.text if isinstance(plane, Scalar) else None
     named = [node for key in KEYS if key not in WORDS and (node := whole.node(key)) is not None]
     floor = Floor(said, free_name("floor", named), names_c)
-    standing = with_floor(read_joint, read_body, floor, report)
+    read_point = () if points is None else read_points(points, report)
+    standing = with_floor(read_joint, read_body, read_point, floor, report)
     read_surface = (*read_surface, *standing.surfaces)
     touching = with_touching_points(standing.joints, read_body, read_surface, names_c, report)
     return (
-        (*(() if points is None else read_points(points, report)), *standing.points, *touching[1]),
+        (*read_point, *standing.points, *touching[1]),
         read_surface,
         read_body,
         touching[0],
