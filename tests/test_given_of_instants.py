@@ -7,7 +7,9 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def _page(name: str) -> str:
@@ -48,3 +50,46 @@ def test_a_table_of_what_is_asked() -> None:
     page = _page("systems/planetary-gear-with-three-planets")
     assert "t in s theta(sun) in ° theta(spider) in °" in page
     assert "x(planet_A)" not in page
+
+
+BOB = """
+title: Bob of a pendulum
+plane: vertical
+given: {l: 2 m}
+points: {O: [0, 0], B: {from: O, distance: l, angle: -60 deg}}
+bodies: {bob: {particle: B, mass: any}}
+joints: [rope: {path: [O, B], name: cord}]
+instant: [tension(cord) = 2.5*mass(bob)*g]
+find: {v: v(bob).mag}
+"""
+BIKE = """
+title: Velocity that grows with the way
+bodies: {bike: {particle: [0, 0]}}
+joints: [guide: {point: bike, along: 0 deg, name: road}]
+motion: [v(bike).x = 0.2 1/s * x(bike) + 5 m/s during 0->full, a(bike).x = 0 during full->end]
+states: {0: [t = 0], full: [x(bike) = 100 m], end: [x(bike) = 300 m]}
+find: {t_end: t @ end}
+"""
+SHELL = """
+title: A shell
+plane: vertical
+points: {O: [0, 0]}
+bodies: {shell: {particle: O, mass: any}}
+states:
+  fire: [t = 0, v(shell).x = 100 ft/s, v(shell).y = 64 ft/s]
+  land: [y(shell) = 0, t > 0]
+find: {t: t @ land in s}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "datum"),
+    [
+        (BOB, "the tension in cord = 2.5 m g"),
+        (BIKE, "v_bike,x = 0.2 1/s · x_bike + 5 m/s from 0 to full, a_bike,x = 0 from full to end"),
+        (SHELL, "g = 32.19 ft/s²"),
+    ],
+)
+def test_what_the_page_rests_on_is_given(text: str, datum: str) -> None:
+    page = " ".join(Terminal(200).render(narrate(solve_problem(load_text(text)[0]))).split())
+    assert datum in page.partition("Find")[0]

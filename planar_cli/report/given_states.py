@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem, State
@@ -15,6 +15,10 @@ from planar_cli.report.spoken import WORDS
 
 FORCES = ("N", "tension", "friction")
 """What a state says of forces, as where something is about to lift: N = 0."""
+
+
+OF_BODIES, PLACES = ("mass",), ("x", "y", "r", "theta")
+"""What does not change, so that 2.5 m g is a datum; and what a law of motion may be a function of."""
 
 
 def states_given(problem: Problem, figures: int) -> Iterator[list[Line]]:
@@ -43,7 +47,14 @@ def _told(statement: object, problem: Problem, figures: int, first: bool) -> Ite
         case Extreme() if not first and (side := said(statement.side, figures)):
             yield line(side, " largest" if statement.sense > 0 else " smallest")
         case Relation(operator="=") if _gives(statement, unknown) or (not first and _says(statement, unknown)):
-            yield from _equation(statement, figures)
+            yield from (_with_own_masses(told, problem) for told in _equation(statement, figures))
+
+
+def _with_own_masses(told: Line, problem: Problem) -> Line:
+    """The mass of the only heavy body by its letter on the page."""
+    heavy = [b.name for b in problem.bodies if not b.is_massless]
+    named = f"m_{heavy[0]}" if len(heavy) == 1 else ""
+    return tuple(blocks.Name("m") if isinstance(p, blocks.Name) and p.name == named else p for p in told)
 
 
 def _equation(relation: Relation, figures: int) -> Iterator[Line]:
@@ -66,13 +77,14 @@ def laws_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line
     unknown = {s.name for s in problem.unknowns}
     for law in problem.motion:
         relation = law.statement
-        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
+        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown, PLACES):
             left = said(relation.left, figures)
             names = {p.name for p in pieces_of(left) if isinstance(p, blocks.Name)}
             number = number_of(relation.right) is not None and not is_zero(relation.right)
             varies = _varies(relation.right, problem) and law.during is None
-            if varies or (number and (page.numeric or page.words.isdisjoint(names))):
-                yield from _equation(relation, figures)
+            if varies or law.during is not None or (number and (page.numeric or page.words.isdisjoint(names))):
+                span = f" from {law.during[0]} to {law.during[1]}" if law.during is not None else ""
+                yield from (line(told, span) for told in _equation(relation, figures))
 
 
 def _varies(side: Side, problem: Problem) -> bool:
@@ -87,12 +99,15 @@ def _says(relation: Relation, unknown: set[str]) -> bool:
     return not names & unknown and any(isinstance(n, Quantity) for n in walk(relation.left))
 
 
-def _gives(relation: Relation, unknown: set[str]) -> bool:
-    """Does it say what something is, without asking anything? That the clock begins at nought is no datum."""
+def _gives(relation: Relation, unknown: set[str], constant: Collection[str] = OF_BODIES) -> bool:
+    """Does it say what something is, without asking anything? That the clock begins at nought is no datum. `constant`:
+    quantities that may stand in what it is.
+    """
     if not isinstance(relation.left, Quantity | Name) or _begins_the_clock(relation):
         return False
     nodes = list(walk(relation.right))
-    return not any(isinstance(n, Quantity) or (isinstance(n, Name) and n.name in unknown) for n in nodes)
+    asked = any(isinstance(n, Quantity) and n.word not in constant for n in nodes)
+    return not asked and not any(isinstance(n, Name) and n.name in unknown for n in nodes)
 
 
 def _begins_the_clock(relation: Relation) -> bool:

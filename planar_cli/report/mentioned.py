@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 
 from planar_cli.records import record
 from planar_cli.report import blocks
@@ -31,6 +32,8 @@ class Mentioned:
     """Are numbers put into formulas?"""
     built: frozenset[str] = frozenset()
     """Points of which the page says how they are constructed."""
+    valued: frozenset[str] = frozenset()
+    """The names in formulas that a value follows: a = -g = -32.19 ft/s²."""
     summed: bool = False
     """Does a sum of forces, moments or energies stand in numbers, among which its weights are?"""
 
@@ -41,9 +44,11 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
     letters: set[str] = set()
     built: set[str] = set()
     counted: set[str] = set()
+    valued: set[str] = set()
     kinetic = energies = summed = integrated = False
     for block in page:
         built.add(_built(block))
+        valued |= _valued(block)
         summed |= isinstance(block, Equation) and _is_of_forces(block.note)
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
         for piece in pieces_of(block):
@@ -67,7 +72,16 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
         numeric=bool(counted),
         built=frozenset(built),
         summed=summed,
+        valued=frozenset(valued),
     )
+
+
+def _valued(block: Block) -> set[str]:
+    """The names in a formula of an equation that a value follows."""
+    if not isinstance(block, Equation) or block.relation != "=":
+        return set()
+    before = [one for one, other in pairwise(block.sides[1:]) if isinstance(other, Value)]
+    return {s.name for side in before if isinstance(side, Math) for s in side.expr.free_symbols}
 
 
 def _names_in(name: str) -> set[str]:

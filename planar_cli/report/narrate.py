@@ -48,6 +48,7 @@ from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.passing import passing_check
+from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.shown import place_drawn
@@ -155,7 +156,7 @@ def _letter_of(side: Inline | Line) -> str:
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
-    part, positive = with_signs(part)
+    part, positive = with_signs(with_plain_answers(part))
     blocks: list[Block] = []
     figures = voice.figures
     steps = count = 0

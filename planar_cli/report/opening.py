@@ -92,7 +92,7 @@ def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iter
     if any(s.name == GRAVITY for s in (*problem.given, *problem.symbols)):
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
-    used = GRAVITY in seen.counted or (GRAVITY in seen.letters and seen.summed)
+    used = GRAVITY in (*seen.counted, *seen.valued) or (GRAVITY in seen.letters and seen.summed)
     if phrases is not None and own is not None and used and _has_number(own, phrases):
         yield line(Name(GRAVITY), " = ", phrases.shown(own))
     elif GRAVITY in seen.letters and not seen.numeric:

@@ -32,6 +32,7 @@ AS_WRITTEN = 6
 TURNING = ("omega", "ω", "alpha", "α")
 WAVES = ("sin", "cos", "tan")
 RATES = ("dot", "ddot")
+MASS = "mass"
 CONSTANTS = {"pi": "π", "infinity": "∞"}
 
 
@@ -49,7 +50,8 @@ def _has_a_name(node: Tree) -> bool:
             one = len(node.parts) == 0 or (len(node.parts) == 1 and node.parts[0].kind in parts)
             if node.word in RATES and isinstance(node.argument, Name):
                 return node.at is None
-            return node.at is None and node.argument is None and node.word in known and one
+            massive = node.word == MASS and len(node.things) == 1 and not node.parts
+            return node.at is None and node.argument is None and (massive or (node.word in known and one))
         case Name() | Function():
             return node.at is None
     return not isinstance(node, Grouped | Word | Relation)
@@ -149,7 +151,7 @@ def _quantity(asked: Quantity, figures: int) -> Line:
         return line(blocks.Name(f"{asked.argument.name}_{asked.word}"))
     part = asked.parts[0] if asked.parts else None
     thing, *relative = asked.things
-    name = f"{LETTERS[asked.word]}_{thing}"
+    name = f"{'m' if asked.word == MASS else LETTERS[asked.word]}_{thing}"
     if relative:
         base = line(blocks.Name(name), f"/{relative[0]}")
     elif part is not None and part.kind in ("x", "y", "t", "n"):

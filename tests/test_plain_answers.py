@@ -1,0 +1,56 @@
+"""Closed answers are short in their angles, and no bars stand round what is positive."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from planar_cli.report.plain_answers import is_positive
+from planar_cli.report.shorter_angles import shorter
+
+g, mu, beta, d, h, v, phi = sp.symbols("g mu beta d h v phi", positive=True)
+half, root = sp.atan(d / h) / 2, sp.sqrt(d**2 + h**2)
+NUMBERS = {g: 9.8, mu: 0.3, beta: 0.7, d: 2.0, h: 1.1, v: 3.0, phi: 0.4}
+
+
+@pytest.mark.parametrize(
+    ("long", "short"),
+    [
+        (
+            g / (mu * sp.sin(beta) ** 2 + sp.sin(2 * beta) / 2) - g / sp.tan(beta),
+            g * (sp.sin(beta) - mu * sp.cos(beta)) / (mu * sp.sin(beta) + sp.cos(beta)),
+        ),
+        (d * sp.sqrt(root) * sp.sqrt(g / (d**2 - 2 * h * sp.sin(half) ** 2 * root)), sp.sqrt(g * (h + root))),
+        (sp.cot(half), (h + root) / d),
+        (
+            sp.cos(phi / 2 + sp.pi / 4)
+            * (sp.sin(phi / 2 + sp.pi / 4) - sp.tan(phi) * sp.cos(phi / 2 + sp.pi / 4))
+            / sp.cos(phi),
+            1 / (2 * (1 + sp.sin(phi))),
+        ),
+    ],
+)
+def test_a_formula_of_angles(long: sp.Expr, short: sp.Expr) -> None:
+    found = shorter(long)
+    assert sp.count_ops(found) <= sp.count_ops(short) + 1
+    assert float(found.subs(NUMBERS)) == pytest.approx(float(long.subs(NUMBERS)))
+    assert not found.has(sp.atan)
+
+
+def test_what_is_short_already_stays() -> None:
+    kept = g * (mu * sp.cos(beta) + sp.sin(beta)) / (sp.cos(beta) - mu * sp.sin(beta))
+    assert shorter(kept) == kept
+
+
+@pytest.mark.parametrize(
+    ("expr", "positive"),
+    [
+        (mu * sp.cos(beta) + sp.sin(beta), True),
+        (1 + sp.sin(phi), True),
+        (1 - sp.sin(phi), True),
+        (sp.sin(beta) - mu * sp.cos(beta), False),
+        (d - h, False),
+    ],
+)
+def test_what_is_positive_for_acute_angles(expr: sp.Expr, positive: bool) -> None:
+    assert is_positive(expr, {mu, beta, phi, d, h}) is positive
