@@ -144,8 +144,10 @@ class Neat:
         """R x - r x as (R - r) x, for the differences of letters that are known to be positive; sin² + cos² as 1."""
         total = self._with_square(_with_one(total)) if total.is_Add else total
         for known in self.ledger.above_zero if total.is_Add else ():
+            if len(known.args) != 2:
+                continue
             positive, negative = sorted(known.args, key=lambda a: bool(a.could_extract_minus_sign()))
-            if len(known.args) == 2 and positive.is_Symbol and (-negative).is_Symbol:
+            if positive.is_Symbol and (-negative).is_Symbol:
                 total = _with_difference(total, positive, -negative, known)
         return total
 

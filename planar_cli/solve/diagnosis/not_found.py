@@ -56,6 +56,25 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
 
 
+def untold(instant: Instant, places: list[sp.Symbol]) -> Diagnostic:
+    """Places that are sought, and that no statement tells."""
+    problem = instant.scene.problem
+    names = [s.name for s in places]
+    declared = next((s for s in (*problem.coordinates, *problem.unknowns) if s.name == names[0]), problem.find[0])
+    units = ", ".join(f"{s.name}: {instant.scene.ledger.units[s].text}" for s in places)
+    text = f"nothing tells {listed(names)}: no statement says where it is, and the laws of motion hold in every place"
+    hint = f"give {' and '.join(f'`{example(instant, s)}`' for s in places)}, or let it stay a letter: "
+    hint += f"`symbols: {{{units}}}`{in_general(problem)}"
+    return Diagnostic(declared.mark, "PL606", text, hint)
+
+
+def example(instant: Instant, place: sp.Symbol) -> str:
+    """A value of it as one would write it: `theta = 50 deg`."""
+    unit = instant.scene.ledger.units[place]
+    number = "50" if unit.text == "deg" else "0.5"
+    return f"{place.name} = {number} {unit.text}".removesuffix(" 1")
+
+
 def _no_extreme(instant: Instant, trial: Trial, names: list[str]) -> Diagnostic:
     """Why nothing is largest or smallest. `names`: what no equation determines."""
     extreme, problem = instant.statements.extremes[0], instant.scene.problem

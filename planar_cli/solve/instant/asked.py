@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Line, Problem
 from planar_cli.problem.walk import walk
 
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
@@ -27,3 +27,9 @@ def is_pure_kinematics(problem: Problem) -> bool:
 def names_anywhere(side: Side) -> set[str]:
     """All bare names of a side, also inside quantities and directions."""
     return {node.name for node in walk(side) if isinstance(node, Name)}
+
+
+def names_of_directions(problem: Problem) -> set[str]:
+    """All names with which the directions of straight surfaces are written."""
+    lines = [s.shape for s in problem.surfaces if isinstance(s.shape, Line)]
+    return {name for line in lines for name in names_anywhere(line.angle)}

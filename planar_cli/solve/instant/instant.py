@@ -32,7 +32,7 @@ from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.instant.asked import is_pure_kinematics, names_anywhere
+from planar_cli.solve.instant.asked import is_pure_kinematics, names_anywhere, names_of_directions
 from planar_cli.solve.instant.inequalities import Broken, broken
 from planar_cli.solve.instant.locked import LOCKED, locked
 from planar_cli.solve.instant.study import Outcome, Velocities, accelerate, solve_velocities
@@ -164,6 +164,8 @@ class Instant:
     def _sought_linear(self) -> bool:
         """Do all sought constants enter as magnitudes of loads, or not at all?"""
         ledger = self.scene.ledger
+        if names_of_directions(self.scene.problem) & {s.name for s in ledger.sought}:
+            return False
         hidden = [e for p in self.scene.points.values() for e in (p.x, p.y)]
         hidden += [*ledger.definitions.values(), *ledger.values.values()]
         hidden += [e for b in self.scene.bodies.values() for e in (b.mass, b.inertia)]

@@ -15,11 +15,12 @@ import sympy as sp
 
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
-from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
+from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
 from planar_cli.solve.instant.beyond import not_bounded
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
 from planar_cli.solve.instant.stationary import stationary_branches
+from planar_cli.solve.instant.told_places import open_places, telling
 from planar_cli.units import PURE
 
 MOST_CHOICES = 40
@@ -53,7 +54,7 @@ def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> t
     """Has it no place of its own?"""
     best: Sought | None = None
     extremes = instant.statements.extremes
-    for choice in itertools.islice(instant.choices(), MOST_CHOICES):
+    for choice in _told(instant):
         held: list[Sought] = []
         for seeker in seekers(instant, choice):
             try:
@@ -76,6 +77,15 @@ def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> t
         finds = instant.scene.problem.find
         raise undecided_at(finds[0].mark, f"not decided, {undecided}") if finds and plain else undecided
     raise NoSolution([_nothing(instant, targets_of, [s.objection for s in rejected])])
+
+
+def _told(instant: Instant) -> list[tuple[int, ...]]:
+    """The choices in natural order in which something tells the places that are sought. NoSolution: there is none."""
+    choices = list(itertools.islice(instant.choices(), MOST_CHOICES))
+    told = telling(instant, choices)
+    if told == []:
+        raise NoSolution([untold(instant, open_places(instant))])
+    return choices if told is None else told
 
 
 def _better(one: Sought, other: Sought, sense: int) -> bool:
