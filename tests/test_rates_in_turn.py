@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 import sympy as sp
 from conftest import ROOT
 from worked import worked
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
 from planar_cli.report.sizes import on_one_side, sizes_of
@@ -31,7 +34,9 @@ def test_a_size_of_a_side_is_assumed_positive() -> None:
     assert "|sin θ|" not in page
     theta, v = sp.Symbol("theta", real=True), sp.Symbol("v", real=True)
     assert sizes_of(v * sp.Abs(sp.sin(theta)) + sp.Abs(v), [theta]) == [sp.sin(theta)]
-    assert on_one_side(v * sp.Abs(sp.sin(theta)), [theta]) == v * sp.sin(theta)
+    acute, reflex = (Valuation({theta: Decimal(n)}) for n in ("0.7", "4"))
+    assert on_one_side(v * sp.Abs(sp.sin(theta)), [theta], acute) == v * sp.sin(theta)
+    assert on_one_side(v * sp.Abs(sp.sin(theta)), [theta], reflex) == -v * sp.sin(theta)
 
 
 def test_a_point_that_is_written_with_a_coordinate_is_differentiated_at_once() -> None:

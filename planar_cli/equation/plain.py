@@ -12,6 +12,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.bounds import with_certain_signs
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.counting import operations
@@ -169,6 +170,8 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     if expr.has(sp.log):
         # All is real here, which SymPy does not see of a root of a difference: ln(e^x) is x.
         expr = expr.replace(_log_of_exp, lambda e: e.args[0].args[0])
+    if expr.has(sp.Abs, sp.sign):
+        expr = with_certain_signs(expr)
     whole = expanded(expr)
     forms = [expr, whole]
     if _degree(expr) >= 2:

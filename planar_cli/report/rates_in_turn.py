@@ -38,7 +38,6 @@ def rate_in_turn(
     lower = _lower(what)
     if not phrases.symbolic or lower is None or closed is None or len(answer.asked) != 1:
         return []
-    coordinates = instant.instant.scene.ledger.coordinates
     own = next((f for f in others if f.find is not None and _is(f.find.found.what, lower)), None)
     formula = _formula(lower, own, instant)
     if formula is None:
@@ -47,12 +46,12 @@ def rate_in_turn(
     if not rates or formula.free_symbols & set(rates.values()):
         return []
     found = _shortest(sp.Add(*(sp.diff(formula, q) * rate for q, rate in rates.items())))
-    plain = on_one_side(closed, coordinates)
+    plain = _on_that_side(closed, instant)
     whole = found.xreplace({rate: _closed(rate, instant) for rate in rates.values()})
     own_letter = found.is_Symbol and what.word != "omega"
     if longer(found, LONGEST) or own_letter or found == plain:
         return []
-    if not instant.value.vanishes(_on_that_side(whole - plain, instant)):
+    if not instant.value.vanishes(_on_that_side(simplified(whole - plain), instant)):
         return []
     head = phrases.math(answer.asked[0]) if answer.asked[0].is_Symbol else line(Name(answer.name))
     before = list(_placed(answer, lower, formula, phrases))
@@ -88,9 +87,8 @@ def _is(asked: object, quantity: Side) -> bool:
 
 def _formula(lower: Side, answer: Found | None, instant: InstantSolution) -> sp.Expr | None:
     """What it is in letters of the file and coordinates. `answer`: to the find that it is."""
-    coordinates = instant.instant.scene.ledger.coordinates
     if answer is not None and answer.expressions:
-        return on_one_side(answer.expressions[0], coordinates)
+        return _on_that_side(answer.expressions[0], instant)
     quantities = instant.trial.system.quantities()
     try:
         jet = quantities.any(lower) if isinstance(lower, Quantity) else quantities.evaluator.jet(lower)
@@ -98,7 +96,7 @@ def _formula(lower: Side, answer: Found | None, instant: InstantSolution) -> sp.
         return None
     if isinstance(jet, Vec):
         return None
-    return on_one_side(_closed(jet.value, instant), coordinates)
+    return _on_that_side(_closed(jet.value, instant), instant)
 
 
 def _rates(instant: InstantSolution, formula: sp.Expr) -> Mapping[sp.Symbol, sp.Symbol]:
@@ -123,7 +121,9 @@ def _closed(expr: sp.Expr, instant: InstantSolution) -> sp.Expr:
 
 
 def _on_that_side(expr: sp.Expr, instant: InstantSolution) -> sp.Expr:
-    return on_one_side(simplified(expr), instant.instant.scene.ledger.coordinates)
+    """A formula without the bars, as the answers have none."""
+    scene = instant.instant.scene
+    return on_one_side(expr, scene.ledger.coordinates, scene.valuations[0])
 
 
 def _placed(answer: Found, lower: Side, formula: sp.Expr, phrases: Phrases) -> Iterator[Block]:

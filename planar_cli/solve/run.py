@@ -19,6 +19,7 @@ from planar_cli.problem.extreme_and_given import with_rates
 from planar_cli.problem.instants_in_time import with_dated_instants
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.solve.angles_given import with_angles_put_in
 from planar_cli.solve.central import best_placed
 from planar_cli.solve.diagnosis.beginning import demand_direction
 from planar_cli.solve.diagnosis.cases import several
@@ -73,11 +74,11 @@ def _solved(problem: Problem, method: str | None) -> Solution:
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
     if problem.find:
-        parts.append(whatever_kinetic(_part, problem, "", units, {}))
+        parts.append(with_angles_put_in(whatever_kinetic(_part, problem, "", units, {})))
     for case in problem.cases:
         letters = {s.name for s in case.problem.symbols} | {"g"} - {s.name for s in case.problem.given}
         fit = {n: e for n, e in earlier.items() if {s.name for s in e.value.free_symbols} <= letters}
-        part = whatever_kinetic(_part, case.problem, case.name, units, fit)
+        part = with_angles_put_in(whatever_kinetic(_part, case.problem, case.name, units, fit))
         parts.append(part)
         for found in part.found:
             if (exact := _exact(found)) is not None:

@@ -16,7 +16,6 @@ import sympy as sp
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
@@ -26,7 +25,7 @@ from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Find, Polar, Problem
+from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
@@ -35,6 +34,7 @@ from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinds_asked import letter_of, tells
 from planar_cli.solve.curves.kinematics import Story, no_value
 from planar_cli.solve.curves.paths import CurveReader, without_told_places
+from planar_cli.solve.curves.unsigned import unsigned
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.placed import told_throughout
 from planar_cli.solve.instant.verify import Disagreement
@@ -196,11 +196,21 @@ class FormulaReader:
                 hint = "hold it by a joint, or say in `motion` how it moves"
                 raise NoSolution([Diagnostic(find.mark, "PL651", text, hint)])
             values = tuple(value.settled(p, p) for p in parts)
+        elif not self._uses_time():
+            self._check_closed(find, raw, parts)
         short = all(not longer(p, CLOSED_OPS) and not rounded_inside(p) for p in parts)
         kind = "vector" if len(parts) == 2 else "number"
         energy = any(q.word in ("KE", "PE") for q in quantities_in(what))
         shown = parts if values is None or short else None
         return Found(find.name, kind, self._unit(find), values, shown, "", find, energy, parts)
+
+    def _check_closed(self, find: Find, raw: tuple[sp.Expr, ...], parts: tuple[sp.Expr, ...]) -> None:
+        """The formulas as they are printed are the same numbers as those that were worked out."""
+        rates, value = rates_put_in(self.regime), self.regime.general.instant.scene.valuations[0]
+        for before, after in zip(raw, parts, strict=True):
+            one, other = value.known(self.regime.closed(before.xreplace(rates))), value.known(after)
+            if one is not None and other is not None and abs(one - other) > AGREE * max(abs(one), Decimal("1e-20")):
+                raise Disagreement(f"{find.name}: the formula gives {other:.6g}, what it was worked out from {one:.6g}")
 
     def _check_points(self, find: Find, what: Quantity) -> None:
         """The points of a curve move as the joints let them, where these may say something else than the places."""
@@ -242,7 +252,7 @@ class FormulaReader:
     def clean(self, expr: sp.Expr) -> sp.Expr:
         """A formula of the regime with rates and functions of time put in, as it is printed."""
         expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
-        expr = simplified(self._unsigned(simplified(self.functions.put_in(expr))))
+        expr = simplified(unsigned(simplified(self.functions.put_in(expr)), self.regime.general.instant.scene))
         return self._together(directed(expr, self.regime.general.instant.scene.valuations[0]))
 
     def _together(self, expr: sp.Expr) -> sp.Expr:
@@ -252,24 +262,6 @@ class FormulaReader:
         own = {*ledger.coordinates, self.regime.time}
         shared = {f for f in sp.Mul.make_args(whole) if f.is_Symbol} - own if whole is not expr else set()
         return whole if shared & set(ledger.letters) else expr
-
-    def _unsigned(self, expr: sp.Expr) -> sp.Expr:
-        """|e| is e where the file writes a distance or a magnitude with it: those are not negative."""
-        expr = expr.replace(_is_root, _square_rooted)
-        if not expr.has(sp.Abs):
-            return expr
-        scene = self.regime.general.instant.scene
-        distances = [scene.value(p.place.distance) for p in self.problem.points if isinstance(p.place, Polar)]
-        distances += [scene.value(side) for side in _magnitudes(self.problem)]
-
-        def plain(size: sp.Expr) -> sp.Expr:
-            inside = size.args[0]
-            for sign in (1, -1):
-                if any(d.free_symbols and simplified(sign * inside / d).is_positive for d in distances):
-                    return sign * inside
-            return size
-
-        return expr.replace(lambda e: isinstance(e, sp.Abs), plain)
 
     @staticmethod
     def _open(find: Find, words: str) -> Exception:
@@ -323,26 +315,6 @@ class FormulaReader:
         value = self.value or no_value
         story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints, value)
         return story.passages(finds)
-
-
-def _magnitudes(problem: Problem) -> list[Side]:
-    """What `motion` gives as the magnitude of a place."""
-    relations = [law.statement for law in problem.motion if isinstance(law.statement, Relation)]
-    return [
-        r.right
-        for r in relations
-        if isinstance(r.left, Quantity) and r.left.word == "r" and [p.kind for p in r.left.parts] == ["mag"]
-    ]
-
-
-def _is_root(e: sp.Expr) -> bool:
-    return bool(e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and e.base.is_Add)
-
-
-def _square_rooted(e: sp.Expr) -> sp.Expr:
-    """√(a²) as |a|."""
-    root = sp.sqrt(factored(e.base))
-    return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
 
 
 def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passage, ...]) -> Tale | None:

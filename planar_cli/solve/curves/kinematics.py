@@ -330,8 +330,11 @@ class Story:
         yield Passage("Components along r and across it:", tuple(told), RADIAL)
 
     def _in_time(self, jet: Jet) -> Jet:
-        """What is a function of time alone is differentiated as that."""
+        """What is a function of time alone, or of coordinates whose rates are told, is differentiated as that."""
         place, time = self.clean(jet.value), self.regime.time
+        if self.driven is None and place.free_symbols & self.regime.rates.keys() and not place.has(sp.Abs, sp.atan2):
+            rate = self.clean(self.regime.derivative(place))
+            return Jet(place, rate, self.regime.derivative(rate))
         if time not in place.free_symbols or place.free_symbols & {*self.regime.letters} - {time}:
             return jet
         return Jet(place, sp.diff(place, time), sp.diff(place, time, 2))

@@ -27,7 +27,7 @@ from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.solve.instant.truth import holds
-from planar_cli.solve.instant.verify import verify
+from planar_cli.solve.instant.verify import Disagreement, verify
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
 
@@ -297,6 +297,8 @@ class Finisher:
             text = f"{find.name} has no value here: what it divides by is zero"
             raise NoSolution([Diagnostic(find.mark, "PL637", text, hint)])
         values = None if symbolic else tuple(value.settled(e, c) for e, c in zip(exprs, closed, strict=True))
+        if symbolic and any(_differ(value.known(e), value.known(c)) for e, c in zip(exprs, closed, strict=True)):
+            raise Disagreement(f"{find.name}: its formula in letters is not the number that it was worked out from")
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
         energy = is_energy(what)
@@ -346,6 +348,11 @@ class Finisher:
         if not self.symbolic:
             return expr if longer(expr, 199) else factor_terms(expr)
         return simplified(expr)
+
+
+def _differ(one: Decimal | None, other: Decimal | None) -> bool:
+    """Are they two numbers, beyond the rounding of sixty digits?"""
+    return one is not None and other is not None and abs(one - other) > SAME * max(abs(one), abs(other), SAME)
 
 
 def unreached(stages: Iterable[Stage], exprs: list[sp.Expr]) -> list[sp.Symbol]:
