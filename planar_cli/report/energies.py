@@ -94,8 +94,8 @@ class EnergyTelling(EnergyPieces):
             (one, *first), (two, *second) = told
             yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))), None, note=why)
         else:
-            yield Equation(told[0], None, note=why)
-            yield from map(Equation, told[1:])
+            # The speed of the last state may be a letter that has been told: a package that goes with its belt.
+            yield from (Equation(sides, None, note=why if i == 0 else ()) for i, sides in enumerate(told))
         masses, texts = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}, {}
         for kind, dimension in (("v", MASS), ("omega", INERTIA)):
             if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
