@@ -31,6 +31,7 @@ from planar_cli.solve.following.departure import DEPARTS
 from planar_cli.solve.following.mode_search import AT_A_TOP
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.only_just import only_just
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
@@ -180,6 +181,8 @@ def _stopped(problem: Problem, run: Run, taken: Taken) -> str:
         return ""
     if outcome.code in NOT_ABLE:
         return _because(problem, NOT_ABLE[outcome.code], outcome.words)
+    if state := only_just(problem, run, taken):
+        return f"{outcome.joint} only just presses at state {state}: machine numbers do not tell whether it does"
     mark = problem.find[0].mark
     text = f"the motion followed by independent facts contradicts the solution: {outcome.words}"
     raise Disagreement(f"{mark.file}:{mark.line}: {text}", (Diagnostic(mark, DIFFERENT, text, HINT),))
