@@ -87,9 +87,12 @@ def _summed(numerator: sp.Expr) -> sp.Expr:
 
 
 def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
-    """Tangents of x as sines over cosines, without fractions."""
+    """Tangents of x as sines over cosines, without fractions; cos x + sin x tan x is 1/cos x, which has no root."""
     tangents = {a: sp.sin(a.args[0]) / sp.cos(a.args[0]) for a in numerator.atoms(sp.tan) if x in a.free_symbols}
-    return sp.fraction(together(numerator.xreplace(tangents)))[0] if tangents else numerator
+    if not tangents:
+        return numerator
+    whole = sp.fraction(together(numerator.xreplace(tangents)))[0]
+    return whole if longer(whole, LONGEST) else sp.fraction(together(simplified(whole)))[0]
 
 
 def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
