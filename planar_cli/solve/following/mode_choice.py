@@ -7,7 +7,10 @@ from collections.abc import Mapping
 from dataclasses import field, replace
 from decimal import Decimal
 
+import sympy as sp
+
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative, letters
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
@@ -151,7 +154,8 @@ class ModeChoice:
 
 def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     """Is the last state one of rest in equilibrium, for all of which it tells where it is then? A motion that just
-    reaches it takes longer and longer. Where time tells all places, each is reached at its time.
+    reaches it takes longer and longer. Where time tells all places, each is reached at its time; and what slows down
+    by a root of what is left, as a = -k √v, comes to rest at once.
     """
     if not course.regimes[len(course.states) - 2].free:
         return False
@@ -161,7 +165,17 @@ def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     rates = {**regime.rates, **regime.accelerations}
     here = [rates[s].xreplace(stop.letters) for g in told for s in g if s in rates]
     numbers = [(value.known(e), e) for e in here]
-    return bool(told) and all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
+    sudden = any(
+        _is_sudden(p.base, value) for e in here for p in e.atoms(sp.Pow) if p.exp.is_Rational and 0 < p.exp < 1
+    )
+    return bool(told) and not sudden and all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
+
+
+def _is_sudden(base: sp.Expr, value: Valuation) -> bool:
+    """Does what stands under a root come to nought, and not as slowly as a square does?"""
+    number = value.known(base)
+    slopes = (value.known(derivative(base, s)) for s in letters(base))
+    return number is not None and abs(number) <= SLACK and any(v is not None and abs(v) > SLACK for v in slopes)
 
 
 def assumed(course: RegimeSequence, value: Valuation) -> bool:

@@ -25,9 +25,12 @@ from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.branches import Choice
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.instant.seeker import Sought
+from planar_cli.units import parse_unit
 
 CLOSE = Decimal("1e-25")
 """Numbers that differ by no more than this share of their size are the same."""
+UNITS = {"r": ("m", "ft"), "v": ("m/s", "ft/s"), "a": ("m/s^2", "ft/s^2")}
+"""In what vectors are measured, in SI and in US customary units."""
 SAME = "it holds as well, and what is asked is the same"
 
 Asked = Callable[[System], Sequence[sp.Expr]]
@@ -135,14 +138,18 @@ def _both(instant: Instant, one: Sought, other: Sought, mark: Mark) -> Diagnosti
     text = " and ".join(f"`{r.text}`" for r in stated) or "what is given"
     choice = _choice(stated, one, other)
     hint = f"write `{choice} > 0` or `{choice} < 0`" if choice else "an inequality chooses, such as `omega(b) > 0`"
+    if not choice and (between := _limit(instant, stated, one, other)):
+        hint = f"an inequality chooses, such as `{between}`, or the same with `>`"
     at = stated[0].mark if stated else mark
     return Diagnostic(at, "PL618", f"{text} holds both ways, and the answers differ", hint)
 
 
 def _sizes(relation: Relation) -> Iterator[Quantity]:
-    """The vectors of which only a size stands in a relation; a radius of curvature is a size of the acceleration."""
+    """The vectors of which only a size stands in a relation; a radius of curvature is a size of the acceleration, and
+    so is its part towards the centre of curvature, which may lie on either side of the path.
+    """
     for node in walk(relation):
-        if isinstance(node, Quantity) and node.parts and node.parts[-1].kind == "mag":
+        if isinstance(node, Quantity) and node.parts and node.parts[-1].kind in ("mag", "n"):
             yield replace(node, parts=node.parts[:-1])
         elif isinstance(node, Quantity) and node.word == "rho":
             yield replace(node, word="a", parts=())
@@ -153,6 +160,16 @@ def _choice(stated: Sequence[Relation], one: Sought, other: Sought) -> str:
     for (text, a), (_, b) in zip(_candidates(stated, one), _candidates(stated, other), strict=True):
         if a * b < 0:
             return text
+    return ""
+
+
+def _limit(instant: Instant, stated: Sequence[Relation], one: Sought, other: Sought) -> str:
+    """An inequality with a number between the values of one component in the two branches; "" for nothing."""
+    for (text, a), (_, b) in zip(_directed(stated, one), _directed(stated, other), strict=True):
+        unit = UNITS.get(text.partition("(")[0], ("1", "1"))[instant.scene.ledger.us]
+        apart = abs(a - b) > CLOSE * max(abs(a), abs(b))
+        if apart and (relation := relation_between(text, parse_unit(unit), [float(a), float(b)])):
+            return relation
     return ""
 
 
