@@ -22,7 +22,7 @@ from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.angles_given import with_angles_put_in
 from planar_cli.solve.central import best_placed
 from planar_cli.solve.diagnosis.beginning import demand_direction
-from planar_cli.solve.diagnosis.cases import several
+from planar_cli.solve.diagnosis.cases import demand_cancelled, several
 from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
 from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact
@@ -383,6 +383,7 @@ def _seek(
     if not instant.statements.extremes:
         sought = demand_one_way(instant, sought, asked, place(instant, finds))
     solution, found = Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
+    demand_cancelled(instant.scene, finds, found)
     solution.left_out = (*rejected, *sought.others)
     return solution, found
 

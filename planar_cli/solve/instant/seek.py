@@ -10,9 +10,11 @@ import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal
+from functools import partial
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
@@ -27,28 +29,85 @@ MOST_CHOICES = 40
 MOST_LIMITS = 2
 MOST_DRAWS = 4
 """So many numbers of the letters are tried where an extreme is sought that need not be there for all of them."""
+MANY_TRIES = 400
+"""So many draws are looked at for numbers with which what is assumed holds."""
 CLOSE = Decimal("1e-25")
 
 
 def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
-    """The branch that holds, over all choices of modes in natural order, and those that do not; an extreme in letters
-    where it is there for some of them. `targets_of(system)`: the symbols that the finds need.
+    """The branch that holds, over all choices of modes in natural order, and those that do not. Of letters: with
+    numbers for which the assumptions hold, and no contact parts where a mass or inertia is to cancel, if there are any.
+    `targets_of(system)`: the symbols that the finds need.
     """
     scene = instant.scene
     tried = [scene.valuations[0]]
+    parted: Valuation | None = None
+    failed: NoSolution | None = None
     while True:
+        rejected: list[Sought] = []
         try:
-            return _seek(instant, targets_of)
-        except NoSolution:
-            others = instant.statements.extremes and scene.ledger.symbolic and len(tried) < MOST_DRAWS
-            if not others or not scene.redraw(lambda v: all(v.values != old.values for old in tried)):
-                raise
-            tried.append(scene.valuations[0])
+            found = _seek(instant, targets_of, rejected)
+        except NoSolution as error:
+            failed = failed or error
+            if not instant.statements.extremes and not any(s.trial.tests for s in rejected):
+                break
+        else:
+            if not (scene.ledger.symbolic and scene.cancelling and _parts(found.trial)):
+                return found, rejected
+            parted = parted or tried[-1]
+        if not scene.ledger.symbolic or len(tried) == MOST_DRAWS or not _drawn_anew(instant, tried, rejected):
+            break
+        tried.append(scene.valuations[0])
+    if parted is not None and scene.redraw(lambda v: v.values == parted.values, MANY_TRIES):
+        rejected = []
+        return _seek(instant, targets_of, rejected), rejected
+    assert failed is not None
+    raise failed
 
 
-def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
-    """The same with the numbers that are drawn now."""
-    rejected: list[Sought] = []
+def _drawn_anew(instant: Instant, tried: list[Valuation], rejected: list[Sought]) -> bool:
+    """Take numbers for which the most natural modes hold that did not hold with the last ones; for an extreme any."""
+    new = partial(_is_new, tried)
+    if instant.statements.extremes:
+        return instant.scene.redraw(new)
+    doubtful = next((s for s in rejected if s.trial.tests and not s.branch.choices), None)
+    return doubtful is not None and instant.scene.redraw(lambda v: new(v) and _would_hold(doubtful, v), MANY_TRIES)
+
+
+def _would_hold(sought: Sought, value: Valuation) -> bool:
+    """Would the tests of its modes hold with these numbers?"""
+    lines = [line for block in sought.branch.blocks for line in block.lines]
+    formulas = {line.symbol: line.formula for line in lines}
+    numbers: dict[sp.Symbol, Decimal] = {}
+    while formulas:
+        # What is carried as a letter is told by a line that comes later.
+        ready = [x for x, e in formulas.items() if not e.free_symbols & formulas.keys()]
+        if not ready:
+            return False
+        numbers |= {x: value.extended(numbers)(formulas.pop(x)) for x in ready}
+    pushes = {name: numbers.get(s) for name, s in sought.trial.system.symbols.items()}
+    told = value.extended(numbers)
+    for test in (t for mode in sought.trial.system.modes.values() for t in mode.tests):
+        parts = [(factor, pushes.get(name)) for name, factor in test.pushes]
+        if not parts or any(x is None for _, x in parts):
+            return False
+        if sum((told(f) * x for f, x in parts if x is not None), told(test.constant)) <= 0:
+            return False
+    return True
+
+
+def _is_new(tried: list[Valuation], value: Valuation) -> bool:
+    """Are these numbers others than those that were tried?"""
+    return all(value.values != old.values for old in tried)
+
+
+def _parts(trial: Trial) -> bool:
+    """Does something part in a choice of modes?"""
+    return any(mode.parted for mode in trial.system.modes.values())
+
+
+def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], rejected: list[Sought]) -> Sought:
+    """The same with the numbers that are drawn now; `rejected` gets what does not hold."""
     undecided: Undecided | None = None
     plain = False
     """Has it no place of its own?"""
@@ -67,12 +126,12 @@ def _seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> t
                 continue
             held += [] if found is None else [found, *found.others]
         if held and not extremes:
-            return _preferred(held), rejected
+            return _preferred(held)
         for found in held:
             if best is None or _better(found, best, extremes[0].sense):
                 best = found
     if best is not None:
-        return best, rejected
+        return best
     if undecided is not None:
         finds = instant.scene.problem.find
         raise undecided_at(finds[0].mark, f"not decided, {undecided}") if finds and plain else undecided
