@@ -146,3 +146,21 @@ def test_an_angle_that_is_given_appears_with_its_number(
         assert re.search(rf"\b{name} = (.* = )?{re.escape(formula)}\n", answers), answers
     assert "θ" not in answers
     assert "Assume" not in page
+
+
+@pytest.mark.parametrize(
+    ("size", "told"),
+    [
+        ("3 - 2*cos(w*t)", {"r": "b (3 - 2 cos(w t))", "v_th": "b w (3 - 2 cos(w t))", "a_r": "b w² (4 cos(w t) - 3)"}),
+        ("2 - cos(w*t)", {"v_r": "b w sin(w t)", "a_r": "2 b w² (cos(w t) - 1)", "a_th": "2 b w² sin(w t)"}),
+        ("1 - sin(w*t)", {"v_r": "-b w cos(w t)", "a_th": "-2 b w² cos(w t)"}),
+    ],
+)
+def test_sizes_that_are_told_over_time(size: str, told: dict[str, str], tmp_path: Path) -> None:
+    text = FILE.replace("coordinates: {{theta: rad}}\n", "").replace(FILE.splitlines(True)[3], "")
+    text = text.replace("particle: P", "particle: free").replace("  d: r(P/A).mag", "")
+    text = text.replace("[dot(theta) = w]", f"[r(pin).mag = b*({size}), r(pin).angle = w*t]")
+    page = _page(tmp_path, text.format(known="symbols: {b: m, w: rad/s}", place="", at=""))
+    answers = page.partition("Answer")[2]
+    for name, formula in told.items():
+        assert re.search(rf"\b{name} = {re.escape(formula)}\n", answers), answers

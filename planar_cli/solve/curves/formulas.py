@@ -34,7 +34,7 @@ from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinds_asked import letter_of, tells
 from planar_cli.solve.curves.kinematics import Story, no_value
 from planar_cli.solve.curves.paths import CurveReader, without_told_places
-from planar_cli.solve.curves.unsigned import unsigned
+from planar_cli.solve.curves.unsigned import divided, unsigned
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.placed import told_throughout
 from planar_cli.solve.instant.verify import Disagreement
@@ -252,7 +252,8 @@ class FormulaReader:
     def clean(self, expr: sp.Expr) -> sp.Expr:
         """A formula of the regime with rates and functions of time put in, as it is printed."""
         expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
-        expr = simplified(unsigned(simplified(self.functions.put_in(expr)), self.regime.general.instant.scene))
+        expr = unsigned(simplified(self.functions.put_in(expr)), self.regime.general.instant.scene)
+        expr = divided(simplified(expr))
         return self._together(directed(expr, self.regime.general.instant.scene.valuations[0]))
 
     def _together(self, expr: sp.Expr) -> sp.Expr:
