@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from answered import solve
+from answered import first, solve
 
 from planar_cli.errors import NoSolution
 
@@ -50,3 +50,39 @@ def test_where_it_lifts_off_the_inertia_is_asked_for() -> None:
     with pytest.raises(NoSolution) as error:
         solve(written("at rest, mode(F) = apart, P = mu*N(rear)"))
     assert error.value.diagnostics[0].code == "PL614"
+
+
+BIKE = """
+title: Motorcycle that raises its front wheel
+plane: vertical
+given: {W: 500 lbf, L: 55 in, b: 24 in, h: 28 in, g: 32.2 ft/s^2}
+unknowns: {F: lbf}
+points: {R: [0, 0], Q: [(SIDE)*L, 0], G: [(SIDE)*b, h]}
+surfaces: {road: {through: R, angle: 0 deg}}
+bodies: {bike: {points: [R, Q], center: G, weight: W, inertia: INERTIA}}
+joints:
+  - contact: {between: [bike, road], at: R, mu: 0}
+  - contact: {between: [bike, road], at: Q, mu: 0}
+loads:
+  - force: {body: bike, at: R, magnitude: F, angle: 90 deg - (SIDE)*90 deg}
+instant: [(SIDE)*v(bike).x = 20 ft/s, NOW]
+find: {a: (SIDE)*a(bike).x in ft/s^2, mu_needed: F/N(R)}
+"""
+
+
+@pytest.mark.parametrize("inertia", ["any", "30 slug*ft^2"])
+@pytest.mark.parametrize("side", ["1", "-1"])
+@pytest.mark.parametrize("now", ["N(Q) = 0", "omega(bike) = 0, N(Q) = 0", "N(Q) = 0, alpha(bike) = 0"])
+def test_a_wheel_that_only_just_lifts(now: str, side: str, inertia: str) -> None:
+    """F h = W b, so that a = g b/h; with the wheel apart nothing would tell F."""
+    found = solve(BIKE.replace("NOW", now).replace("SIDE", side).replace("INERTIA", inertia))
+    assert first(found["a"]) == pytest.approx(32.2 * 24 / 28)
+    assert first(found["mu_needed"]) == pytest.approx(24 / 28)
+
+
+def test_what_lifts_off_rests_on_its_inertia() -> None:
+    text = BIKE.replace(", mu_needed: F/N(R)", "")
+    with pytest.raises(NoSolution) as error:
+        solve(text.replace("NOW", "F = 0.9*N(R)").replace("SIDE", "1").replace("INERTIA", "any"))
+    (told,) = error.value.diagnostics
+    assert "`any`" in (told.hint or "") or told.code == "PL614"

@@ -52,7 +52,8 @@ def spent(guard: Guard, t: float) -> Outcome:
         who = guard.words.removesuffix(" are apart")
         words = f"at t = {t:.9g} s {who} meet again, and their impact acts between two earlier states only"
         return Outcome("again", words, t, guard.joint, "PL715")
-    words = f"at t = {t:.9g} s a free part of {guard.joint} has run out: draw it longer, or end before"
+    # It ends a little before nothing is left: the last digits of the time tell nothing.
+    words = f"at about t = {t:.2g} s a free part of {guard.joint} has run out: draw it longer, or end before"
     return Outcome("spent", words, t, guard.joint, "PL712")
 
 

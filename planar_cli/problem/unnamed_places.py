@@ -117,7 +117,15 @@ class _Naming:
             return self._named(node)
         if key in SEVERAL and isinstance(node, Sequence):
             return Sequence(tuple(self._named(item) for item in node.items), node.mark)
+        if key == "lines" and isinstance(node, Sequence):
+            return Sequence(tuple(self._line(item) for item in node.items), node.mark)
         return self._inside(node)
+
+    def _line(self, node: Node) -> Node:
+        """One of several lines: a place and an angle, in a list, or at keys."""
+        if not isinstance(node, Sequence):
+            return self._inside(node)
+        return Sequence(tuple(self._named(item) for item in node.items), node.mark)
 
     def _named(self, node: Node) -> Node:
         """The name of a place that is written out; anything else as it is."""

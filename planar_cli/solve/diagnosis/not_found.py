@@ -56,7 +56,10 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
     if (other := otherwise_meant(instant, said)) is not None:
         return Diagnostic(find.mark, "PL601", f"{text}; {other[0]}", other[1])
-    return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
+    hint = "change a given, or state one thing less"
+    if instant.scene.cancelling:
+        hint += "; or give the masses and inertias that are `any`: they may tell which contacts press"
+    return Diagnostic(find.mark, "PL601", text, hint)
 
 
 def untold(instant: Instant, places: list[sp.Symbol]) -> Diagnostic:

@@ -11,6 +11,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
@@ -144,7 +145,13 @@ class Algebra:
 
     def _single(self, equation: Written, x: sp.Symbol) -> Line:
         formula = self._solve_for(self.in_unknowns(equation, (x,)), x)
-        return Line(x, formula, self.value(formula), (equation.number,))
+        try:
+            return Line(x, formula, self.value(formula), (equation.number,))
+        except Unvalued:
+            # What is told later stands in it, and drops out: the masses of two parts may, of which the sum does not
+            # change with where they are parted.
+            formula = cancelled(self._opened(formula, tuple(self.unknowns - self.value.values.keys())))
+            return Line(x, formula, self.value(formula), (equation.number,))
 
     def _collected(self, residual: sp.Expr, order: tuple[sp.Symbol, ...]) -> sp.Expr:
         """The residual with moments of inertia and other named intermediates put in, collected in unknowns."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.formulas import formulas
+from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Line, Problem
 from planar_cli.problem.walk import walk
 
@@ -33,3 +35,18 @@ def names_of_directions(problem: Problem) -> set[str]:
     """All names with which the directions of straight surfaces are written."""
     lines = [s.shape for s in problem.surfaces if isinstance(s.shape, Line)]
     return {name for line in lines for name in names_anywhere(line.angle)}
+
+
+def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]:
+    """Joints of whose reaction just one of x and y is asked: those components stay."""
+    names = set()
+    for find in problem.find:
+        for q in quantities_in(find.found.what):
+            if q.word == "reaction" and q.parts and q.parts[0].kind in ("x", "y"):
+                names.add(q.things[0])
+    return frozenset(ours for ours, name in alias_of(problem.joints, joints).items() if name in names)
+
+
+def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
+    """Our own name of each joint to the file's."""
+    return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}

@@ -28,11 +28,15 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Mode, Push, Row, Skid, Test, relative
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Flow, keys_of
-from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
-from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.instant.asked import is_pure_kinematics, names_anywhere, names_of_directions
+from planar_cli.solve.instant.asked import (
+    alias_of,
+    asked_by_axis,
+    is_pure_kinematics,
+    names_anywhere,
+    names_of_directions,
+)
 from planar_cli.solve.instant.inequalities import Broken, broken
 from planar_cli.solve.instant.locked import LOCKED, locked
 from planar_cli.solve.instant.study import Outcome, Velocities, accelerate, solve_velocities
@@ -309,21 +313,6 @@ class Instant:
         return broken(self.statements.inequalities, system.quantities(), numbers)
 
 
-def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]:
-    """Joints of whose reaction just one of x and y is asked: those components stay."""
-    names = set()
-    for find in problem.find:
-        for q in quantities_in(find.found.what):
-            if q.word == "reaction" and q.parts and q.parts[0].kind in ("x", "y"):
-                names.add(q.things[0])
-    return frozenset(ours for ours, name in alias_of(problem.joints, joints).items() if name in names)
-
-
-def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
-    """Our own name of each joint to the file's."""
-    return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
-
-
 def held(modes: tuple[Mode, ...]) -> tuple[Mode, ...]:
     """The modes in which a joint holds: where nothing is said of forces, nothing parts or slackens."""
     found = tuple(m for m in modes if not m.parted) or modes
@@ -354,7 +343,16 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
             rejected.append(trial)
         elif not any(same_motion(trial, other) for other in held):
             held.append(trial)
+    held = [t for t in held if not leaves_open(t)] or held
     return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
+
+
+def leaves_open(trial: Trial) -> bool:
+    """Are accelerations open? `N(Q) = 0` says what is sought where Q only just touches, and nothing where it is apart:
+    of both the first is meant.
+    """
+    open_columns = {j for v in trial.outcomes[0].solved.null.values() for j, c in enumerate(v) if c}
+    return any(isinstance(key, tuple) and j in open_columns for key, j in trial.outcomes[0].assembly.columns.items())
 
 
 def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
