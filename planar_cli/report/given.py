@@ -189,6 +189,9 @@ def _of_member(member: Member, problem: Problem, figures: int) -> Iterator[Datum
     letter = impulse_letters(problem).get(member.name, ("",))[0]
     for spec in keys_of(type(member)):
         value = getattr(member, spec.name)
+        if value is not None and spec.name in ("linear", "quadratic"):
+            # The magnitude is written out with it.
+            continue
         if letter and spec.name == "magnitude":
             yield from _datum(line(blocks.Name(letter)), value, figures, place)
             continue
