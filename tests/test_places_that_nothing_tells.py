@@ -134,3 +134,22 @@ def test_a_reaction_that_vanishes_tells_it() -> None:
     text = written(LADDER, now="omega(ladder) = 2 rad/s, N(A) = 0").replace("magnitude: P", "magnitude: 0 N")
     found = solve(text)
     assert first(found["N_B"]) == pytest.approx(3 * 9.81 / 4, rel=1e-9)
+
+
+def test_a_height_that_a_reaction_tells() -> None:
+    """A car with locked wheels is about to lift its rear where μ h = c; with them apart N(A) = 0 would say nothing."""
+    found = solve("""
+title: Car
+plane: vertical
+given: {m: 1400 kg, mu: 0.7}
+unknowns: {h: m}
+points: {A: [0, 0], B: [2.6 m, 0], G: [1.4 m, h]}
+surfaces: {road: {through: A, angle: 0 deg}}
+bodies: {car: {points: [A, B], center: G, mass: m, radius_of_gyration: 1.2 m}}
+joints:
+  - contact: {between: [car, road], at: A, mu: mu}
+  - contact: {between: [car, road], at: B, mu: mu}
+instant: [v(G).x = 20 m/s, omega(car) = 0, N(A) = 0]
+find: {h: h}
+""")
+    assert first(found["h"]) == pytest.approx(1.2 / 0.7)

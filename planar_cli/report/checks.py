@@ -60,6 +60,9 @@ def road_blocks(part: PartSolution) -> list[Check]:
         return [Check(line("a second run with finer steps gives the same"))] if errors else []
     found = [Check(line(t)) for t in part.motion.checks if t.startswith(CAVEATS)] if part.motion is not None else []
     apart = [f.name for f in part.found if unconfirmed(f, part)]
+    if not _has_equations(part):
+        # A place or a moment of inertia rests on no equation of motion that another solution could check.
+        return found
     if not apart:
         return [*found, Check(line(INDEPENDENT))]
     if len(apart) < len(part.found):
@@ -74,6 +77,11 @@ def road_blocks(part: PartSolution) -> list[Check]:
     if part.instants and part.instants[-1].checks.get("digits") is not None:
         found.append(Check(line(f"equations of motion {INDEPENDENT}")))
     return found
+
+
+def _has_equations(part: PartSolution) -> bool:
+    """Does anything move, or is anything balanced?"""
+    return part.motion is not None or part.tale is not None or any(s.blocks for i in part.instants for s in i.stages)
 
 
 def _follow_from_motion(names: list[str], part: PartSolution) -> bool:

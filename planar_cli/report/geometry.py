@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import At, Polar, TwoFacts
 from planar_cli.report.blocks import Block, Equation, Line, Math, Text, Value, line
 from planar_cli.report.numbers import significant
@@ -84,13 +85,20 @@ def _pair(scene: Scene, name: str) -> tuple[Any, Any]:
 
 def _facts(scene: Scene, place: TwoFacts, phrases: Phrases) -> list[Line]:
     """Each of the two facts in words."""
-    found: list[Line] = [line(phrases.math(scene.value(d)), f" from {origin}") for origin, d in place.distances]
+    found: list[Line] = [line(*_plainly(scene, d, phrases), f" from {origin}") for origin, d in place.distances]
     for through, angle in place.lines:
-        found.append(line(f"on the line through {through} at ", phrases.math(scene.value(angle))))
+        found.append(line(f"on the line through {through} at ", *_plainly(scene, angle, phrases)))
     for axis, side in (("x", place.x), ("y", place.y)):
         if side is not None:
-            found.append(line(f"at {axis} = ", phrases.math(scene.value(side))))
+            found.append(line(f"at {axis} = ", *_plainly(scene, side, phrases)))
     return found
+
+
+def _plainly(scene: Scene, side: Side, phrases: Phrases) -> Line:
+    """A length or an angle in letters; one that is a number as it is written, with its unit."""
+    value = sp.sympify(scene.value(side))
+    written = said(side, phrases.figures) if value.is_number else None
+    return written or line(phrases.math(value))
 
 
 def measured(expr: sp.Expr, phrases: Phrases) -> Math | None:

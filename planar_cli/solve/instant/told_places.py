@@ -52,16 +52,20 @@ def telling(instant: Instant, choices: Iterable[Choice]) -> list[Choice] | None:
         # What has no mass balances only in some places: there the laws do tell them.
         return None
     told: list[Choice] = []
+    by_forces = False
     for choice in chosen:
-        here = _possible(instant, choice, places)
+        here = _objection(instant, choice, places)
         if here is None:
             return None
-        if here and _holds(instant, choice):
-            # It is so in this place, and in all that are near it.
+        possible = here not in IMPOSSIBLE
+        if possible and not by_forces and _holds(instant, choice):
+            # It is so in this place, and in all that are near it. Where more natural modes let a force tell the place,
+            # as N(A) = 0 does, those are meant: of modes in which A is apart it says nothing.
             return []
-        alone = here or _possible(bare, choice, open_places(bare))
-        if not here and (alone or alone is None or _is_stated(instant, choice)):
+        alone = possible or _possible(bare, choice, open_places(bare))
+        if not possible and (alone or alone is None or _is_stated(instant, choice)):
             told.append(choice)
+            by_forces = by_forces or here == "contradiction"
     return told
 
 
@@ -81,6 +85,12 @@ def _relates_places(instant: Instant, choice: Choice) -> bool:
 
 def _possible(instant: Instant, choice: Choice, places: list[sp.Symbol]) -> bool | None:
     """Can all equations of a choice be fulfilled in a place that is drawn? None: that is not told by numbers alone."""
+    objection = _objection(instant, choice, places)
+    return None if objection is None else objection not in IMPOSSIBLE
+
+
+def _objection(instant: Instant, choice: Choice, places: list[sp.Symbol]) -> str | None:
+    """What speaks against a choice in a place that is drawn; None: that is not told by numbers alone."""
     value = instant.scene.valuations[0]
     try:
         trial = instant.try_choice(choice, (value,), given={s: value(s) for s in places})
@@ -88,9 +98,7 @@ def _possible(instant: Instant, choice: Choice, places: list[sp.Symbol]) -> bool
         open_speeds = solve_velocities(trial.system, value, False, seek=False).free if nonlinear else ()
     except (Nonlinear, Unvalued, NoValue, Undecided):
         return None
-    if trial.objection == NONLINEAR or len(nonlinear) > len(open_speeds):
-        return None
-    return trial.objection not in IMPOSSIBLE
+    return None if trial.objection == NONLINEAR or len(nonlinear) > len(open_speeds) else trial.objection
 
 
 def _holds(instant: Instant, choice: Choice) -> bool:
