@@ -72,6 +72,13 @@ def test_expanded_is_what_sympy_finds(expr: sp.Expr) -> None:
     assert expanded(expr) == sp.expand(expr)
 
 
+def test_an_angle_that_holds_a_root_of_an_angle_keeps_no_letter() -> None:
+    expr = sp.sqrt(sp.sin(u)) * sp.tan(w * sp.sqrt(sp.sin(u)) - sp.atan(k / sp.sqrt(sp.sin(u)))) * sp.cos(v)
+    found = simplified(expr)
+    assert found.free_symbols == expr.free_symbols
+    assert simplified(found - expr) == 0
+
+
 def test_terms_over_one_sum_are_found_to_cancel() -> None:
     assert expanded((u + v) / (4 * (m + k) ** 3) - u / (4 * (m + k) ** 3) - v / (2 * (m + k) ** 3) / 2) == 0
     assert expanded(u * (v + 2) / 2 / (m + k) - u * v / 2 / (m + k)) == u / (m + k)

@@ -83,15 +83,19 @@ def _as_letters(expr: sp.Expr) -> sp.Expr:
         return _worked(expr) if isinstance(expr, TrigonometricFunction) else _plainest(expr, factored)
     letters: dict[sp.Expr, sp.Symbol] = {k: _letter(k) for k in sorted(_kernels(expr), key=sp.default_sort_key)}
     plain = expr.xreplace(letters)
+    turned: dict[sp.Expr, sp.Symbol] = {}
     if plain.has(TrigonometricFunction):
         functions = plain.atoms(TrigonometricFunction)
         angles = {f.args[0] for f in functions}
         if any(a.is_Add for a in angles) and _unrelated(angles):
             known = {f: f.func(_angle(f.args[0])) for f in functions}
-            letters |= {a: _angle(a) for a in angles}
+            turned = {a: _angle(a) for a in angles}
             plain = plain.xreplace(known)
         plain = _worked(plain)
-    return plain.xreplace({letter: e for e, letter in letters.items()})
+    # The angles first: they hold letters of roots.
+    for own in (turned, letters):
+        plain = plain.xreplace({letter: e for e, letter in own.items()})
+    return plain
 
 
 def _rational(expr: sp.Expr) -> bool:
