@@ -10,7 +10,12 @@ from answered import first, solve
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Undecided
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.structure import load_text
 from planar_cli.solve.instant.roots import real_roots
+from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.solve.where_asked import where_asked
 
 CARTS = """
 title: Two carts drawn at one place of a track
@@ -77,5 +82,16 @@ def test_points_that_coincide_are_no_fault() -> None:
 
 def test_a_curve_of_a_point_that_the_joints_do_not_let_move_so() -> None:
     assert solve(BOOM % "A")["curve"].curve is not None
-    with pytest.raises(Undecided, match=r"the derivative of the place is .*, the joints give"):
+    with pytest.raises(Disagreement, match=r":10: B: the derivative of the place is .*, the joints give") as error:
         solve(BOOM % "B")
+    assert [d.code for d in error.value.diagnostics] == ["PL722"]
+
+
+def test_what_is_not_decided_has_a_place() -> None:
+    def never(problem: Problem, case: str) -> PartSolution:
+        raise Undecided(f"too hard{case}")
+
+    problem, _ = load_text(CARTS, "carts.yaml")
+    assert problem is not None
+    with pytest.raises(Undecided, match=r"^carts.yaml:13: `v_1`, `v_2` \(case far\): not decided, too hardfar$"):
+        where_asked(never, problem, "far")

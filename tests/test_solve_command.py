@@ -211,7 +211,7 @@ def test_time_limit_on_the_command_line(run: Any, monkeypatch: pytest.MonkeyPatc
 def test_a_time_limit_tells_what_was_being_worked_on(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("planar_cli.solve.run.solve_part", hang)
     ran = run("solve good.yaml --timeout 0.5")
-    assert "not decided within 0.5 s: the answers were being sought; it may help to give numbers" in ran.err
+    assert ":10: not decided within 0.5 s: the answers were being sought; it may help to give numbers" in ran.err
 
 
 @pytest.mark.parametrize(

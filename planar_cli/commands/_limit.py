@@ -57,10 +57,10 @@ def time_limit(seconds: float) -> Iterator[None]:
         yield
         return
 
-    work: list[str] = []
+    work: list[tuple[str, str]] = []
 
     def stop(number: int, frame: FrameType | None) -> None:
-        work.append(at_work(frame))
+        work.append((place_of(frame), at_work(frame)))
         raise _TimeIsUp
 
     before = signal.signal(signal.SIGALRM, stop)
@@ -68,10 +68,27 @@ def time_limit(seconds: float) -> Iterator[None]:
     try:
         yield
     except _TimeIsUp:
-        raise Undecided(f"not decided within {seconds:g} s: {work[0]}; --timeout allows more") from None
+        place, what = work[0]
+        raise Undecided(f"{place}not decided within {seconds:g} s: {what}; --timeout allows more") from None
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+def place_of(frame: FrameType | None) -> str:
+    """The line of what is asked in the part of the file that a frame works on, "FILE:LINE: "; "": there is none yet."""
+    from planar_cli.problem.scene import Problem
+
+    found = ""
+    while frame is not None:
+        problem = frame.f_locals.get("problem")
+        if isinstance(problem, Problem):
+            line = problem.find[0].mark.line if problem.find else 1
+            found = f"{problem.file}:{line}: "
+            if frame.f_globals.get("__name__") == "planar_cli.solve.run":
+                return found
+        frame = frame.f_back
+    return found
 
 
 def at_work(frame: FrameType | None) -> str:

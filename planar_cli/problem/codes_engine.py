@@ -113,6 +113,12 @@ _ENGINE = {
         "does without. One of them is not fulfilled, so nothing is printed as an answer. The message says which: a "
         "relation of the file there, or a part of the drawing, is usually at odds with the rest."
     ),
+    "PL722": (
+        "An answer is worked out by two roads, and they lead to different values: the scene is put together once more "
+        "as a plain multibody system, or the places that the file writes are differentiated beside what the joints "
+        "say. Nothing is printed as an answer. Usually the file can be read in two ways: a point that belongs to two "
+        "bodies which no joint holds together there is one point of the drawing, and two points as soon as they move."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

@@ -42,7 +42,7 @@ from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_t
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
-from planar_cli.solve.static_alone import whatever_kinetic
+from planar_cli.solve.where_asked import where_asked
 
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
 AT_ONCE = "PL528"
@@ -74,11 +74,11 @@ def _solved(problem: Problem, method: str | None) -> Solution:
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
     if problem.find:
-        parts.append(with_angles_put_in(whatever_kinetic(_part, problem, "", units, {})))
+        parts.append(with_angles_put_in(where_asked(_part, problem, "", units, {})))
     for case in problem.cases:
         letters = {s.name for s in case.problem.symbols} | {"g"} - {s.name for s in case.problem.given}
         fit = {n: e for n, e in earlier.items() if {s.name for s in e.value.free_symbols} <= letters}
-        part = with_angles_put_in(whatever_kinetic(_part, case.problem, case.name, units, fit))
+        part = with_angles_put_in(where_asked(_part, case.problem, case.name, units, fit))
         parts.append(part)
         for found in part.found:
             if (exact := _exact(found)) is not None:

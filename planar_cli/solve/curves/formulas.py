@@ -37,7 +37,7 @@ from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.curves.unsigned import divided, unsigned
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.placed import told_throughout
-from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.instant.verify import differs
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.passages import Passage, Tale, beside, sides_of
 from planar_cli.solve.regimes.differentiated import differentiated, rates_put_in
@@ -210,7 +210,8 @@ class FormulaReader:
         for before, after in zip(raw, parts, strict=True):
             one, other = value.known(self.regime.closed(before.xreplace(rates))), value.known(after)
             if one is not None and other is not None and abs(one - other) > AGREE * max(abs(one), Decimal("1e-20")):
-                raise Disagreement(f"{find.name}: the formula gives {other:.6g}, what it was worked out from {one:.6g}")
+                text = f"{find.name}: the formula gives {other:.6g}, what it was worked out from {one:.6g}"
+                raise differs(find.mark, text)
 
     def _check_points(self, find: Find, what: Quantity) -> None:
         """The points of a curve move as the joints let them, where these may say something else than the places."""
@@ -228,9 +229,8 @@ class FormulaReader:
         for ours, theirs in zip(raw, _values(find, self.regime.general.quantities), strict=True):
             one, other = value(self.regime.closed(ours.xreplace(rates))), value(theirs)
             if abs(one - other) > AGREE * max(abs(one), abs(other), Decimal("1e-20")):
-                raise Disagreement(
-                    f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}"
-                )
+                text = f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}"
+                raise differs(find.mark, text)
         self.compared += len(raw)
 
     def closed(self, expr: sp.Expr, find: Find) -> sp.Expr:

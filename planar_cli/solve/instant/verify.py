@@ -12,7 +12,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
-from planar_cli.errors import NOWHERE, Diagnostic, NoSolution, Undecided
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import Outcome
@@ -21,6 +21,12 @@ from planar_cli.solve.multibody.motion import Agreement, second_road
 
 AGREE = Decimal("1e-20")
 TINY_SHARE = Decimal("1e-12")
+MOST_TOLD = 3
+"""So many of the values that differ are told."""
+TWO_WAYS = (
+    "the file may be read in two ways: does a point belong to two bodies that no joint holds together there? If not, "
+    "please report it with the file"
+)
 
 
 class Disagreement(Undecided):
@@ -67,8 +73,22 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
             raise NoSolution([Diagnostic(denied.mark, "PL607", text, hint)])
         raise _left_over(system, left, residual)
     if not agreement.holds:
-        raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
+        raise _differs(system, agreement)
     return Checks(count, residual, agreement if system.scene.bodies else None)
+
+
+def differs(mark: Mark, text: str) -> Disagreement:
+    """The refusal of what two roads tell differently."""
+    return Disagreement(f"{mark.file}:{mark.line}: {text}", (Diagnostic(mark, "PL722", text, TWO_WAYS),))
+
+
+def _differs(system: System, agreement: Agreement) -> Disagreement:
+    """The same of an instant, with the first of the values that differ."""
+    problem = system.scene.problem
+    mark = problem.find[0].mark if problem.find else Mark(problem.file, 1, 1)
+    more = len(agreement.disagreements) - MOST_TOLD
+    told = "; ".join(agreement.disagreements[:MOST_TOLD]) + (f"; and {more} more" if more > 0 else "")
+    return differs(mark, f"the scene as a multibody system has another solution: {told}")
 
 
 def _off(condition: Condition, numbers: Valuation) -> bool:
