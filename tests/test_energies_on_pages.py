@@ -25,9 +25,22 @@ def page(stem: str) -> str:
     ("ex-4-17", "v_B,2 = 2 l θ̇_2 sin θ_2 = 0.5 θ̇_2"),
     ("ex-4-17", "1/2 m v_G,AB,2² + 1/2 I_AB θ̇_2²"),
     ("ex-4-10", "y_AB,1 = 1/2 l sin θ_1 + y_A,1 = 1/2 · 0.4 sin(-45°) + 0.2828 = 0.1414 m"),
+    ("box-that-tips-over", "m g (y_G,2 - y_G,3) = 40 · 9.81 (0.5 - 0.5831) = -32.61 J"),
+    ("ex-4-10", "v_G,2 = 1/2 l ω_2 B is the instantaneous centre of AB"),
+    ("two-hinged-bars-that-collapse", "v_G,BC,2 = -1/2 l θ̇_2 C is the instantaneous centre of BC"),
+    ("toppling-pole-that-stops-pressing", "T_2 = 1/2 m v_G,2² + 1/2 I ω_2² = 1/6 m l² ω_2²"),
     ("collar-with-a-slanting-spring", "stretch of the spring coil, δ_2 = √(d² + s_2²) - l_0 = "),
 ])  # fmt: skip
 def test_what_an_energy_is_made_of_has_a_line(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("exercise-4-32", "W = M θ_2 = 0.4500 · 62.83 = 28.27 J"),
+    ("crate-winched-up-a-slope", "F (s_2 - s_1) = 320 (5 - 0) = 1600 J"),
+    ("spinning-wheel-set-down", "Q = ∫[t_1 → t_2] (-μ m g (v_G + R ω)) dt"),
+])  # fmt: skip
+def test_a_constant_force_times_its_way_is_no_integral(stem: str, line: str) -> None:
     assert line in page(stem)
 
 
@@ -129,3 +142,11 @@ def test_equations_that_are_counted_are_those_that_are_named() -> None:
     """Not `3 equations` below four numbers."""
     assert "(1), (3), (4), 3 unknowns: a_G, α, k_G" in page("ex-4-05")
     assert "3 equations, 3 unknowns: a_G, α, F_C" in page("ex-4-05")
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-09", "(6) θ̈ = ω_2²/(2 θ_2) = 2² / (2 · 3) = 0.6667 rad/s² F = (M + m_A g R + (m k_O² + m_A R²) θ̈)/r"),
+    ("exercise-4-32", "M = 1/3 m l² θ̈ = 1/3 · 5 · 1.5² · 0.1200 = 0.4500 N·m"),
+])  # fmt: skip
+def test_an_acceleration_that_speeds_tell_comes_before_its_force(stem: str, line: str) -> None:
+    assert line in page(stem)

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
@@ -154,7 +155,7 @@ class AskedTelling:
 
     def _line(self, asked: Request, part: Part, span: SpanIntegral | None) -> Iterator[Block]:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
-        formula = part.expr
+        formula = part.expr if span is None or longer(part.expr, SHORT) else factor_terms(part.expr)
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
         values: list[Value] = []
         if phrases.has_numbers(formula) and asked.unit is not None:

@@ -93,9 +93,14 @@ class BetweenTelling:
         first, last = f"{law.letter}__{b.since}", f"{law.letter}__{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
         amounts = [(body, put) for body, amount in b.amounts if (put := self._put(amount)) != 0]
-        for i, bodies in told_of_each(amounts).items() if len(b.amounts) > 1 else ():
-            yield Equation((line(Name(last), f" of {bodies}"), self.phrases.math(amounts[i][1])))
-        yield Equation((line(Name(last)), self.phrases.math(after)))
+        telling = EnergyTelling(b, self.unknowns, self.phrases, self.plain, set(), ())
+        for i, bodies in told_of_each(amounts).items():
+            each = f" of {bodies}" if len(b.amounts) > 1 else ""
+            put = amounts[i][1]
+            own = [body for body, e in amounts if e == put]
+            yield from telling.in_letters(own, put, line(Name(last), each))
+        if len(b.amounts) > 1 or not amounts:
+            yield Equation((line(Name(last)), self.phrases.math(after)))
         brought = [(words, put) for words, e in b.brought if (put := self._put(e)) != 0]
         for i, words in weights_of_each(brought).items():
             yield Equation((line(Name(law.bring), f" of the {words}"), self.phrases.math(brought[i][1])))

@@ -107,6 +107,30 @@ class EnergyTelling(EnergyPieces):
         self.letters[f"T of {body}"] = put if self._short(put) else None if texts else formula
         yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
 
+    def in_letters(self, bodies: Sequence[str], put: sp.Expr, lead: Line) -> Iterator[Block]:
+        """T of one body, or of each of several, at the end where everything is a letter, after the speeds:
+        T = m v_G²/2 + I ω²/2 = formula.
+        """
+        moving = self.balance.parts.moving if self.balance.parts is not None else ()
+        told = [(made, list(self._speeds(made))) for made in moving if made.body in bodies]
+        exprs = [expr for _, speeds in told for _, _, expr in speeds]
+        at_sight = all(len(speeds) == 1 for _, speeds in told) and all((e**2).args[:1][0].is_Symbol for e in exprs)
+        if not exprs or at_sight or any(longer(e, SHORT) for e in exprs):
+            yield Equation((lead, self.phrases.math(put)))
+            return
+        for made, speeds in told:
+            why = line(made.why) if made.why else ()
+            for kind, own, expr in speeds:
+                if own != expr and (kind == "v" or not (expr**2).args[:1][0].is_Symbol):
+                    sides = (Math(own), self.phrases.math(self._signed(expr)))
+                    yield Equation(sides, None, note=why if kind == "v" else ())
+        made, speeds = told[0]
+        masses = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}
+        formula = sp.Add(*(masses[kind] * own**2 / 2 for kind, own, _ in speeds), evaluate=False)
+        # Of equal bodies the letters of one would not do for the others.
+        formulas = (self.phrases.math(formula),) if len(told) == 1 else ()
+        yield Equation((lead, *formulas, self.phrases.math(put)))
+
     def _by_others(self, expr: sp.Expr) -> bool:
         """Is a speed more than the size of the one that is sought or known?"""
         return not (expr.is_Symbol or (isinstance(expr, sp.Abs) and expr.args[0].is_Symbol))
@@ -272,14 +296,14 @@ class EnergyTelling(EnergyPieces):
     def _factor(self, made: Storage, dimension: Dimension) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
         """m g or k; a number, where letters alone do not make it."""
         if is_clean(self.phrases.ledger, made.factor, dimension=dimension):
-            return made.factor, {}
+            return self.phrases.neat(made.factor), {}
         number = sp.Symbol(f"{NUMBER}factor", positive=True)
         return number, {number: self.phrases.of_dimension(self.phrases.value(made.factor), dimension).number}
 
     def _lettered(self, told: sp.Expr, factor: Mapping[sp.Symbol, Decimal]) -> Math:
         """A formula of heights or stretches."""
-        texts = {s: significant(x, self.phrases.figures) for s, x in factor.items()}
-        return Math(told, texts) if texts else self.phrases.math(told)
+        # Of heights the later one is taken from the earlier one, whichever is the greater.
+        return Math(told, {s: significant(x, self.phrases.figures) for s, x in factor.items()})
 
     def _spring(self, made: Storage, put: sp.Expr, lead: Line, several: bool, each: str) -> Iterator[Block]:
         """k (s_1² - s_2²)/2, the stretches in lines of their own, each once."""

@@ -110,12 +110,12 @@ class EnergyPieces:
         return (*formulas, *(self.phrases.substituted(put, value) if formulas else ()), value)
 
     def _about_axis(self, put: sp.Expr) -> sp.Expr | None:
-        """I_A ω²/2 of a body that turns about a fixed point A, where lengths are numbers of the file; None: it does
-        not, or nothing on the page has defined I_A.
+        """I_A ω²/2 of a body that turns about a fixed point A, where lengths are numbers of the file or I_A is a sum
+        in letters; None: it does not, or nothing on the page has defined I_A.
         """
         ledger = self.phrases.ledger
         speeds = [s for s in put.free_symbols if s in ledger.units and ledger.units[s].dimension == RATE]
-        if len(speeds) != 1 or is_clean(ledger, put, dimension=ENERGY):
+        if len(speeds) != 1 or (not put.has(sp.Add) and is_clean(ledger, put, dimension=ENERGY)):
             return None
         factor = 2 * put / speeds[0] ** 2
         if simplified(factor).free_symbols & {speeds[0]}:
@@ -165,6 +165,8 @@ class EnergyPieces:
     ) -> tuple[Any, ...]:
         """A formula with heights or stretches as numbers. `factor`: of one that is a number already."""
         sizes = dict(factor)
+        if not all(self.phrases.has_numbers(expr) for expr in ends.values()):
+            return ()
         for own, expr in ends.items():
             listed = own in self.phrases.ledger.units
             sizes[own] = self.phrases.value(expr) if listed else self._value(expr, parse_unit("m")).number

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -140,7 +141,12 @@ def _constant_value(law: Law, letter: sp.Symbol, phrases: Phrases) -> Any:
     """The number of a rate that does not change."""
     if law.f == letter:
         return phrases.shown(letter, phrases.value(letter))
-    return Value(phrases.value(law.f), f"{_unit(law, phrases)}/s{'^2' if law.order == 2 else ''}", phrases.figures)
+    return rate_value(law, phrases.value(law.f), phrases)
+
+
+def rate_value(law: Law, number: Decimal, phrases: Phrases) -> Value:
+    """The number of a velocity or acceleration of a coordinate with its unit."""
+    return Value(number, f"{_unit(law, phrases)}/s{'^2' if law.order == 2 else ''}", phrases.figures)
 
 
 def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, law: Law | None) -> Math:

@@ -46,6 +46,7 @@ from planar_cli.report.origins import (
 from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
+from planar_cli.report.rate_first import rate_first
 from planar_cli.report.results import numbered
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.times_given import times_given
@@ -184,6 +185,11 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self.number())
                 return
+            if single and (first := list(rate_first(e, leg, route, self.numeric, self.next))):
+                yield from self._law(e)
+                yield Paragraph(head(e, self.found.ledger.symbols))
+                self.next += 1
+                return (yield from first)
             if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))

@@ -9,7 +9,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
+from planar_cli.equation.common_factors import factor_terms
+from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer
 from planar_cli.equation.setup import ANGULAR_IMPULSE
 from planar_cli.problem.dimensions import Lookup, dimension_of
@@ -79,7 +80,11 @@ class SpanTelling:
         name, *rest = last if isinstance(last[0], tuple) else ((), *last)
         whole = None if turns or any(p.how == "blow" for p in pieces) else self._whole(found, shown)
         first = () if whole is None else (whole,)
-        if whole is None and len(pieces) > 1:
+        told = any(isinstance(side, Math) and not side.values for side in rest)
+        if told and len(last) > 1 and all(map(self._is_steady, pieces)):
+            # A constant force times the way, a constant rate times the time.
+            first = ()
+        elif whole is None and len(pieces) > 1:
             for piece, math in zip(pieces, shown, strict=True):
                 yield Equation((math, self._number(found, piece)))
         if turns:
@@ -90,6 +95,18 @@ class SpanTelling:
         yield Equation(sides, None, lead, note)
         if turns and found.dated:
             yield Result(line("it turns at ", *_times(turns)))
+
+    def _is_steady(self, piece: Piece) -> bool:
+        """Is the integrand constant, or a velocity times a constant?"""
+        if piece.how == "blow" or piece.turns or piece.formula is None:
+            return False
+        roles, time = self.phrases.ledger.roles, sp.Symbol("t", real=True)
+        moving = {time, *self.varying}
+        speeds = [s for s in piece.integrand.free_symbols & moving if s in roles and roles[s].kind is Kind.SPEED]
+        rates = [sp.diff(piece.integrand, s) for s in speeds]
+        rest = piece.integrand.xreplace(dict.fromkeys(speeds, sp.S.Zero))
+        steady = not any(e.free_symbols & moving for e in (*rates, rest))
+        return steady and len(speeds) <= 1 and not (speeds and rest)
 
     def _whole(self, found: SpanIntegral, shown: list[Math]) -> Math | None:
         """The few integrals in one formula."""
@@ -124,6 +141,7 @@ class SpanTelling:
         """The formula of a quantity where it is short, and its value."""
         formula = found.formula
         short = formula is not None and not longer(formula, 2 * SHORT)
+        formula = factor_terms(formula) if short else formula
         kind = dimension_of(found.quantity, self.lookup)
         clean = short and (self.phrases.symbolic or is_clean(self.phrases.ledger, formula, dimension=kind.dimension))
         shown = (self.phrases.math(formula),) if clean else ()

@@ -84,7 +84,7 @@ class Phrases:
         nothing is to be put in, or so few figures as a page has would give another result. `sizes`: of symbols that
         stand for numbers in it already; `turns`: it may be an angle.
         """
-        if not self.has_numbers(expr):
+        if not all(self.has_numbers(s) for s in expr.free_symbols - set(sizes or ())):
             return None
         expr = self.neat(self.met(expr)) if sizes is None else expr
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]

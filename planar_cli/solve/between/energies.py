@@ -6,6 +6,7 @@ T = m v_G²/2 + I ω²/2        U = m g (y_1 - y_2)        U = k (s_1² - s_2²)
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -14,6 +15,7 @@ from planar_cli.principles.base import EnergyParts, Moving, Storage, Stored
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.regimes.timeline import Stop
 
 
 def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> EnergyParts | None:
@@ -22,7 +24,8 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
         return None
     names = [s.name for s in course.states]
     acting = course.regimes[names.index(b.since.name) : names.index(b.stop.name)]
-    moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in b.law.moving)
+    own = (m if m.why else replace(m, why=_centre(m, acting[-1], b.stop, value)) for m in b.law.moving)
+    moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in own)
     found = []
     for words, brought in b.brought:
         # What ends on the way is no source of the last regime.
@@ -32,6 +35,24 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
                 found += _storage(words, brought, stored, regime, b, value)
                 break
     return EnergyParts(moving, tuple(found))
+
+
+def _centre(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
+    """The point of a turning body that is at rest in the state, in words; "": it has none, or does not turn there."""
+    system = regime.general.trial.system
+    motion, scene = system.motion, system.scene
+
+    def rests(*speeds: sp.Expr) -> bool:
+        return all(value.vanishes(stop.at(regime.closed(e))) for e in speeds)
+
+    if motion is None or m.inertia == 0 or rests(m.omega):
+        return ""
+    for point, owners in scene.owners.items():
+        if m.body in owners and point != m.center:
+            v = motion.velocity(scene.point(point), m.body)
+            if rests(v.x, v.y):
+                return f"{point} is the instantaneous centre of {m.body}"
+    return ""
 
 
 def _stored(course: StatedMotion, regime: Regime, b: StateBalance, words: str) -> Stored | None:
