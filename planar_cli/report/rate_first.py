@@ -26,7 +26,7 @@ def rate_first(e: Relation, leg: RouteStep, route: RouteTrace, phrases: Phrases,
         return
     rate = sp.Symbol(f"{law.coordinate.symbol.name}_ddot", real=True)
     slope = sp.diff(law.f, r.unknown)
-    if slope == 0 or slope.has(r.unknown) or law.f.is_Symbol:
+    if slope.is_number or slope.has(r.unknown):
         return
     force = simplified((rate - law.f.xreplace({r.unknown: sp.S.Zero})) / slope)
     residual = e.residual.xreplace({r.unknown: force})
