@@ -185,11 +185,11 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self.number())
                 return
-            if single and (first := list(rate_first(e, leg, route, self.numeric, self.next))):
+            if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next))):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 self.next += 1
-                return (yield from first)
+                return (yield from by_rate)
             if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))

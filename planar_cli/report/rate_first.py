@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from planar_cli.equation.plain import expanded, longer, simplified
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Math
 from planar_cli.report.laws import rate_value
 from planar_cli.report.origins import is_steady
