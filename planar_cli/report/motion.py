@@ -34,6 +34,7 @@ from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     head,
     is_explicit,
+    is_handed_on,
     is_steady,
     letter_of,
     needed_results,
@@ -176,7 +177,7 @@ class MotionTelling:
             if told := [number for law, number in self.aims if law == e.source]:
                 numbers += told
                 continue
-            if single and e.kind == "link" and self._is_handed_on(leg.results[0]):
+            if single and e.kind == "link" and is_handed_on(leg.results[0]):
                 yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words))
                 return
             if single and is_explicit(e, leg, self.found.ledger):
@@ -186,9 +187,8 @@ class MotionTelling:
                 yield Equation(self._chain(leg.results[0]), self.number())
                 return
             if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next))):
-                yield from self._law(e)
-                yield Paragraph(head(e, self.found.ledger.symbols))
                 self.next += 1
+                yield from self._law(e)
                 return (yield from by_rate)
             if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
                 yield from self._law(e)
@@ -239,11 +239,6 @@ class MotionTelling:
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
                 yield Equation((found.left, found.right), None, lead, found.note)
-
-    @staticmethod
-    def _is_handed_on(r: Result) -> bool:
-        """Does a letter only keep its value of the state before?"""
-        return r.formula is not None and (r.formula.is_Symbol or r.formula.is_number)
 
     def _solved(self, leg: RouteStep, r: Result, route: RouteTrace) -> list[Math]:
         """The numbers that give a letter, where its equation is linear in it or in its square."""

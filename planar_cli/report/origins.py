@@ -193,6 +193,11 @@ def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:
     return e.span is not None and e.span.explicit is not None and letter_of(e, ledger) == result.unknown
 
 
+def is_handed_on(r: trace.Result) -> bool:
+    """Does a letter only keep its value of the state before?"""
+    return r.formula is not None and (r.formula.is_Symbol or r.formula.is_number)
+
+
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
     """The letter that a relation between states gives, by its kind."""
     span = e.span

@@ -8,9 +8,9 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Math
+from planar_cli.report.blocks import Block, Equation, Math, Paragraph
 from planar_cli.report.laws import rate_value
-from planar_cli.report.origins import is_steady
+from planar_cli.report.origins import head, is_steady
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Relation, RouteStep, RouteTrace
 
@@ -39,6 +39,7 @@ def rate_first(e: Relation, leg: RouteStep, route: RouteTrace, phrases: Phrases,
     if not phrases.has_numbers(told) or phrases.value.known(told) is None:
         return
     value = rate_value(law, phrases.value(told), phrases)
+    yield Paragraph(head(e, phrases.ledger.symbols))
     yield Equation((Math(rate), phrases.math(told), *phrases.substituted(told, value), value), number)
     shown = phrases.shown(r.unknown, r.value)
     sizes = {rate: value.number, **{s: phrases.value(s) for s in force.free_symbols - {rate}}}
