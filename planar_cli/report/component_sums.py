@@ -13,7 +13,7 @@ from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 
-MOST_TERMS = 5
+MOST_TERMS = 6
 """Two components with more terms together are read off the vectors."""
 
 NOTHING = Decimal("1e-12")

@@ -49,7 +49,7 @@ def in_numbers(
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
     dimension = dimension or common_dimension(phrases.ledger, left, right)
-    writer = _Collected(frozenset(unknowns), phrases)
+    writer = Collected(frozenset(unknowns), phrases)
     before, after = writer.terms(left), writer.terms(right)
     if before is None or after is None:
         return None
@@ -63,7 +63,7 @@ def amount_in_numbers(expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
     """One amount collected in its unknowns; None where `in_numbers` has none."""
     if not all(phrases.has_numbers(s) or s in unknowns for s in expr.free_symbols):
         return None
-    writer = _Collected(frozenset(unknowns), phrases)
+    writer = Collected(frozenset(unknowns), phrases)
     terms = writer.terms(expr)
     return None if terms is None else writer.side(terms, max(map(abs, terms.values()), default=Decimal(0)))
 
@@ -82,7 +82,7 @@ def solved_for(
         return None
     if phrases.value.is_zero(symbol):
         return None
-    terms = _Collected(frozenset(unknowns), phrases).terms(left - right) or {}
+    terms = Collected(frozenset(unknowns), phrases).terms(left - right) or {}
     (power, *more) = [m for m in terms if symbol in m.free_symbols] or (None,)
     if power is None or more:
         return None
@@ -126,7 +126,7 @@ def _apart(
     return {m: sense * c for m, c in whole.items()}, {sp.S.One: sense * number}
 
 
-class _Collected:
+class Collected:
     """Sides of one equation in its unknowns."""
 
     def __init__(self, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -13,7 +14,9 @@ from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
+from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.projected import difference_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -21,7 +24,7 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, TIME, VELOCITY, Dimension, pretty_unit
 
-NAMED, MOST = 16, 24
+NAMED, MOST = 16, 40
 """An acceleration or an equation of forces with more operations is in numbers from the start."""
 LONGEST = 30
 """A solution with more operations is not written as a formula where its equation can have numbers instead."""
@@ -49,6 +52,8 @@ class NumericTelling:
     def __init__(self, phrases: Phrases, stages: Collection[Stage] = ()) -> None:
         self.phrases = phrases
         self._put: set[tuple[int, int]] = set()
+        self.components: dict[tuple[int, int], tuple[Decimal, ...]] = {}
+        """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
         """Stages whose kinematic relations are all in numbers, because one of them has to be."""
 
@@ -106,15 +111,15 @@ class NumericTelling:
         if (
             found is None
             or self.phrases.symbolic
-            or len(sides) != 2
+            or len(sides) not in (2, 3)
             or not all(isinstance(side, Math) for side in sides)
         ):
             return ()
-        letter, number = (sides[0], sides[1]) if sides[0].expr == found.symbol else (sides[1], sides[0])
+        letter, number = (sides[0], sides[-1]) if sides[0].expr == found.symbol else (sides[-1], sides[0])
         size = number.expr.as_coeff_Mul()[1]
         if letter.expr != found.symbol or not (number.expr.is_Number or size in (number.values or ())):
             return ()
-        return letter, self.phrases.shown(found.symbol, found.value)
+        return letter, *sides[1:-1], self.phrases.shown(found.symbol, found.value)
 
     def told(self, w: Written, stage: Stage) -> None:
         """An equation stands on the page with its numbers."""
@@ -174,7 +179,32 @@ class NumericTelling:
         # In the derivative of what the file gives, a number may hide a unit: a distance for each radian.
         hidden = w.source == "given" and w.times and self._dimension(w, stage) is None
         bare = hidden and not is_clean(self.phrases.ledger, left, right)
-        return (found.left, found.right), () if bare else _unit_note(found, self.phrases)
+        note = () if bare else _unit_note(found, self.phrases)
+        if apart and found.right.expr != 0 and w.source != "given":
+            whole = self._number_of(w, stage, left - right, unknowns, found.right.expr.could_extract_minus_sign())
+            return (found.left, *([] if whole is None else [whole]), found.right), note
+        return (found.left, found.right), note
+
+    def _number_of(
+        self, w: Written, stage: Stage, residual: sp.Expr, unknowns: Collection[sp.Symbol], negative: bool
+    ) -> Math | None:
+        """What the number of a relation is made of: the components that were told before it, or its products."""
+        sizes = self.components.get((id(stage.algebra), w.number), ())
+        if not sizes:
+            return opened_number(residual, unknowns, self.phrases, negative)
+        number = abs(self.phrases.value(residual.xreplace(dict.fromkeys(unknowns, sp.S.Zero))))
+        return difference_of(sizes, -number if negative else number, self.phrases.figures)
+
+    def opened(self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr]) -> tuple[Any, ...]:
+        """The sides of an equation of forces or moments that stands in numbers, before its terms are collected; empty
+        where they say nothing more.
+        """
+        if not self.put_whole(w, stage):
+            return ()
+        explicit, unknowns = stage.algebra.explicit, {*stage.algebra.unknowns, *stage.zero} - self._data(stage)
+        inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        left, right = (sp.sympify(s).xreplace(inside) for s in sides)
+        return opened_sides((left, right), unknowns, self.phrases)
 
     def _length(self, w: Written) -> sp.Expr:
         """The length of the vector along which a component was taken; the sense in which its terms are positive."""

@@ -35,10 +35,12 @@ Known = tuple[str, Vec]
 
 class Told(Protocol):
     """A telling of vector equations. `given`: unknowns that the file gives as numbers; `valued`: what has its value on
-    the page.
+    the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components.
     """
 
     given: set[sp.Symbol]
+    zero: frozenset[sp.Symbol]
+    components: tuple[Decimal, ...]
     valued: set[str]
     phrases: Phrases
     system: System
@@ -52,7 +54,7 @@ def is_known(told: Told, vector: Vec, level: str) -> bool:
     tree, inside = told.system.tree, vector.x.free_symbols | vector.y.free_symbols
     open_yet = set(tree.velocity_unknowns()) if level == "velocity" else set(tree.acceleration_unknowns())
     sure = not told.phrases.symbolic and told.phrases.has_numbers(vector.x + vector.y)
-    return bool(told.given) and sure and not inside & (open_yet - told.given)
+    return bool(told.given) and sure and not inside & (open_yet - told.given - told.zero)
 
 
 def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:
@@ -68,13 +70,14 @@ def value_of(told: Told, body: str, at: Vec, level: str) -> Line:
     return told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
 
 
-def projected(told: Told, j: Joining, w: Written, level: str, name: str) -> Iterator[Block]:
+def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]:
     """The components of what is known of a point that slides along a straight line of a body, across that line."""
     if j.base == GROUND or j.path is None or j.path.curvature != 0 or w.along is None or j.rolling is not None:
         return
     own = vector_at(told, j.mover, j.point, level)
     if not is_known(told, own, level):
         return
+    name = f"{level[0]}_{j.place.replace('_', ',')}"
     known, spin = [(name, own)], told.motion.velocities[j.base].angular
     if level != "velocity" and spin != 0:
         relative, _ = told.system.quantities().seen_from(j.place, j.base)
@@ -86,8 +89,28 @@ def projected(told: Told, j: Joining, w: Written, level: str, name: str) -> Iter
         return
     fresh = f"n {j.base}" not in told.valued
     told.valued.add(f"n {j.base}")
-    yield from _along(Vec(*w.along), f"unit vector across {j.base}", known, RATES[level], told.phrases, fresh)
+    lines = list(_along(Vec(*w.along), f"unit vector across {j.base}", known, RATES[level], told.phrases, fresh))
+    if not lines:
+        return
+    sizes = (b.sides[-1] for b in lines if isinstance(b, Equation))
+    told.components = tuple(v.number for v in sizes if isinstance(v, Value))
+    yield from lines
     yield from beside
+
+
+def difference_of(sizes: Sequence[Decimal], number: Decimal, figures: int) -> Math | None:
+    """-1.450 - (-1.393): the component of the first vector without those of the others; None: it is not `number`, but
+    for its sense.
+    """
+    whole = sizes[0] - sum(sizes[1:], Decimal(0))
+    if len(sizes) < 2 or abs(abs(whole) - abs(number)) > NEARLY * max(map(abs, sizes)):
+        return None
+    sense = 1 if (whole < 0) == (number < 0) else -1
+    figures = figures_of(sizes, lambda x: x[0] - sum(x[1:], Decimal(0)), figures)
+    letters = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in range(len(sizes))]
+    texts = {s: significant(x, figures) for s, x in zip(letters, sizes, strict=True)}
+    terms = [sense * s if i == 0 else -sense * s for i, s in enumerate(letters)]
+    return Math(sp.Add(*terms, evaluate=False), texts)
 
 
 def _along(

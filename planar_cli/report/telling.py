@@ -255,19 +255,19 @@ class Telling:
         if w.law == "single":
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
         w = onward(w)
-        sides, note = self.numeric.sides(w, stage, self.principle.sides(w.left, w.right))
+        whole = self.principle.sides(w.left, w.right)
+        sides, note = self.numeric.sides(w, stage, whole)
         group = ", ".join(w.bodies)
         if w.law == "moment":
-            return [
-                Paragraph(moment_words(self.system, self.phrases, w, stage)),
-                Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"), note),
-            ]
-        lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
-        sides = self._with_zero(w, stage, sides)
-        return [
-            Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w, stage), ":")),
-            Equation(sides, number, lead, note),
-        ]
+            head = Paragraph(moment_words(self.system, self.phrases, w, stage))
+            lead = line("↺ ", Name(f"ΣM_{w.lead}"), ":")
+        else:
+            head = Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w, stage), ":"))
+            lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
+            sides = self._with_zero(w, stage, sides)
+        if parts := self.numeric.opened(w, stage, whole):
+            return [head, Equation(parts, number, lead, note), Equation(sides, None, line("collected:"), note)]
+        return [head, Equation(sides, number, lead, note)]
 
     def _with_zero(self, w: Written, stage: Stage, sides: tuple[Any, ...]) -> tuple[Any, ...]:
         """0 = m a_x, so that a_x = 0: of a direction in which nothing acts this is all there is to solve."""
@@ -299,6 +299,8 @@ class Telling:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         level = level_of(w, stage, self.scene.ledger)
         words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w)))]
+        if any(isinstance(b, Equation) for b in words):
+            self.numeric.components[id(stage.algebra), w.number] = self.vectors.components
         words = [*vector_before(w, self.vectors, level), *words]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]

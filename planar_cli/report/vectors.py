@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -24,7 +25,7 @@ from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.projected import projected, unit_of, value_of
-from planar_cli.report.spoken import spoken
+from planar_cli.report.spoken import begun, spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
@@ -57,6 +58,7 @@ class VectorTelling:
         """Unknowns that the file gives as numbers."""
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
+        self.components: tuple[Decimal, ...] = ()
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -79,8 +81,8 @@ class VectorTelling:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
             return [*self._reach(joining, level), Paragraph(line(*self._taut(joining, level), ":"))]
-        reach = self._reach(joining, level)
-        known = projected(self, joining, w, level, f"{level[0]}_{index_of(joining.place)}")
+        reach, self.components = self._reach(joining, level), ()
+        known = projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
@@ -154,10 +156,9 @@ class VectorTelling:
             return self._rolls(j, w, level)
         if j.base == GROUND and j.path is None:
             return line(f"{place} is fixed, ", own, " = 0; ", side)
-        if j.base == GROUND and j.path is not None and j.path.curvature == 0:
-            return line(f"{place} moves along a straight line; across it ", own, " = 0")
-        if j.base == GROUND and level == "velocity":
-            return line(f"{place} moves along its path; across it ", own, " = 0")
+        if j.base == GROUND and j.path is not None and (j.path.curvature == 0 or level == "velocity"):
+            way = "a straight line" if j.path.curvature == 0 else "its path"
+            return line(f"{place} moves along {way}; across it ", own, " = 0")
         if j.base == GROUND:
             at_rest = all(self.phrases.value.is_zero(p) for p in self._velocity(j))
             why = line(" = 0, as long as ", Name(f"v_{place}"), " = 0") if at_rest else line(" is its normal part")
@@ -250,8 +251,7 @@ class VectorTelling:
             yield Paragraph(line(why, own, " has no part along it, only ", along, " across it"))
 
     def _called(self, j: Joining) -> str:
-        called = self.system.scene.problem.called(j.joint)
-        return f"{called[:1].upper()}{called[1:]}"
+        return begun(self.system.scene.problem.called(j.joint))
 
     def _slid(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The vector equation of what slides along a body that turns."""

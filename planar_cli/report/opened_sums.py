@@ -1,0 +1,134 @@
+"""What the numbers of an equation are made of: 15 · 9.81 · 0.6343 before 93.34.
+
+Lengths and angles of the figure are one number for each product of forces, masses, speeds and accelerations; every
+letter among these that is known has its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.records import record
+from planar_cli.report.blocks import Math
+from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.in_numbers import SMALL, Collected
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER, factor_key
+from planar_cli.report.words import Phrases
+from planar_cli.units import LENGTH, PURE
+
+MOST_TERMS, MOST_FACTORS = 6, 12
+"""A sum of more terms, or of more numbers in all, says less than its result."""
+
+
+@record
+class Term:
+    """A product: its sign, its numbers with their powers, the length or slope last where there is one (`scaled`: and it
+    is not alone), and what is still unknown.
+    """
+
+    sign: int
+    numbers: tuple[tuple[Decimal, int], ...]
+    rest: sp.Expr
+    scaled: bool
+
+    def turned(self) -> tuple[tuple[Decimal, int], ...]:
+        """The numbers with the length first."""
+        return (self.numbers[-1], *self.numbers[:-1]) if self.scaled else self.numbers
+
+
+def opened_sides(sides: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> tuple[Math, ...]:
+    """Both sides of an equation of forces or moments as sums of products of numbers and unknowns, the arm behind the
+    force. Empty: no force has an arm or a slope, they would be too long, or their terms cannot be told.
+    """
+    found = [_terms(side, frozenset(unknowns), phrases) for side in sides]
+    terms = [t for own in found if own is not None for t in own]
+    if any(own is None for own in found) or not _tells(terms):
+        return ()
+    return tuple(_written(own or [], phrases) for own in found)
+
+
+def opened_number(residual: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, negative: bool) -> Math | None:
+    """The number of a relation, residual = 0, all of whose unknowns stand on the other side, with lengths first: r ω².
+    `negative`: that is the sign of it there. None: it says nothing, or cannot be told.
+    """
+    terms = [t for t in _terms(residual, frozenset(unknowns), phrases) or () if t.rest == 1]
+    if not _tells(terms):
+        return None
+    turned = (_worked(terms, [n for t in terms for n, _ in t.numbers]) < 0) != negative
+    return _written([replace(t, sign=-t.sign if turned else t.sign, numbers=t.turned()) for t in terms], phrases)
+
+
+def _tells(terms: Sequence[Term]) -> bool:
+    """Is there a length or a slope beside another number, and are the sums short enough?"""
+    counted = sum(len(t.numbers) for t in terms)
+    return any(t.scaled for t in terms) and len(terms) <= MOST_TERMS and counted <= MOST_FACTORS
+
+
+def _written(terms: Sequence[Term], phrases: Phrases) -> Math:
+    enough = _figures([t for t in terms if t.rest == 1], phrases.figures)
+    texts: dict[sp.Symbol, str] = {}
+    parts = []
+    for i, t in enumerate(terms):
+        figures = enough if t.rest == 1 else _figures([t], phrases.figures)
+        own = []
+        for j, (number, power) in enumerate(t.numbers):
+            symbol = sp.Symbol(f"{NUMBER}{i}{j}", real=True)
+            texts[symbol] = significant(number, figures)
+            own.append(symbol**power)
+        factors = [*([sp.Integer(-1)] if t.sign < 0 else []), *own, *([] if t.rest == 1 else [t.rest])]
+        parts.append(sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0])
+    return Math(sp.Add(*parts, evaluate=False) if len(parts) > 1 else (parts or [sp.S.Zero])[0], texts)
+
+
+def _terms(expr: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> list[Term] | None:
+    """The terms of a sum, without those that are the rounding of the largest."""
+    ledger = phrases.ledger
+    kinds = {s: ledger.units[s].dimension for s in expr.free_symbols if s in ledger.units}
+    active = {s for s, kind in kinds.items() if kind not in (PURE, LENGTH)}
+    if not all(phrases.has_numbers(s) or s in unknowns for s in expr.free_symbols):
+        return None
+    found = Collected(unknowns | active, phrases).terms(expr)
+    if found is None:
+        return None
+    sizes = {m: abs(c) * _size(m, unknowns, phrases) for m, c in found.items()}
+    largest = max(sizes.values(), default=Decimal(0))
+    terms: list[Term] = []
+    for monomial, coefficient in found.items():
+        if sizes[monomial] <= SMALL * largest:
+            continue
+        known, rest = monomial.as_independent(*unknowns, as_Add=False)
+        powers_of = sorted(known.as_powers_dict().items(), key=lambda item: factor_key(item[0]))
+        numbers = [(phrases.value(b), int(e)) for b, e in powers_of if b != 1]
+        plain = significant(abs(coefficient), phrases.figures) == "1"
+        scaled = not plain and bool(numbers)
+        if not plain or not (numbers or rest != 1):
+            numbers.append((abs(coefficient), 1))
+        terms.append(Term(-1 if coefficient < 0 else 1, tuple(numbers), rest, scaled))
+    return terms
+
+
+def _size(monomial: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> Decimal:
+    known, _ = monomial.as_independent(*unknowns, as_Add=False)
+    return abs(phrases.value(known))
+
+
+def _figures(terms: Sequence[Term], figures: int) -> int:
+    """How many figures the numbers need, so that they give the sum that stands behind them."""
+    counted = [n for t in terms for n, _ in t.numbers]
+    return figures_of(counted, lambda values: _worked(terms, values), figures) if counted else figures
+
+
+def _worked(terms: Sequence[Term], values: Sequence[Decimal]) -> Decimal:
+    """The sum, with these numbers in their order."""
+    left, total = list(values), Decimal(0)
+    for t in terms:
+        product = Decimal(t.sign)
+        for _, power in t.numbers:
+            product *= left.pop(0) ** power
+        total += product
+    return total

@@ -1,0 +1,58 @@
+"""A number in an equation of numbers has a line that says what it is made of."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def _page(name: str) -> str:
+    return Terminal(width=140).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        # Of moments, forces times arms, then collected.
+        (
+            "friction/ladder-sliding",
+            [
+                "15 · 9.81 · 0.6343 = 20 α - 15 · 1.826 α + 15 · 1.724 a_A",
+                "collected:   93.34 = -7.389 α + 25.86 a_A",
+            ],
+        ),
+        # Of a relation between velocities or accelerations, lengths times what was found before.
+        (
+            "kinematics/four-bar",
+            ["0.3783 ω_DC = 0.1103 (-10) = -1.103", "0.5 · 2.578² + 0.1668 (-10)² - 0.13 (-2.916)²"],
+        ),
+        # Where components of known vectors stand before it, these.
+        ("textbook/ex-2-09", ["0.4619 ω_AB = -0.4309", "0.4619 α_AB = -1.44973 - (-1.39282) = -0.05691"]),
+        # A constant angular velocity leaves a known acceleration.
+        (
+            "kinematics/quick-return",
+            ["a_P = -ω_crank² r_P/O = [-5.074, -1.847] m/s²", "0.4253 α_arm = 4.1756 - 1.8675"],
+        ),
+        # All components of a point of a body.
+        ("kinematics/slider-crank-offset", ["[-40.60 - (-0.1066) · 159.9 - 0.2804 (-5.761)², 0]"]),
+    ],
+)
+def test_where_a_number_comes_from(name: str, lines: list[str]) -> None:
+    page = _page(name)
+    for told in lines:
+        assert told in page
+
+
+def test_letters_stand_where_they_fill_a_line() -> None:
+    """An equation of letters with plain factors is not put in numbers for its length alone."""
+    assert "√2/4 m g L + √2/2 m_A g L = I_bar α - √2/4 m a_A L - √2/2 m_A a_A L" in _page("textbook/ex-4-16")
+
+
+def test_a_weight_alone_is_worked_out_at_once() -> None:
+    page = _page("rigid-bodies/boom-when-its-rope-breaks")
+    assert "-98.1 + A_y" in page
+    assert page.count("collected:") <= 2
