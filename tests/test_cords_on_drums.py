@@ -158,6 +158,13 @@ def test_a_sheave_whose_rim_the_cord_does_not_touch_is_refused(old: str, new: st
         solve(text.replace(old, new))
 
 
+@pytest.mark.parametrize(("old", "new"), [("h: 40 in", "h: -40 in"), ("under sheave", "over sheave")])
+def test_a_cord_that_passes_a_sheave_on_the_other_side_is_refused(old: str, new: str) -> None:
+    text = (ROOT / "problems/kinematics/differential-hoist.yaml").read_text(encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"leaves drum at T1 on the other side of sheave: as drawn it runs"):
+        solve(text.replace(old, new))
+
+
 DRUM = """
 title: Drum that is turned by a cord
 plane: vertical

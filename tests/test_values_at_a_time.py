@@ -87,15 +87,13 @@ def test_lines(text: str, lines: tuple[str, ...]) -> None:
     assert "Hence" not in page
 
 
-@pytest.mark.parametrize(("command", "status"), [("solve", 3), ("simulate", 1)])
-def test_no_state_is_before_the_first(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str, status: int
-) -> None:
+@pytest.mark.parametrize("command", ["solve", "simulate"])
+def test_no_state_is_before_the_first(tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str) -> None:
     file = tmp_path / "slider.yaml"
     file.write_text(
         "plane: vertical\npoints: {A: [0, 0]}\nbodies: {b: {particle: A, mass: 2 kg}}\n"
         "joints: [{guide: {point: A, along: 0 deg}}]\n"
         "states: {1: [t = 0, r(A).x = 0, v(A).x = 1 m/s], 2: [t = -10 s]}\nfind: {x: r(A).x @ 2}\n"
     )
-    assert cli.run([command, str(file)]) == status
-    assert "state 2 is at t = -10 s, before the motion begins at t = 0 s" in "".join(capsys.readouterr())
+    assert cli.run([command, str(file)]) == 1
+    assert "PL723 state 2 is at t = -10 s, before the motion begins at t = 0 s" in "".join(capsys.readouterr())

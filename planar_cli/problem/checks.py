@@ -44,6 +44,7 @@ from planar_cli.problem.check_values import answers_are_numbers, letters_grow_sl
 from planar_cli.problem.check_vectors import vectors_are_vectors
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.shared_points import shared_points_are_held
 from planar_cli.problem.unused import check_unknowns
 
 Check = Callable[[Scope], Iterator[Diagnostic]]
@@ -69,6 +70,7 @@ CHECKS: tuple[Check, ...] = (
     moments_act_on_bodies_with_size,
     coordinates_move_something,
     points_of_joints_are_carried,
+    shared_points_are_held,
     instant_or_states,
     statements_in_place,
     blows_have_spans,

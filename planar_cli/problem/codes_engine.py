@@ -29,7 +29,7 @@ _ENGINE = {
     "PL704": (
         "A motion is followed from a state in which all places and velocities are known. Say in the first state "
         "what is missing: `at rest`, or the velocities of the bodies that are free to move. It is followed from there "
-        "on: no state may be at an earlier time."
+        "on."
     ),
     "PL705": (
         "A motion is followed in numbers, so that every letter needs one: move it from `symbols` or `unknowns` to "
@@ -118,6 +118,10 @@ _ENGINE = {
         "as a plain multibody system, or the places that the file writes are differentiated beside what the joints "
         "say. Nothing is printed as an answer. Usually the file can be read in two ways: a point that belongs to two "
         "bodies which no joint holds together there is one point of the drawing, and two points as soon as they move."
+    ),
+    "PL723": (
+        "A motion is followed from its first state on, at t = 0 where that gives no time: no other state is at an "
+        "earlier one. Often a minus sign slipped in."
     ),
 }
 

@@ -202,6 +202,11 @@ _PHYSICS = {
         "for that body, or for another particle; a pin holds it where it is."
     ),
     "PL466": "A particle has no size and no angle, so that no moment turns it. Name the body that turns.",
+    "PL467": (
+        "A point of two bodies is one point as long as a joint holds them together there. Of bodies that turn about "
+        "a pin elsewhere, or of which a pin holds only some, it is two points as soon as they move: name a second "
+        "one at the same place."
+    ),
 }
 
 CODES_STRUCTURE: Mapping[str, str] = MappingProxyType({**_FORM, **_NAMES, **_PHYSICS})

@@ -259,7 +259,8 @@ def _demand_later(problem: Problem, schedule: Schedule, t: float) -> None:
         if event.time is not None and event.time < t:
             mark = next(s.mark for s in problem.states if s.name == event.name)
             text = f"state {event.name} is at t = {event.time:g} s, before the motion begins at t = {t:g} s"
-            raise NoSolution([Diagnostic(mark, "PL704", text, "a motion is followed from its first state on")])
+            hint = "give it a later time, or give the first state an earlier one"
+            raise NoSolution([Diagnostic(mark, "PL723", text, hint)])
 
 
 def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) -> Run:

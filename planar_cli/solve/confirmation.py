@@ -62,8 +62,8 @@ NOT_BEGUN = {
     "PL707": "outlines meet in ways that are not followed",
 }
 """The same of its beginning."""
-NOT_DRAWN = "PL609"
-"""The first state is not as drawn, which no solution makes good."""
+NOT_TO_MEND = ("PL609", "PL723")
+"""The first state is not as drawn, or another one lies before it, which no solution makes good."""
 
 
 def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, Earlier]) -> Confirmation:
@@ -159,7 +159,7 @@ def _unable(problem: Problem, found: tuple[Found, ...], refused: FileProblem | N
     """The motion could not begin to be followed. Disagreement: nothing that is known keeps it from that."""
     first = refused.diagnostics[0]
     why = NOT_BEGUN.get(first.code) if isinstance(refused, FileProblem) else None
-    if first.code == NOT_DRAWN:
+    if first.code in NOT_TO_MEND:
         raise refused
     if why is None:
         text = f"{first.mark.file}:{first.mark.line}: the motion can not be followed as it was solved: {first.message}"

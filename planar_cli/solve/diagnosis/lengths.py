@@ -25,8 +25,8 @@ Length = tuple[Body, str, str, Side]
 """A rod, its two points, and its length."""
 Cord = tuple[Round, str, str, Mark]
 """A round body, its name, the point where a cord leaves it, and where that is said."""
-Line = tuple[Round, str, str, RopeStop, str, Mark]
-"""A round body, its name, the point where a cord leaves it, where the cord leads to, what it is called, and where."""
+Line = tuple[Round, str, tuple[RopeStop, ...], str, Mark]
+"""A round body, its name, the stops of a cord from where it leaves that on, what the cord is called, and where."""
 
 
 def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
@@ -74,9 +74,9 @@ def _lines(problem: Problem) -> Iterator[Line]:
         path: tuple[RopeStop, ...] = getattr(joint, "path", ())
         if not path or getattr(joint, "along", None) is not None:
             continue
-        for drum, other in ((path[0], path[1]), (path[-1], path[-2])):
-            if drum.body in drums:
-                yield drums[drum.body], drum.body, drum.name, other, joint.called, joint.mark
+        for stops in (path, path[::-1]):
+            if stops[0].body in drums:
+                yield drums[stops[0].body], stops[0].body, stops, joint.called, joint.mark
 
 
 def _unfit(scene: Scene, body: Body, start: str, end: str, side: Side) -> Diagnostic | None:
@@ -114,8 +114,8 @@ def _off_rim(scene: Scene, shape: Round, body: str, point: str, mark: Mark) -> D
 
 def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
     """A cord leaves a rim at right angles to the radius: what it leads to lies on this line, or has its rim there."""
-    shape, body, rim, stop, cord, mark = line
-    other = stop.name
+    shape, body, (start, stop, *_), cord, mark = line
+    rim, other = start.name, stop.name
     value = scene.valuations[0]
     arm, reach = scene.point(rim) - scene.point(shape.center), scene.point(other) - scene.point(rim)
     inward = sp.sympify(reach.dot(arm))
@@ -125,7 +125,7 @@ def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
         return None
     aside = abs(abs(value(inward)) / value(sp.sympify(arm.dot(arm))).sqrt() - value(radius))
     if aside <= ROUNDED * value(sp.sympify(reach.dot(reach))).sqrt():
-        return None
+        return _other_way(scene, line, value(inward)) if radius else None
     there = f"the rim of {pulley}" if radius else other
     text = f"{cord} leaves {body} at {rim} at right angles to the radius there, and {there} is not on that line"
     if not scene.ledger.symbolic:
@@ -133,6 +133,25 @@ def _off_tangent(scene: Scene, line: Line) -> Diagnostic | None:
     return Diagnostic(
         mark, "PL522", text, f"draw {other} on that line, or {rim} where the cord to {other} leaves the rim"
     )
+
+
+def _other_way(scene: Scene, line: Line, inward: Decimal) -> Diagnostic | None:
+    """A cord passes a pulley on the side on which its part from the drum touches the rim. `inward`: the arm of the rim
+    point times the way from there to the centre of the pulley.
+    """
+    shape, _, (start, stop, after, *_), cord, mark = line
+    rim, center = scene.point(start.name), scene.point(stop.name)
+    arm, value = rim - scene.point(shape.center), scene.valuations[0]
+    ahead, turn = sp.sympify((scene.point(after.name) - rim).x), sp.sympify((center - rim).cross(arm))
+    if scene.rests_on_sought(ahead) or scene.rests_on_sought(turn):
+        return None
+    # The centre lies to the left of what runs on from the drum where these two have one sign.
+    left = inward * value(turn) > 0
+    if left == ((value(ahead) > 0) == (stop.way == "under")):
+        return None
+    other = "over" if stop.way == "under" else "under"
+    text = f"{cord} leaves {start.body} at {start.name} on the other side of {stop.name}: as drawn it runs {other} it"
+    return Diagnostic(mark, "PL522", text, f"write `{other} {stop.name}`, or correct a place")
 
 
 def _shown(scene: Scene, value: Decimal, side: Side) -> str:
