@@ -1,6 +1,6 @@
-"""The outer command line: finds the commands on their shelf, runs one, and turns what happens into an exit status.
+"""The outer command line: finds a command on the shelf, runs it, and turns what happens into an exit status.
 
-No command is imported before it is run, so that `planar --help` stays quick.
+What is written as usual is read here (`options.py`), all else by click (`by_click.py`).
 """
 
 from __future__ import annotations
@@ -12,76 +12,40 @@ import io
 import os
 import sys
 from collections.abc import Sequence
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
-import click
-
-from planar_cli import __version__
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
-from planar_cli.help_page import ABOUT, commands
+from planar_cli.options import Command, WrongUsage
 from planar_cli.problem.show import harmless
 from planar_cli.registry import modules
+from planar_cli.streams import echo
+
+if TYPE_CHECKING:
+    import click
 
 SOLVED, DISAGREES, BAD, UNDECIDED, FAULT = range(5)
 INTERRUPTED = 130
+COMPLETE = "_PLANAR_COMPLETE"
+"""Set where a shell asks for completions."""
 UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)
 """How writing to an open stream fails: a full disk, a quota, a limit of its size, a broken device."""
-
-
-class CommandShelf(click.Group):
-    """A group whose commands are the modules of the folder `commands`."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return [name.replace("_", "-") for name in modules("commands")]
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in self.list_commands(ctx):
-            return None
-        module = importlib.import_module(f"planar_cli.commands.{cmd_name.replace('-', '_')}")
-        command: click.Command = module.command
-        return command
-
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        known = self.list_commands(ctx)
-        if args and args[0] not in known and not args[0].startswith("-"):
-            from difflib import get_close_matches
-
-            near = get_close_matches(args[0], known, n=1, cutoff=0.5)
-            hint = f" Did you mean '{near[0]}'?" if near else f" There are {', '.join(known)}."
-            raise click.UsageError(f"There is no command '{args[0]}'.{hint}", ctx)
-        return super().resolve_command(ctx, args)
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """The commands with the first line of their docstrings, read from the files without importing them."""
-        with formatter.section("Commands"):
-            formatter.write_dl(list(commands().items()))
-
-
-@click.group(cls=CommandShelf, context_settings={"help_option_names": ["-h", "--help"]}, help="\n\n".join(ABOUT))
-@click.version_option(__version__, prog_name="planar")
-def cli() -> None:
-    """The group of all commands."""
 
 
 def run(args: Sequence[str] | None = None) -> int:
     """Run the command line; returns its exit status and never lets a traceback out, unless PLANAR_DEBUG is set."""
     _open_streams()
+    line = sys.argv[1:] if args is None else list(args)
     try:
-        status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
-        return status if isinstance(status, int) else SOLVED
-    except click.exceptions.Exit as leave:
-        return leave.exit_code
-    except click.Abort:
-        return INTERRUPTED
-    except click.ClickException as error:
-        shown = io.StringIO()
-        error.show(file=shown)
-        click.echo(harmless(shown.getvalue()), err=True, nl=False)
-        return BAD
+        return _run(line, args is None)
+    except WrongUsage as error:
+        from planar_cli.by_click import wrong_usage
+
+        return _refused(wrong_usage(line[0], str(error)))
     except PlanarError as error:
         return tell(error)
+    except (EOFError, KeyboardInterrupt):
+        say("")
+        return INTERRUPTED
     except BrokenPipeError:
         # The reader of a pipe has left (`planar list | head`); nobody is there to be told.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -94,6 +58,55 @@ def run(args: Sequence[str] | None = None) -> int:
         return BAD
     except Exception as error:
         return tell_fault(error)
+
+
+def _run(line: Sequence[str], own: bool) -> int:
+    """Run a command; `own`: its line is that of this process."""
+    command = _declared(line)
+    values = None if command is None else command.read(line[1:])
+    if command is None or values is None:
+        return _by_click(None if own else line)
+    return command(**values)
+
+
+def _declared(line: Sequence[str]) -> Command | None:
+    """The command that a line begins with, if it can be run without click."""
+    # Elsewhere click completes file names with wildcards, and a shell may ask how a line goes on.
+    if os.name != "posix" or COMPLETE in os.environ:
+        return None
+    module = {name.replace("_", "-"): name for name in modules("commands")}.get(line[0] if line else "")
+    if module is None:
+        return None
+    command = importlib.import_module(f"planar_cli.commands.{module}").command
+    return command if isinstance(command, Command) else None
+
+
+def _by_click(args: Sequence[str] | None) -> int:
+    """Run the line by click."""
+    import click
+
+    from planar_cli.by_click import cli
+
+    try:
+        status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
+        return status if isinstance(status, int) else SOLVED
+    except click.exceptions.Exit as leave:
+        return leave.exit_code
+    except click.Abort:
+        return INTERRUPTED
+    except SystemExit:
+        # So click leaves where the reader of a pipe has left.
+        return SOLVED
+    except click.ClickException as error:
+        return _refused(error)
+
+
+def _refused(error: click.ClickException) -> int:
+    """Tell what is wrong with a line."""
+    shown = io.StringIO()
+    error.show(file=shown)
+    echo(harmless(shown.getvalue()), err=True, end="")
+    return BAD
 
 
 def _open_streams() -> None:
@@ -123,7 +136,7 @@ def tell_fault(error: Exception) -> int:
 def say(text: str) -> None:
     """Print a line on standard error, whatever stands in it; where nothing can be written nobody is to be told."""
     with contextlib.suppress(OSError):
-        click.echo(harmless(text, kept=""), err=True)
+        echo(harmless(text, kept=""), err=True)
 
 
 def tell(error: PlanarError) -> int:

@@ -6,11 +6,10 @@ import os
 import sys
 from collections.abc import Iterable, Mapping
 
-import click
-
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.nodes import text_of
 from planar_cli.problem.show import show_diagnostic, visible
+from planar_cli.streams import echo
 
 
 def use_colour() -> bool:
@@ -28,12 +27,14 @@ def show_all(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str] | Non
         if file not in texts:
             texts[file] = text_of(file)
         shown = _coloured(show_diagnostic(diagnostic, texts[file]), diagnostic.code)
-        click.echo(shown, err=True, color=use_colour())
+        echo(shown, err=True, colour=use_colour())
 
 
 def _coloured(shown: str, code: str) -> str:
     if not use_colour():
         return shown
+    import click
+
     head, line_end, rest = shown.partition("\n")
     return head.replace(code, click.style(code, fg="red", bold=True), 1) + line_end + rest
 

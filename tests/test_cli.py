@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 import pytest
 
-from planar_cli import cli, help_page
+from planar_cli import by_click, cli, help_page
 from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, NoSolution, PlanarError, Undecided
 from planar_cli.manual import pages, topics
 from planar_cli.problem.codes import CODES
@@ -62,13 +62,13 @@ def test_help_lists_the_commands(capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.parametrize("columns", [50, 60, 72, 80, 100])
 def test_the_help_page_is_that_of_click(columns: int) -> None:
-    context = click.Context(cli.cli, info_name="planar", terminal_width=min(columns - 2, help_page.WIDEST))
-    assert help_page.page(min(columns - 2, help_page.WIDEST)) == cli.cli.get_help(context)
+    context = click.Context(by_click.cli, info_name="planar", terminal_width=min(columns - 2, help_page.WIDEST))
+    assert help_page.page(min(columns - 2, help_page.WIDEST)) == by_click.cli.get_help(context)
 
 
 def test_every_command_has_a_short_help_and_a_page(capsys: pytest.CaptureFixture[str]) -> None:
-    context = click.Context(cli.cli)
-    for name in cli.cli.list_commands(context):
+    context = click.Context(by_click.cli)
+    for name in by_click.cli.list_commands(context):
         assert help_page.commands()[name]
         assert cli.run([name, "--help"]) == 0
     assert "Usage: planar validate" in capsys.readouterr().out

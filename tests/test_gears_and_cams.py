@@ -10,7 +10,7 @@ import sympy as sp
 from answered import assert_close, solve
 from click.testing import CliRunner
 
-from planar_cli.cli import cli
+from planar_cli.by_click import cli
 
 PLANETS = """
 title: Two planets between a sun and a ring

@@ -15,7 +15,7 @@ import click
 import pytest
 from conftest import ROOT
 
-from planar_cli import cli
+from planar_cli import by_click
 from planar_cli.problem.structure import load_text
 
 README = ROOT / "README.md"
@@ -70,7 +70,7 @@ def test_two_commands_install_by_themselves() -> None:
 
 
 def test_every_command_is_in_the_table() -> None:
-    for name in cli.cli.list_commands(click.Context(cli.cli)):
+    for name in by_click.cli.list_commands(click.Context(by_click.cli)):
         assert f"| `planar {name}" in readme()
 
 

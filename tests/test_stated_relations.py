@@ -11,7 +11,7 @@ import sympy as sp
 from answered import assert_close, solve
 from click.testing import CliRunner
 
-from planar_cli.cli import cli
+from planar_cli.by_click import cli
 from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem

@@ -6,10 +6,9 @@ import os
 import stat
 from pathlib import Path
 
-import click
-
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import harmless
+from planar_cli.streams import echo
 
 DEVICES = (("/", "dev"), ("/", "proc"))
 NO_FILE = "it is a pipe or a device, no ordinary file; leave `-o` out and write `> FILE` behind the command"
@@ -22,7 +21,7 @@ def write(text: str, output: str | None, styled: bool = False) -> None:
     """
     shown = text if styled else harmless(text)
     if output in (None, "-"):
-        click.echo(shown, nl=False)
+        echo(shown, end="")
         return
     _replace(Path(output or ""), shown.encode())
 

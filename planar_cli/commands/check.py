@@ -13,9 +13,10 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from planar_cli import cli
+from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import command as declared
+from planar_cli.streams import echo
 
 if TYPE_CHECKING:
     from planar_cli.homework.checking import Checked
@@ -32,18 +33,18 @@ NO_ANSWERS = "no answers"
 COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad file": "red"}
 
 
-@click.command(help=__doc__)
-@click.argument("files", nargs=-1, required=True)
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text", help="How to print.")
-@click.option("--jobs", type=click.IntRange(1), help="Worker processes; as many as there are cores.")
-@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+@declared(help=__doc__)
+@argument("files")
+@option("--format", "form", type=Choice(["text", "json"]), default="text", help="How to print.")
+@option("--jobs", type=IntRange(1), help="Worker processes; as many as there are cores.")
+@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], form: str, jobs: int | None, timeout: float) -> int:
     """Check all files and print a table."""
     from planar_cli.homework.checking import check_files
     from planar_cli.problem.files import problem_files
 
     if "-" in files:
-        raise click.UsageError("check reads files and folders; `planar solve -` reads standard input")
+        raise WrongUsage("check reads files and folders; `planar solve -` reads standard input")
     paths = list(problem_files(files))
     checked = check_files(paths, jobs or os.cpu_count() or 1, timeout, _progress(len(paths)))
     if form == "json":
@@ -61,7 +62,7 @@ def _progress(total: int) -> Callable[[int], None]:
     def told(done: int) -> None:
         if sys.stderr.isatty():
             end = "\r\033[K" if done == total else ""
-            click.echo(f"\r{done} of {total} problems checked{end}", nl=False, err=True)
+            echo(f"\r{done} of {total} problems checked{end}", err=True, end="")
 
     return told
 
@@ -87,7 +88,7 @@ def _print_table(checked: Sequence[Checked]) -> None:
         return
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     for path, outcome, answers, seconds in rows:
-        click.echo(f"{path:<{widths[0]}}  {outcome:<{widths[1]}}  {answers:>{widths[2]}}  {seconds:>{widths[3]}} s")
+        echo(f"{path:<{widths[0]}}  {outcome:<{widths[1]}}  {answers:>{widths[2]}}  {seconds:>{widths[3]}} s")
 
 
 def _print_rich(checked: Sequence[Checked], rows: Sequence[tuple[str, ...]]) -> None:
@@ -110,7 +111,7 @@ def _print_differences(checked: Sequence[Checked]) -> None:
     for one in checked:
         wrong = [v.message for v in one.verdicts if not v.agrees]
         for message in wrong or ([one.message] if one.message and not one.diagnostics else []):
-            click.echo(visible(f"{one.path}: {message}"), err=True)
+            echo(visible(f"{one.path}: {message}"), err=True)
         show_all(one.diagnostics)
 
 
@@ -119,7 +120,7 @@ def _print_count(checked: Sequence[Checked]) -> None:
     counts = ", ".join(f"{outcomes.count(o)} {o}" for o in (*STATUS, NO_ANSWERS) if o in outcomes)
     answers = [v.agrees for c in checked for v in c.verdicts]
     compared = f"{sum(answers)} of {len(answers)} answers agree" if answers else "nothing to compare"
-    click.echo(f"{len(checked)} problem{'s' if len(checked) != 1 else ''}: {counts}; {compared}")
+    echo(f"{len(checked)} problem{'s' if len(checked) != 1 else ''}: {counts}; {compared}")
 
 
 def _print_json(checked: Sequence[Checked]) -> None:
@@ -143,4 +144,4 @@ def _print_json(checked: Sequence[Checked]) -> None:
                 "seconds": round(one.seconds, 3),
             }
         )
-    click.echo(dumps({"files": files}), nl=False)
+    echo(dumps({"files": files}), end="")

@@ -14,7 +14,7 @@ from click.shell_completion import get_completion_class
 @click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
 def command(shell: str) -> int:
     """Print the script."""
-    from planar_cli.cli import cli
+    from planar_cli.by_click import cli
 
     completion = get_completion_class(shell)
     if completion is None:

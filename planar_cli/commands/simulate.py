@@ -12,12 +12,12 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from planar_cli import cli
 from planar_cli.commands._limit import time_limit
 from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError
+from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import command as declared
 from planar_cli.registry import modules
 
 if TYPE_CHECKING:
@@ -28,29 +28,29 @@ STATUS = {"followed": cli.SOLVED, "contradicted": cli.DISAGREES, "not followed":
 OUTPUTS = ("table", "csv", "json", "npz")
 
 
-@click.command(help=__doc__)
-@click.argument("files", nargs=-1, required=True)
-@click.option("--until", metavar="TIME", help="Where the motion ends: `10 s`, `2 min`, or seconds.")
-@click.option("--stop", "stops", multiple=True, metavar="RELATION", help="End where this holds: `y(ball) = 0`.")
-@click.option("-q", "--quantity", "quantities", multiple=True, metavar="[NAME=]QUANTITY", help="A column of the table.")
-@click.option("--at", "times", multiple=True, metavar="TIME", help="A row at this time; may be repeated.")
-@click.option("--rows", type=click.IntRange(2, 1_000_000), help="How many rows; 21 in a table, else 201.")
-@click.option("--tolerance", type=click.FloatRange(1e-14, 0.1), default=1e-9, show_default=True, help="Of one step.")
-@click.option("--integrator", type=click.Choice(["auto", *modules("integrators")]), default="auto", help="The method.")
-@click.option("--step", metavar="TIME", help="A fixed step instead of one that follows the tolerance.")
-@click.option("--set", "values", multiple=True, metavar="NAME=VALUE", help="A number for a letter: `m=2 kg`.")
-@click.option("--case", "case", metavar="NAME", help="Only this case of the file.")
-@click.option("--without", multiple=True, metavar="EFFECT", help="Run without it too, and compare: friction, drag ...")
-@click.option("--effects", is_flag=True, help="Print which effects the scene calls for, and what they cost.")
-@click.option("--output", type=click.Choice(OUTPUTS), default="table", help="How to print.")
-@click.option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
-@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a file; 0: none.")
+@declared(help=__doc__)
+@argument("files")
+@option("--until", metavar="TIME", help="Where the motion ends: `10 s`, `2 min`, or seconds.")
+@option("--stop", "stops", multiple=True, metavar="RELATION", help="End where this holds: `y(ball) = 0`.")
+@option("-q", "--quantity", "quantities", multiple=True, metavar="[NAME=]QUANTITY", help="A column of the table.")
+@option("--at", "times", multiple=True, metavar="TIME", help="A row at this time; may be repeated.")
+@option("--rows", type=IntRange(2, 1_000_000), help="How many rows; 21 in a table, else 201.")
+@option("--tolerance", type=FloatRange(1e-14, 0.1), default=1e-9, show_default=True, help="Of one step.")
+@option("--integrator", type=Choice(["auto", *modules("integrators")]), default="auto", help="The method.")
+@option("--step", metavar="TIME", help="A fixed step instead of one that follows the tolerance.")
+@option("--set", "values", multiple=True, metavar="NAME=VALUE", help="A number for a letter: `m=2 kg`.")
+@option("--case", "case", metavar="NAME", help="Only this case of the file.")
+@option("--without", multiple=True, metavar="EFFECT", help="Run without it too, and compare: friction, drag ...")
+@option("--effects", is_flag=True, help="Print which effects the scene calls for, and what they cost.")
+@option("--output", type=Choice(OUTPUTS), default="table", help="How to print.")
+@option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
+@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a file; 0: none.")
 def command(files: tuple[str, ...], file: str | None, timeout: float, **options: Any) -> int:
     """Simulate each file; one that fails does not keep the others from being followed."""
     from planar_cli.simulate.request import request_of
 
     if options["output"] == "npz" and (file is None or len(files) > 1):
-        raise click.UsageError("npz holds numbers for programs: simulate one file, and write `-o motion.npz`")
+        raise WrongUsage("npz holds numbers for programs: simulate one file, and write `-o motion.npz`")
     request = request_of(**options)
     status, pieces = cli.SOLVED, []
     for path in files:

@@ -11,15 +11,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
-
-import click
 
 from planar_cli import cli
 from planar_cli.commands._limit import time_limit
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
+from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import command as declared
 from planar_cli.records import record
 from planar_cli.registry import members, modules
 
@@ -60,34 +59,34 @@ class Report:
     data: Mapping[str, Any] | None = None
 
 
-FIGURES = click.IntRange(1, LARGEST_FIGURES)
+FIGURES = IntRange(1, LARGEST_FIGURES)
 
 
-@click.command(help=__doc__)
-@click.argument("files", nargs=-1, required=True)
-@click.option("--format", "form", type=click.Choice(modules("formats")), default="terminal", help="How to print.")
-@click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
-@click.option("--method", type=click.Choice(modules("principles")), help="The principle to use, not that of the file.")
-@click.option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
-@click.option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
-@click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
-@click.option("--digits", type=FIGURES, help=f"As --figures: so many certain digits, at most {LARGEST_FIGURES}.")
-@click.option(
+@declared(help=__doc__)
+@argument("files")
+@option("--format", "form", type=Choice(modules("formats")), default="terminal", help="How to print.")
+@option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
+@option("--method", type=Choice(modules("principles")), help="The principle to use, not that of the file.")
+@option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
+@option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
+@option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
+@option("--digits", type=FIGURES, help=f"As --figures: so many certain digits, at most {LARGEST_FIGURES}.")
+@option(
     "--audience",
-    type=click.Choice(["exam", "student", "lesson"]),
+    type=Choice(["exam", "student", "lesson"]),
     default="student",
     help="As short as a key, worked out, or with words on each step.",
 )
-@click.option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
-@click.option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
-@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+@option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
+@option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
+@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     """Solve each file; one that fails does not keep the others from being solved."""
     wanted = Wanted(**options)
     if digits is not None:
         wanted = replace(wanted, figures=digits)
     if wanted.compare and (wanted.why or wanted.method):
-        raise click.UsageError("--compare looks at all methods; leave --method and --why out")
+        raise WrongUsage("--compare looks at all methods; leave --method and --why out")
     reports = [_report(path, wanted) for path in files]
     text = _joined(reports, wanted)
     if text:
@@ -124,7 +123,7 @@ def _report(path: str, wanted: Wanted) -> Report:
             return _compared(problem, wanted) if wanted.compare else _solved(problem, wanted)
     except PlanarError as error:
         return _failed(name, wanted, cli.tell(error), str(error), error)
-    except click.ClickException:
+    except WrongUsage:
         raise
     except Exception as error:
         return _failed(name, wanted, cli.tell_fault(error), f"{type(error).__name__}: {error}")
@@ -160,9 +159,11 @@ def _demand_find(problem: Problem, name: str | None) -> None:
     """Raise for --why with a name that the file does not ask for."""
     asked = [f.name for p in (problem, *(case.problem for case in problem.cases)) for f in p.find]
     if name is not None and name not in asked:
+        from difflib import get_close_matches
+
         near = get_close_matches(name, asked, n=1)
         hint = f"did you mean {near[0]}?" if near else f"it asks for {', '.join(asked)}"
-        raise click.UsageError(f"{problem.file} has no find '{name}'; {hint}")
+        raise WrongUsage(f"{problem.file} has no find '{name}'; {hint}")
 
 
 def _compared(problem: Problem, wanted: Wanted) -> Report:
