@@ -8,7 +8,7 @@ its fields are told by a twin that the standard library makes when they are firs
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from typing import Any, TypeVar, dataclass_transform
@@ -32,36 +32,39 @@ def _made(cls: type[T], frozen: bool) -> type[T]:
     if cls.__bases__ != (object,):
         # What a class inherits from others, the standard library sees to.
         return dataclass(frozen=frozen, slots=True)(cls)
-    own = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
-    members = {n: _field(own, n) for n, kind in own.get("__annotations__", {}).items() if not _of_class(kind)}
-    space: dict[str, Any] = {k: v for k, v in own.items() if k not in members}
-    space["__slots__"] = tuple(members)
-    space.setdefault("__match_args__", tuple(n for n, f in members.items() if f.init))
-    methods: dict[str, Any] = {**SHARED, **_comparisons([n for n, f in members.items() if f.compare])}
+    own = dict(cls.__dict__)
+    names = [n for n, kind in own.get("__annotations__", {}).items() if not _of_class(kind)]
+    written = {n: own.pop(n) for n in names if n in own}
+    special = {n: f for n, f in written.items() if isinstance(f, Field)}
+    del own["__dict__"], own["__weakref__"]
+    shared = FROZEN if frozen else SHARED
+    space = {**shared, **_comparisons([n for n in names if n not in special or special[n].compare]), **own}
     if not frozen:
-        methods = {n: m for n, m in methods.items() if n not in FROZEN} | {"__hash__": None}
-    made: Any = type(cls.__name__, (object,), {**methods, **space})
+        space["__hash__"] = own.get("__hash__")
+    space["__slots__"] = tuple(names)
+    space.setdefault("__match_args__", tuple([n for n in names if n not in special or special[n].init]))
+    made: Any = type(cls.__name__, (object,), space)
     made.__qualname__ = cls.__qualname__
     if "__init__" not in own:
-        made.__init__ = _first_time(made, members, frozen)
+        made.__init__ = _first_time(made, names, written, frozen)
     made.__dataclass_fields__ = _Told("__dataclass_fields__", made, cls, frozen)
     made.__dataclass_params__ = _Told("__dataclass_params__", made, cls, frozen)
     ours: type[T] = made
     return ours
 
 
-def _field(own: dict[str, Any], name: str) -> Field[Any]:
+def _field(written: Mapping[str, Any], name: str) -> Field[Any]:
     """What was written of a field."""
-    written = own.get(name, MISSING)
-    if isinstance(written, Field):
-        return written
-    plain: Field[Any] = field(default=written)
+    value = written.get(name, MISSING)
+    if isinstance(value, Field):
+        return value
+    plain: Field[Any] = field(default=value)
     return plain
 
 
 def _of_class(kind: object) -> bool:
     """Does an annotation tell something of the class, not a field?"""
-    return isinstance(kind, str) and kind.partition("[")[0].rpartition(".")[2] == "ClassVar"
+    return isinstance(kind, str) and kind.startswith(("ClassVar", "typing.ClassVar"))
 
 
 class _Told:
@@ -81,11 +84,11 @@ class _Told:
         return getattr(twin, self.name)
 
 
-def _first_time(made: Any, members: dict[str, Field[Any]], frozen: bool) -> Callable[..., None]:
+def _first_time(made: Any, names: Sequence[str], written: Mapping[str, Any], frozen: bool) -> Callable[..., None]:
     """`__init__`, which is compiled when it is first called."""
 
     def initialize(self: Any, *args: Any, **named: Any) -> None:
-        made.__init__ = _init(made, members, frozen)
+        made.__init__ = _init(made, {n: _field(written, n) for n in names}, frozen)
         made.__init__(self, *args, **named)
 
     return initialize
@@ -157,12 +160,5 @@ def _restore(self: Any, state: Sequence[Any]) -> None:
         object.__setattr__(self, f.name, value)
 
 
-SHARED: dict[str, Callable[..., Any]] = {
-    "__repr__": _shown,
-    "__setattr__": _set,
-    "__delattr__": _delete,
-    "__getstate__": _state,
-    "__setstate__": _restore,
-}
-FROZEN = {"__setattr__", "__delattr__"}
-"""Those of what cannot be changed."""
+SHARED: dict[str, Any] = {"__repr__": _shown, "__getstate__": _state, "__setstate__": _restore}
+FROZEN: dict[str, Any] = {**SHARED, "__setattr__": _set, "__delattr__": _delete}
