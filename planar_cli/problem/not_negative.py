@@ -1,13 +1,16 @@
-"""Constants under `unknowns` that can not be negative: friction, sizes, masses, springs, forces that may turn."""
+"""Constants under `unknowns` that can not be negative: friction, sizes, masses, springs, forces that may turn, and what
+stands squared only.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from planar_cli.problem.expression import Binary, Name, Number, Quantity, Scaled
+from planar_cli.problem.expression import Binary, Extreme, Name, Number, Quantity, Scaled
 from planar_cli.problem.scene import Body, Composite, Problem, Shape
 from planar_cli.problem.shapes import rim_of
-from planar_cli.problem.walk import walk
+from planar_cli.problem.unused import names_of
+from planar_cli.problem.walk import Tree, children, walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
@@ -32,13 +35,46 @@ def coefficients_in_letters(problem: Problem) -> frozenset[str]:
 
 def not_negative(problem: Problem) -> frozenset[str]:
     """The names of the unknowns that stand alone for friction, for a size, for a mass, for a spring or a damper, or for
-    a force of which the direction is sought as well; or for what the resistance of the air is in proportion to.
+    a force of which the direction is sought as well; or for what the resistance of the air is in proportion to. Of what
+    stands squared only, such as a speed in v^2/rho, the size is meant.
     """
     amounts = (getattr(body, key) for body in problem.bodies for key in AMOUNTS)
     sizes = (getattr(shape, key, None) for body in problem.bodies for shape in _shapes(body) for key in SIZES)
     rates = (getattr(load, key, None) for load in problem.loads for key in RATES)
     braking = (n for d in problem.loads if d.opposes for n in _in_proportion(getattr(d, "magnitude", None)))
-    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *rates, *_turned(problem), *braking))
+    named = _sought(problem, (*amounts, *sizes, *rates, *_turned(problem), *braking))
+    return limits_of_friction(problem) | named | _squared(problem)
+
+
+def _squared(problem: Problem) -> frozenset[str]:
+    """The names of the unknowns that all which is said of the scene holds in even powers alone."""
+    stated = [*problem.assume, *(law.statement for law in problem.motion), *(problem.instant or ())]
+    stated += [s for state in problem.states for s in state.relations]
+    # `v is smallest` asks for v, and says nothing of its sign.
+    said = [s for s in stated if not (isinstance(s, Extreme) and isinstance(s.side, Name))]
+    scene = (problem.points, problem.surfaces, problem.bodies, problem.joints, problem.loads)
+    values = [s.value for s in problem.given]
+    squares = [node for s in said for node in walk(s) if _is_square(node)]
+    held = {name for square in squares for name in names_of(square)}
+    plain = names_of((scene, values)) | {name for s in said for name in _outside_squares(s)}
+    return frozenset((held - plain) & {u.name for u in problem.unknowns})
+
+
+def _is_square(node: object) -> bool:
+    match node:
+        case Binary(operator="^", left=Name(), right=Number(value=power, unit=None)):
+            return power.denominator == 1 and power.numerator % 2 == 0
+    return False
+
+
+def _outside_squares(tree: Tree) -> Iterator[str]:
+    """The names in a tree, less those that stand in an even power."""
+    if _is_square(tree):
+        return
+    if isinstance(tree, Name):
+        yield tree.name
+    for child in children(tree):
+        yield from _outside_squares(child)
 
 
 def _in_proportion(side: object) -> tuple[Name, ...]:

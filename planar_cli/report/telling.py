@@ -37,7 +37,7 @@ from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
 from planar_cli.solve.instant.algebra import Line as SolvedLine
-from planar_cli.solve.instant.seeker import at_the_limit
+from planar_cli.solve.instant.limit_conditions import at_the_limit
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written

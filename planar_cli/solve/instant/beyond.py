@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Extreme
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.solve.instant.seeker import Seeker, Sought
 from planar_cli.solve.instant.study import solve_velocities
 from planar_cli.solve.instant.worked import unknowns_of
@@ -32,7 +33,10 @@ def not_bounded(seeker: Seeker, sought: Sought, side: sp.Expr, extreme: Extreme)
         return ""
     found = solved[constants[0]]
     step = STEP * max(abs(found), Decimal(1))
+    sized = constants[0].name in not_negative(seeker.scene.problem)
     for near in (found + step, found - step):
+        if sized and near < 0:
+            continue
         there = _objective(seeker, near, side)
         if there is not None and extreme.sense * (there - sought.objective) > step * STEP:
             return f"{extreme.text.split(' is ')[0]} may be {'larger' if extreme.sense > 0 else 'smaller'}{STILL}"

@@ -21,7 +21,6 @@ from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.sample import anywhere, fraction, generator
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Test
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.words import listed
@@ -30,6 +29,7 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.branches import Branch, Brancher
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.one_way import along_paths
@@ -316,7 +316,8 @@ class Seeker:
         assert self.system.reactions is not None
         values = {p.name: e for p, e in self.system.reactions.pushes}
         tests = [test for mode in self.system.modes.values() for test in mode.tests]
-        return [_limit(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
+        found = [limit_of(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
+        return [*found, *least_sizes(self.instant.statements.extremes, self.scene.problem, self.ledger.sought)]
 
     def told_limits(self, targets: set[sp.Symbol]) -> list[Condition]:
         """Those of forces that the equations at hand speak of: from others, such as ideal reactions in Lagrange's
@@ -350,27 +351,6 @@ def _unfulfilled(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
 def _same(one: Candidate, other: Candidate) -> bool:
     """Candidates are made anew for each plan: of the same bodies, with the same numbers."""
     return (one.bodies, one.row) == (other.bodies, other.row)
-
-
-def at_the_limit(words: str) -> str:
-    """An assumption as it reads where it only just holds."""
-    for holds, just in (
-        ("within its limit", "reaches its limit, it is about to slip"),
-        (" presses", " vanishes, the contact is about to part"),
-        ("acts inside the face", "acts at the edge of the face, it is about to tip"),
-        ("the tension pulls", "the tension vanishes, the rope is about to slacken"),
-    ):
-        words = words.replace(holds, just)
-    return words
-
-
-def _limit(test: Test, values: dict[str, sp.Expr]) -> Condition:
-    if test.within:
-        square = sp.Add(*(values[n] ** 2 for n in test.within)) - test.constant**2
-        return Condition("limit", f"at the limit: {at_the_limit(test.words)}", square)
-    words = f"at the limit: {at_the_limit(test.words)}"
-    residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
-    return Condition("limit", words, sp.sympify(residual))
 
 
 def loose_limit(instant: Instant, trial: Trial, known: Iterable[sp.Symbol]) -> str:

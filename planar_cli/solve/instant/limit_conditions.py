@@ -1,0 +1,45 @@
+"""Limits at which something may be largest or smallest: an assumption that only just holds, or a size that is zero."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.problem.expression import Extreme, Name
+from planar_cli.problem.facts import Test
+from planar_cli.problem.not_negative import not_negative
+from planar_cli.problem.scene import Problem
+
+
+def at_the_limit(words: str) -> str:
+    """An assumption as it reads where it only just holds."""
+    for holds, just in (
+        ("within its limit", "reaches its limit, it is about to slip"),
+        (" presses", " vanishes, the contact is about to part"),
+        ("acts inside the face", "acts at the edge of the face, it is about to tip"),
+        ("the tension pulls", "the tension vanishes, the rope is about to slacken"),
+    ):
+        words = words.replace(holds, just)
+    return words
+
+
+def limit_of(test: Test, values: dict[str, sp.Expr]) -> Condition:
+    """An assumption that only just holds, as an equation."""
+    if test.within:
+        square = sp.Add(*(values[n] ** 2 for n in test.within)) - test.constant**2
+        return Condition("limit", f"at the limit: {at_the_limit(test.words)}", square)
+    words = f"at the limit: {at_the_limit(test.words)}"
+    residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
+    return Condition("limit", words, sp.sympify(residual))
+
+
+def least_sizes(extremes: Sequence[Extreme], problem: Problem, sought: Iterable[sp.Symbol]) -> Iterator[Condition]:
+    """`v is smallest` of what can not be negative: it is zero where nothing else holds it above."""
+    for extreme in extremes:
+        named = extreme.side.name if extreme.sense < 0 and isinstance(extreme.side, Name) else ""
+        if named in not_negative(problem):
+            zero = next((s for s in sought if s.name == named), None)
+            if zero is not None:
+                yield Condition("limit", f"at the limit: {named} is no less than zero", zero)
