@@ -18,6 +18,7 @@ from planar_cli.problem.called_by_points import with_joints_called
 from planar_cli.problem.checks import check
 from planar_cli.problem.customary import is_us
 from planar_cli.problem.fields import Fields
+from planar_cli.problem.from_rest import with_ways_from_rest
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
 from planar_cli.problem.order_of_states import in_order
@@ -198,7 +199,7 @@ def _read(file: str, whole: Fields) -> Problem:
         us=False,
     )
     problem = replace(problem, us=is_us(problem))
-    problem = with_osculating_circles(problem)
+    problem = with_ways_from_rest(with_osculating_circles(problem))
     return with_joints_called(with_later_meetings(with_placed_particles(with_assumed(problem))))
 
 
