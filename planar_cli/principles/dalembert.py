@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar, final
 
+import sympy as sp
+
 from planar_cli.principles._bodies import body_families
 from planar_cli.principles.base import BodyFamily, Integrated, Position, Principle
 
@@ -59,4 +61,4 @@ class DAlembert(Principle):
         return (Integrated(),)
 
     def sides(self, left: Any, right: Any) -> tuple[Any, Any]:
-        return left - right, 0
+        return left - right, sp.S.Zero
