@@ -155,7 +155,10 @@ class Touching:
         shapes, center = away(self.mover, self.base, place, scene), middle_of(self.mover.body, scene) - place
         inward = self.base.center - place if self.either_side and self.base.center is not None else Vec(0, 0)
         later = beyond_the_line(self.base, place, scene.center(self.mover.body), left, scene)
-        for towards in (later, shapes, center, self._away_from_base(), Vec(0, 1), inward, scene.middle() - place):
+        # The rest of the drawing tells it last of all, as it was drawn: later on things move to the other side.
+        rest = scene.middle() - place
+        drawn = Vec(scene.as_drawn(rest.x), scene.as_drawn(rest.y))
+        for towards in (later, shapes, center, self._away_from_base(), Vec(0, 1), inward, drawn):
             side = scene.sign(towards.dot(left))
             if side:
                 return side
