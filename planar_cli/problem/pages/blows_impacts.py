@@ -9,7 +9,8 @@ A blow takes no time. It stands between a state and one that is `just after` it:
 
 What can happen in a blow
   impact               two bodies strike each other: planar explain impact. Without `during` it may act in every blow
-  impulse              a blow of given size: planar explain impulse
+  impulse              a blow of given or sought size: planar explain impulse. Two bodies that push each other off (a
+                       shot, a jump from a cart) have one each, of the same unknown magnitude and opposite directions
   a joint's `during`   a joint that starts at the state before the blow takes hold of parts that move: a bullet that
                        stays in a block (`weld: {…, during: 1->3}`), a rod caught at its end (`pin: {at: A, between:
                        [ground, rod], during: 2->4}`), a rope that jerks taut, wheels that are suddenly geared

@@ -29,6 +29,7 @@ from planar_cli.solve.between.needed_times import without_unneeded_times
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.diagnosis.held_in_blows import no_motion
 from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.diagnosis.undated import undated
@@ -360,7 +361,7 @@ class ModeSearch(ModeChoice):
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         wrong = wrong or undated(course, branches)
         text = "no motion passes through these states"
-        self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+        self.lack = self.lack or wrong or no_motion(course.problem, text)
         other = self._elsewhere(course, text, far) or (None if branches else self._other(course.modes, 0, text))
         if other is None:
             raise self.lack
