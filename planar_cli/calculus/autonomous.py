@@ -123,7 +123,10 @@ def _quadratic(
     else:
         scale = sp.sqrt(simplified(-rest / c))
         angle = kind * sp.sqrt(simplified(-rest * c)) * tau
-        elapsed = sp.log((scale + u) * (scale - u0) / ((scale - u) * (scale + u0))) * scale / (2 * rest)
+        if sign(sp.expand(scale**2 - u0**2), value) == 1:
+            elapsed = (sp.atanh(u / scale) - sp.atanh(u0 / scale)) * scale / rest
+        else:
+            elapsed = sp.log((scale + u) * (scale - u0) / ((scale - u) * (scale + u0))) * scale / (2 * rest)
         state = scale * (u0 + scale * sp.tanh(angle)) / (scale + u0 * sp.tanh(angle))
         grown = sp.cosh(angle) + u0 / scale * sp.sinh(angle)
         summed, where = -sp.log(grown) / c, (grown,)

@@ -15,6 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from planar_cli.equation.plain import simplified
 from planar_cli.records import record
+from planar_cli.report.fractional_powers import absorbed, with_whole_powers
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import factor_key, term_key
 
@@ -184,7 +185,7 @@ class _Reader:
         return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in read))
 
     def _product(self, factors: list[Any], together: bool = False) -> Formula:
-        split = _Split(factors)
+        split = _Split(with_whole_powers(factors))
         above = [self._power(f) for f in split.above]
         below = [self._power(f) for f in split.below]
         if split.root_above and (split.root_below or not _all_numbers(split.root_above)):
@@ -252,7 +253,8 @@ class _Split:
         self.root_below: list[Any] = []
         for factor in factors:
             self._take(factor)
-        self._absorb()
+        beside = bool(self.above or self.below)
+        self.coefficient, self.root_above = absorbed(self.coefficient, self.root_above, self.root_below, beside)
 
     def _take(self, factor: Any) -> None:
         if factor.is_Rational or factor.is_Float:
@@ -263,18 +265,6 @@ class _Split:
             self.below.append(1 / factor if factor.exp == -1 else sympy.Pow(factor.base, -factor.exp, evaluate=False))
         else:
             self.above.append(factor)
-
-    def _absorb(self) -> None:
-        """A fraction before a root goes under it where that is shorter: √(6 g L)/3 is √(2 g L/3)."""
-        q = self.coefficient
-        inside = sympy.prod(f for f in self.root_above if f.is_Integer)
-        letters = [f for f in self.root_above if not f.is_Integer]
-        if not letters or self.above or self.below or not q.is_Rational or q.q == 1 or inside == 1:
-            return
-        moved = q * q * inside
-        if moved.p < inside or len(f"{moved.p}{moved.q}") < len(f"{abs(q.p)}{q.q}{inside}"):
-            self.coefficient = sympy.sign(q)
-            self.root_above = [moved, *letters]
 
 
 def number(expr: Any) -> Formula:

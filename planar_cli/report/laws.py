@@ -20,8 +20,10 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Relation, RouteTrace
 from planar_cli.solve.law import Law
 
-FEW, SWINGING = 12, 36
-"""A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own."""
+FEW, SWINGING, INTEGRATED = 12, 36, 24
+"""A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own; what an
+integral is over.
+"""
 FOR = "For "
 """How the heading of a law begins."""
 PER_TIME = {"v(t)": "{}/s", "q(t)": "{}", "t(q)": "s", "v(q)": "{}²/s²"}
@@ -151,8 +153,9 @@ def rate_value(law: Law, number: Decimal, phrases: Phrases) -> Value:
 
 def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, law: Law | None) -> Math:
     """A law or its integral. `letters`: those that run."""
-    inside = [i.function for i in expr.atoms(sp.Integral)] or [expr]
-    most = SWINGING if law is not None and law.vibration is not None else FEW
+    integrals = [i.function for i in expr.atoms(sp.Integral)]
+    inside = integrals or [expr]
+    most = SWINGING if law is not None and law.vibration is not None else INTEGRATED if integrals else FEW
     short = all(not longer(e, most) and is_clean(phrases.ledger, e) for e in inside)
     short = short and (law is None or _is_lettered(law, phrases))
     numbers = None if phrases.symbolic or short else partly(expr, letters, phrases, constant=True)

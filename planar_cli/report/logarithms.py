@@ -74,6 +74,8 @@ def _turned(term: Any) -> Any:
 def _together(factor: sp.Expr, parts: list[tuple[int, sp.Expr]], ledger: Ledger) -> sp.Expr:
     """factor · Σ ± ln(argument) as one logarithm, where that alone is one of a pure number."""
     apart = sp.Add(*(sign * factor * sp.log(argument) for sign, argument in parts))
+    if len(parts) > 1 and all(argument.is_Rational for _, argument in parts):
+        return factor * sp.log(sp.Mul(*(argument**sign for sign, argument in parts)))
     if len(parts) == 1 or all(_is_pure(argument, ledger) for _, argument in parts):
         return apart
     sign = parts[0][0] if parts[0][1].is_Add else 1

@@ -49,6 +49,7 @@ from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import rate_first
 from planar_cli.report.results import numbered
+from planar_cli.report.roots_of_squares import rooted
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
@@ -64,9 +65,9 @@ from planar_cli.solve.between.trace import (
 )
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
-LONGEST, SHORT, PLAIN = 90, 26, 12
-"""A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
-what mixes letters and numbers with units.
+LONGEST, LETTERED, SHORT, PLAIN = 90, 36, 26, 12
+"""A longer formula is told by its value alone, after its equation in numbers: of letters without numbers, of letters
+that have numbers, of numbers, and of what mixes letters and numbers with units.
 """
 FEW, MOST_SHOWN = 20, 60
 """Of more operations a balance of energies is solved in numbers; an equation in numbers is told in letters alone."""
@@ -148,7 +149,7 @@ class MotionTelling:
         for leg in derived:
             i = legs.index(leg)
             self._open = {x for later in legs[i:] for x in later.unknowns}
-            yield from self._leg(*without_zeros(leg, route, legs[:i]))
+            yield from self._leg(*rooted(without_zeros(leg, route, legs[:i]), self.found))
         yield from self._integrated([] if first else followed)
 
     def _one(self, leg: RouteStep) -> Iterator[Block]:
@@ -297,7 +298,7 @@ class MotionTelling:
         span = e.span
         if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
             return
-        if is_steady(e):
+        if is_steady(e) or (span.unevaluated and span.explicit is not None):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
         shown = tuple(running(s, {*self.varying, *self._open}, self.phrases, e.law) for s in sides)
@@ -367,7 +368,7 @@ class MotionTelling:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
             return formula
-        most = LONGEST if formula.free_symbols & self._laws.natural else SHORT
+        most = LONGEST if formula.free_symbols & self._laws.natural else LETTERED
         return None if longer(formula, most) or not is_clean(self.found.ledger, r.unknown, formula) else formula
 
     def _in_known(self, r: Result, most: int, explicit: bool) -> list[Math]:
@@ -386,8 +387,7 @@ class MotionTelling:
         if r.value.is_infinite() or (self.phrases.symbolic and not r.value):
             return line("0" if not r.value else "∞" if r.value > 0 else "-∞")
         shown = self.phrases.shown(r.unknown, r.value)
-        # What is integrated over time is led in by what is integrated; an equation that is printed is no integration.
-        if r.unknown in self.found.guessed and r.formula is not None and r.formula.has(sp.Integral):
+        if r.formula is not None and r.formula.has(sp.Integral):
             return line(shown, " by numerical integration")
         return shown
 

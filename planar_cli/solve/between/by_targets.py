@@ -1,4 +1,6 @@
-"""A time by the velocity that is asked for the same state: t = (v_0 - v)/g, not the root of a quadratic equation."""
+"""A time by the velocity that is asked for the same state: t = (v_0 - v)/g, not the root of a quadratic equation, and
+t = ∫ dv/a, not the place over time solved for t.
+"""
 
 from __future__ import annotations
 
@@ -16,11 +18,11 @@ def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]
     found = dict(best)
     for x in targets:
         own = found.get(x)
-        if own is None or len(own.equations) != 1 or own.equations[0].kind != "q(t)" or not _is_square(own, x):
+        if own is None or len(own.equations) != 1 or own.equations[0].kind != "q(t)" or _is_plain(own, x):
             continue
         for equations, unknowns, needs, cost in edges:
             (e, *more) = equations
-            if more or e.kind != "v(t)" or tuple(unknowns) != (x,) or not needs & set(targets):
+            if more or e.kind not in ("v(t)", "t(v)") or tuple(unknowns) != (x,) or not needs & set(targets):
                 continue
             if e.residual.is_polynomial(x) and all(n in found for n in needs) and not _rests(needs, x, found):
                 found[x] = Derivation(equations, unknowns, needs, cost)
@@ -28,9 +30,12 @@ def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]
     return found
 
 
-def _is_square(own: Derivation, x: sp.Symbol) -> bool:
+def _is_plain(own: Derivation, x: sp.Symbol) -> bool:
+    """Does x follow as it stands, or not by a formula at all?"""
     residual = own.equations[0].residual
-    return bool(residual.is_polynomial(x)) and sp.degree(residual, x) == 2
+    if residual.has(sp.Integral):
+        return True
+    return bool(residual.is_polynomial(x)) and sp.degree(residual, x) != 2
 
 
 def _rests(needs: Collection[sp.Symbol], x: sp.Symbol, found: Best) -> bool:

@@ -12,6 +12,7 @@ from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.needed_times import ONLY_TIMES, needed_letters
 from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
 AGREE, SMALL = 1e-6, 1e-3
@@ -27,8 +28,19 @@ def beside(course: MotionEquations, finds: tuple[AskedFind, ...], chain: Chain) 
     if len(quick) < len(course.equations):
         branch = next(iter(chain.branches(quick)), nothing)
         if needed_letters(course, finds) & chain.unknowns <= set(branch.values):
-            return replace(course, equations=tuple(quick)), branch
+            return replace(course, equations=tuple(e for e in course.equations if _tells(e, chain, branch))), branch
     return course, next(iter(chain.branches(course.equations)), nothing)
+
+
+def _tells(e: Equation, chain: Chain, branch: Branch) -> bool:
+    """May an equation stand on the page? A time is told directly by its own integral where that has a closed form,
+    t = ∫ dv/a or, where the speed is given by the place, t = ∫ dq/v: the formula over time would have to be solved.
+    """
+    if e.kind not in ONLY_TIMES:
+        return True
+    closed = e.span is not None and not e.span.unevaluated
+    direct = e.kind == "t(v)" or (e.law is not None and e.law.order == 1)
+    return closed and direct and e.residual.free_symbols & chain.unknowns <= branch.values.keys()
 
 
 def same_motion(course: RegimeSequence, followed: Followed, branch: Branch) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -114,7 +114,7 @@ def all_equations(motion: MotionEquations) -> MotionEquations:
     """All equations, from state to state; they take long, so that only modes that may happen have them."""
     first = [*_stated(motion), *_beginning(motion)]
     begun = {} if motion.departure is not None else begun_at(first, motion.first)
-    written = [*first, *_moving(motion, begun), *motion.separations]
+    written = [*first, *_moving(motion, begun, first), *motion.separations]
     found = replace(motion, equations=_at_limits(motion, written))
     return replace(found, equations=(*found.equations, *_stationary(found)))
 
@@ -198,11 +198,13 @@ def _placed(motion: StatedMotion) -> set[sp.Symbol]:
     return set() if met else found
 
 
-def _backward(known: Mapping[sp.Symbol, sp.Expr], value: Valuation) -> Iterator[tuple[sp.Symbol, Decimal]]:
-    """Letters of the start that are negative: a root of a formula in time goes that way, where it would be positive."""
+def _not_forward(known: Mapping[sp.Symbol, sp.Expr], value: Valuation) -> Iterator[tuple[sp.Symbol, Decimal]]:
+    """Letters of a start that are negative or zero: a root of a formula in time goes that way, where it would be
+    positive, and what starts at rest stays below the speed at which its drag carries it.
+    """
     for letter, told in known.items():
         number = value.known(told)
-        if number is not None and number < 0:
+        if number is not None and number <= 0:
             yield letter, number
 
 
@@ -220,8 +222,10 @@ def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
     return {letters[c.symbol] for c in motion.regimes[0].coordinates if c.unit == "rad" and c.body in plain}
 
 
-def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
-    """What the motion from state to state says. `begun`: what is known of the letters of the first state."""
+def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr], data: Sequence[Equation]) -> list[Equation]:
+    """What the motion from state to state says. `begun`: what is known of the letters of the first state; `data`: what
+    is stated of all states.
+    """
     found: list[Equation] = []
     known, settled = dict(begun), motion.settled()
     since = 0
@@ -237,7 +241,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
             since = i - 1
         start = motion.stops[motion.states[since].name]
         laws, value = motion.laws[i - 1], regime.general.value.extended(settled)
-        by_laws = law_equations(laws, start, stop, regime, value.extended(dict(_backward(known, value))))
+        stated = known | begun_at(data, start)
+        by_laws = law_equations(laws, start, stop, regime, value.extended(dict(_not_forward(stated, value))))
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
         standing = list(standing_equations(laws, start, stop, regime, known))

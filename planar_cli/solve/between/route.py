@@ -284,7 +284,7 @@ class Router:
             return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
         if x not in letters(rate):
             return 0.0
-        return 0.3 if residual.is_polynomial(x) else HIDDEN
+        return 0.3 if residual.is_polynomial(x) else HIDDEN * (2 if equation.kind == "t(q)" else 1)
 
     def _double(self, rate: sp.Expr, x: sp.Symbol) -> float | None:
         """A double root, as at a turning point, still fixes x if the equation is quadratic there."""

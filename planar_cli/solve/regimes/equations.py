@@ -33,7 +33,7 @@ COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "
 COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3}
 NO_MASS = 0.5
 """What a law of energy or momentum costs where the file gives no mass."""
-COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
+COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}
 
 LONGEST = 150
 """A law with more operations has no closed integral, and stays as it is."""
@@ -247,7 +247,8 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         begun = {c.start: since.letters[c.symbol] for c in regime.coordinates if c.drawn is not None}
         told = replace(law, f=replaced(law.f, begun))
         for span in spans:
-            if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
+            beside = explicit and span.kind == "t(q)" and (law.order == 2 or span.unevaluated)
+            if (law.order == 1 and span.kind.startswith("v")) or beside:
                 continue
             shown = _renamed(span, others)
             yield Equation(

@@ -1,0 +1,34 @@
+"""A speed as the root of its own line: v² = m g (1 - e)/c gives v = √(m g (1 - e)/c), in no other form."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.report.integrals import in_times
+from planar_cli.report.origins import letter_of
+from planar_cli.solve.between.trace import MotionTrace, RouteStep, RouteTrace
+
+LONGEST = 60
+"""A longer right side is left to the formula that was found."""
+
+
+def rooted(told: tuple[RouteStep, RouteTrace], found: MotionTrace) -> tuple[RouteStep, RouteTrace]:
+    """A derivation and its route, where it is one relation v² = … that tells v: with the root of that right side."""
+    step, route = told
+    (e, *more), (r, *others) = step.relations, step.results
+    if more or others or e.kind != "v(q)" or e.law is None or r.formula is None:
+        return told
+    residual = e.residual.xreplace(dict(route.plain))
+    x = letter_of(e, found.ledger)
+    if x != r.unknown or longer(residual, LONGEST) or residual.coeff(x, 2) != 1:
+        return told
+    square = in_times(simplified(x**2 - residual), found)
+    if x in square.free_symbols:
+        return told
+    root = sp.sqrt(square)
+    if longer(root, r.formula.count_ops()):
+        return told
+    return replace(step, results=(replace(r, formula=-root if r.value < 0 else root),)), route

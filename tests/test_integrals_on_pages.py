@@ -1,0 +1,72 @@
+"""A time is told by its own integral, t = ∫ dv/a, a speed as the root of its line, and roots as one would write them."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from worked import page_of_file
+
+from planar_cli.report.notation import plain
+
+A, B, C, G, K, M, R, V = sp.symbols("a b c g k m R v_0", positive=True)
+
+
+def test_a_time_follows_from_the_integral_over_the_speed() -> None:
+    page = page_of_file("ball-up-with-drag")
+    assert "From up to top, dv/a = dt, y of ball:" in page
+    assert "(3) t_top = arctan(v_ball,y,up √(c/(m g))) √(m/(c g))" in page
+    assert "tan(t_top" not in page
+
+
+def test_a_time_follows_from_a_velocity_that_is_asked() -> None:
+    page = page_of_file("ball-up-with-drag")
+    assert page.index("v_ball,y,back = -√(") < page.index("(6) t_back = t_top - artanh(v_ball,y,back √(c/(m g)))")
+
+
+def test_a_speed_is_the_root_of_its_own_line() -> None:
+    page = page_of_file("ball-up-with-drag")
+    assert "v_ball,y,back² = m g (1 - exp(-2 c y_ball,top/m)) / c" in page
+    assert "v_ball,y,back = -√(m g (1 - exp(-2 c y_ball,top/m)) / c)" in page
+
+
+def test_a_time_by_the_place_where_the_speed_is_given_by_it() -> None:
+    page = page_of_file("speed-falls-with-place")
+    assert "From bridge to mill, dx/v = dt, x of raft:" in page
+    assert "solved for x" not in page
+
+
+def test_a_place_at_a_time_is_no_matter_of_the_time_by_the_place() -> None:
+    page = page_of_file("body-ladder-point-in-time")
+    assert "x_A,later = x_A,start + u t_later" in page
+
+
+def test_an_integral_that_only_numbers_close_stands_once_and_says_so() -> None:
+    page = page_of_file("pendulum-swinging-far")
+    assert page.count("∫") == 2
+    assert "= 0.5106 s by numerical integration" in page
+
+
+def test_what_an_integral_is_over_stands_in_letters() -> None:
+    page = page_of_file("parachutist")
+    assert "∫[0 → t_after_5] (-tanh(t √(c g/m)) √(m g/c)) dt" in page
+
+
+def test_logarithms_of_numbers_stand_as_one() -> None:
+    assert "t_third = ln(w/(w - k φ_third))/k = ln(3/2)/k" in page_of_file("flywheel-slowing")
+
+
+@pytest.mark.parametrize(
+    ("expr", "text"),
+    [
+        (-A * sp.sqrt(2 * K / (3 * M)), "-a √(2 k/(3 m))"),
+        (sp.sqrt(1 / (2 * C * B)), "√(1/(2 c b))"),
+        (2 * sp.pi * sp.sqrt(7 * R / (5 * G)), "2 π √(7 R/(5 g))"),
+        (sp.sqrt((2 * C**3 * V**2 - B * A**4) / (2 * C**3)), "√((2 c³ v_0² - a⁴ b) / (2 c³))"),
+        ((2 * C**3 * V**2 / B) ** sp.Rational(1, 4), "(2 c³ v_0²/b)^(1/4)"),
+        (sp.sqrt(3) * A / 2, "√3 a/2"),
+        (A * sp.sqrt(2 / K) / 4, "1/4 a √(2/k)"),
+        (A ** sp.Rational(3, 2) / 3, "a^(3/2)/3"),
+    ],
+)
+def test_a_number_that_a_root_shares_with_the_denominator_stands_once(expr: sp.Expr, text: str) -> None:
+    assert plain(expr) == text
