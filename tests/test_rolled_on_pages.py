@@ -48,3 +48,47 @@ def test_derivatives_by_the_chain_rule() -> None:
     assert "ẏ_G = 0" in page
     assert "ÿ_G = 0" in page
     assert "a_G = 0\n" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        # On a circle the centre has its normal part, and any other point is reached from it.
+        (
+            "kinematics/disk-in-circular-track",
+            [
+                "a_G = α × r_G/C + v_G²/ρ e_n = [-1.157 - 0.1299 · 4, 2.004 + (-0.075) · 4] = [-1.677, 1.704] m/s²",
+                "ρ = R - r_d = 0.35 m, e_n = [-0.5, 0.8660]",
+                "a_C = a_G + α × r_C/G - ω² r_C/G = ",
+            ],
+        ),
+        # What a wheel carries: the rack has the velocity of the tooth that it touches.
+        (
+            "kinematics/gear-between-racks",
+            [
+                "v_T = ω_gear × r_T/C",
+                "v_K = v_T",
+                "a_B = a_G + α_gear × r_B/G - ω_gear² r_B/G = [-0.4 - 0.2 (-3)², 0.2 · 2] = [-2.2, 0.4] m/s²",
+            ],
+        ),
+        # On a belt that runs the point of contact has its speed, and an acceleration across it alone.
+        (
+            "kinematics/wheel-on-conveyor",
+            [
+                "v_C = [u, 0]",
+                "as conveyor at C, no slip",
+                "C has an acceleration towards G only",
+                "a_C = -ω² r_C/G = [0, -(-0.3) · 8.333²] = [0, 20.83] m/s²",
+            ],
+        ),
+        # Of a component that does without α the vector equation stands before its formula.
+        (
+            "kinematics/disk-on-fixed-disk",
+            ["a_B = a_G + α_disk × r_B/G - ω_disk² r_B/G", "a_B = -(r ω_disk² + (R + r) ω_arm²)", "along y"],
+        ),
+    ],
+)
+def test_points_of_wheels(name: str, lines: list[str]) -> None:
+    page = Terminal(width=140).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+    for told in lines:
+        assert told in page

@@ -19,6 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
+from planar_cli.report.axes_asked import axis_of, noted
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import Turned, components_told
@@ -30,6 +31,7 @@ from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.projected import RATES, differences, vector_at
 from planar_cli.report.rates_in_turn import rate_in_turn
+from planar_cli.report.rolled_accelerations import RolledTelling
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
@@ -53,6 +55,7 @@ class AskedTelling:
         written = [w for s in instant.stages for b in s.blocks for w in b.equations]
         vectors.given = {w.left for w in written if w.given and w.right.is_number}
         self.paths = PathTelling(vectors, phrases, self._once)
+        self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
         self.places = PlaceTelling(self.scene, phrases)
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
@@ -81,7 +84,7 @@ class AskedTelling:
             elif isinstance(what, Quantity) and (radius := self.paths.asked_radius(answer, what)) is not None:
                 yield from radius
             else:
-                yield from self._formula(answer)
+                yield from self._alone(answer, what)
 
     def coriolis(self, point: str, frame: str) -> Iterator[Block]:
         """The relative velocity and the Coriolis acceleration, with their numbers, before they are needed."""
@@ -96,6 +99,15 @@ class AskedTelling:
         vector = self.system.quantities().any(replace(q, parts=(), word="a" if q.word == "coriolis" else q.word))
         known = self.phrases.value.known
         return isinstance(vector, Vec) and all(known(p.value) is not None for p in (vector.x, vector.y))
+
+    def _alone(self, answer: Found, what: Any) -> Iterator[Block]:
+        """Its formula; before that of a component that does without a part of it the vector equations of its point."""
+        axis, told = axis_of(what), list[Block]()
+        if axis and what.word in ("v", "a") and len(what.things) == 1 and what.things[0] in self.scene.points:
+            point, level = what.things[0], "velocity" if what.word == "v" else "acceleration"
+            told = list(self.vectors.point(self.scene.owner(point), self.scene.point(point), point, level))
+        yield from told
+        yield from noted(self._formula(answer), axis if told else "")
 
     def _plain(self, answer: Found) -> bool:
         """Is it an unknown up to its sign or a simple factor, which says more than a vector would?"""
@@ -215,11 +227,13 @@ class AskedTelling:
         if point not in self.scene.points:
             own, at = centre_of(self.scene, point), self.scene.center(point)
             yield from self.paths.acceleration(point, at, own, level)
+            yield from self.rolled.acceleration(point, at, own, level)
             yield from self._along_body(point, own, level)
             yield from self._body_point(point, at, own, level)
             return
         place = self.scene.point(point)
         yield from self.paths.acceleration(self.scene.owner(point), place, point, level)
+        yield from self.rolled.acceleration(self.scene.owner(point), place, point, level)
         yield from self._along_body(self.scene.owner(point), point, level)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
             if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
@@ -312,8 +326,7 @@ class AskedTelling:
     def _component(self, answer: Found, q: Quantity, name: str) -> Iterator[Block]:
         """The part of the vector that is asked: its size, its direction, or along an axis."""
         if not q.parts or answer.values is None:
-            if answer.values is None:
-                yield from self._formula(answer)
+            yield from noted(self._formula(answer) if answer.values is None else (), axis_of(q))
             return
         values, vector = self._values(answer, 0), self._parts(q)
         if vector is None or len(q.parts) > 1 or q.parts[-1].kind not in (*AXES, "mag"):
@@ -378,7 +391,3 @@ class AskedTelling:
 
 def _rational(number: Decimal) -> sp.Rational:
     return sp.Rational(str(number))
-
-
-def _text(value: Value) -> str:
-    return significant(value.number, value.figures)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
-from planar_cli.report.blocks import Block
-from planar_cli.report.vectors import VectorTelling
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Block, Equation, Name, line
+from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.solve.instant.written import Written
 
 COMPONENT = re.compile(r"([va])\((\w+)\)\.[xy] = ")
@@ -21,4 +23,30 @@ def vector_before(w: Written, vectors: VectorTelling, level: str) -> list[Block]
     body = scene.owner(found[2])
     if body not in scene.bodies or not scene.rigid(body):
         return []
-    return list(vectors.point(body, scene.point(found[2]), found[2], level))
+    told = list(vectors.point(body, scene.point(found[2]), found[2], level))
+    return told or list(_carried(body, found[2], level, vectors))
+
+
+def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Iterator[Block]:
+    """Of a body that translates, as a rack on a wheel, the velocity of the point at which it is carried; of its
+    acceleration what a wheel that rolls on a straight line gives it along the contact.
+    """
+    edge, motion = vectors.edges.get(body), vectors.motion
+    j = edge.joining if edge is not None else None
+    spins = (twists[body].angular for twists in (motion.velocities, motion.accelerations))
+    turns = any(spin not in vectors.zero and not vectors.phrases.value.is_zero(spin) for spin in spins)
+    if edge is None or j is None or turns or edge.parent == GROUND or j.path is not None or j.drift is not None:
+        return
+    own, carrier, note = index_of(place), vectors.edges.get(edge.parent), line(f"{body} translates")
+    if level == "velocity":
+        yield from vectors.point(edge.parent, j.point, j.place, level)
+        yield Equation((line(Name(f"v_{own}")), line(Name(f"v_{index_of(j.place)}"))), None, note=note)
+        return
+    ground = carrier.joining if carrier is not None and carrier.parent == GROUND else None
+    straight = ground is not None and ground.rolling is not None and vectors.phrases.value.is_zero(ground.rolling.base)
+    if straight and j.rolling is not None and ground is not None:
+        turned = vectors.phrases.math(motion.accelerations[edge.parent].angular)
+        arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
+        yield Equation(
+            (line(Name(f"a_{own}")), line(turned, " × ", arm)), None, note=line(*note, ", as along the contact")
+        )

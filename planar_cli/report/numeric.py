@@ -180,7 +180,7 @@ class NumericTelling:
         hidden = w.source == "given" and w.times and self._dimension(w, stage) is None
         bare = hidden and not is_clean(self.phrases.ledger, left, right)
         note = () if bare else _unit_note(found, self.phrases)
-        if apart and found.right.expr != 0 and w.source != "given":
+        if apart and found.right.expr != 0:
             whole = self._number_of(w, stage, left - right, unknowns, found.right.expr.could_extract_minus_sign())
             return (found.left, *([] if whole is None else [whole]), found.right), note
         return (found.left, found.right), note

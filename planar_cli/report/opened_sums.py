@@ -57,7 +57,7 @@ def opened_number(residual: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
     `negative`: that is the sign of it there. None: it says nothing, or cannot be told.
     """
     terms = [t for t in _terms(residual, frozenset(unknowns), phrases) or () if t.rest == 1]
-    if not _tells(terms):
+    if not _tells(terms) and not 1 < len(terms) <= MOST_TERMS:
         return None
     turned = (_worked(terms, [n for t in terms for n, _ in t.numbers]) < 0) != negative
     return _written([replace(t, sign=-t.sign if turned else t.sign, numbers=t.turned()) for t in terms], phrases)

@@ -25,8 +25,9 @@ from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.projected import projected, unit_of, value_of
-from planar_cli.report.spoken import begun, spoken
+from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
+from planar_cli.report.written_places import differentiated, stated_rate
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
@@ -66,15 +67,18 @@ class VectorTelling:
 
     def before(self, w: Written, level: str) -> list[Block] | None:
         """What stands before the component of a closing joint; None: its kind of relation has other words."""
-        if w.source == "coordinate" and w.place in self.system.scene.formulas:
+        scene = self.system.scene
+        if w.source == "coordinate" and w.place in scene.formulas:
             writer = self.phrases.writer
             shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
             if shared and is_along_path(w, self.system, level):
                 both = replace(w, words="")
-                return [Paragraph(line(*self._differentiated(both, level), ", along the path:"))]
+                return [
+                    Paragraph(line(*differentiated(both, level, self.system.scene, self.phrases), ", along the path:"))
+                ]
             divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
-            return [Paragraph(line(*self._differentiated(w, level), *divided, ":"))]
-        if w.source == "given" and w.place and (told := self._stated(w)):
+            return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
+        if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
             return [Paragraph(told)]
         joining = self._closure(w)
         if joining is None or self.system.motion is None or joining.drift is not None:
@@ -107,29 +111,6 @@ class VectorTelling:
         return line(
             f"{named} keeps its length; along it the accelerations of its ends differ by v²/l of their relative motion"
         )
-
-    def _differentiated(self, w: Written, level: str) -> Line:
-        """A point whose place the file gives by a formula: its components are differentiated."""
-        formula = self.system.scene.formulas[w.place]
-        times = "" if level == "velocity" else " twice"
-        told: list[Any] = []
-        for axis in ("x", "y"):
-            place = sp.sympify(getattr(formula, axis).value)
-            if w.words.endswith(f"along {'y' if axis == 'x' else 'x'}") or longer(place, LONGEST):
-                continue
-            told += [" and " if told else "", Name(f"{axis}_{w.place}"), " = ", self.phrases.math(place)]
-        if not told:
-            return line(f"The coordinates of {w.place} differentiated{times}")
-        return line(*told, f" differentiated{times}")
-
-    def _stated(self, w: Written) -> Line:
-        """A place that is differentiated, of which the file gives the rate; empty where it gives no component."""
-        axis = next((a for a in ("x", "y") if f".{a}" in w.lead), "")
-        if not axis:
-            return ()
-        place = self.phrases.math(getattr(self.system.scene.formulas[w.place], axis).value)
-        given = spoken(w.lead, ())
-        return line(Name(f"{axis}_{w.place}"), " = ", place, " differentiated; given: ", *given, ":")
 
     def frame_of(self, w: Written) -> tuple[str, str] | None:
         """The point and the turning body along which it slides, of a relation that holds a Coriolis acceleration."""
@@ -230,6 +211,7 @@ class VectorTelling:
         if edge.joining is not None and not self.rests(edge, level):
             yield from self.point(edge.parent, edge.joining.point, reference, level)
             yield from self._tied(edge, level)
+            yield from self._driven(edge, level)
         key = f"{level} {body} {place}"
         if key not in self._told:
             self._told.add(key)
@@ -249,6 +231,19 @@ class VectorTelling:
             own, along = Name(f"a_{index_of(j.place)}"), self.phrases.math(edge.slide_rate)
             why = f"{self._called(j)} keeps its length and {j.place} is at rest: "
             yield Paragraph(line(why, own, " has no part along it, only ", along, " across it"))
+
+    def _driven(self, edge: Edge, level: str) -> Iterator[Block]:
+        """The velocity of the point with which a body touches a running belt without slip."""
+        j = edge.joining
+        if j is None or j.drift is None or j.path is not None or edge.parent != GROUND or level != "velocity":
+            return
+        if f"driven {j.place}" not in self._told:
+            self._told.add(f"driven {j.place}")
+            x, y = (self.phrases.math(p) for p in (j.drift.x, j.drift.y))
+            joint = next((one for one in self.system.scene.problem.joints if one.name == j.joint), None)
+            belt = next((str(n) for n in getattr(joint, "between", ()) if n != j.mover), "the belt")
+            sides = (line(Name(f"v_{index_of(j.place)}")), line("[", x, ", ", y, "]"))
+            yield Equation(sides, None, note=line(f"as {belt} at {j.place}, no slip"))
 
     def _called(self, j: Joining) -> str:
         return begun(self.system.scene.problem.called(j.joint))
@@ -355,8 +350,11 @@ class VectorTelling:
         return self.system.motion
 
     def arm_once(self, place: str, edge: Edge, arm: Vec) -> Line:
-        """The components of the arm, where they were not told before."""
-        reference = self._reference(edge)
+        """The components of the arm from the point at which a body is joined."""
+        return self.arm_told(place, self._reference(edge), arm)
+
+    def arm_told(self, place: str, reference: str, arm: Vec) -> Line:
+        """The components of an arm, where they were not told before."""
         key = f"{place.rstrip('′')}/{reference}"
         if key in self._told:
             return ()
