@@ -21,7 +21,10 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.plain import derivative, parts_of, simplified
 
-__all__ = ["Moment", "Span", "relations"]
+__all__ = ["BY_FACTOR", "Moment", "Span", "relations"]
+
+BY_FACTOR = "v dv = a dq, linear in v², with its integrating factor"
+"""The words of a relation for which a law is first multiplied by a factor."""
 
 
 def relations(
@@ -364,8 +367,7 @@ def _with_factor(
     factor = simplified(sp.exp(-power))
     gained = _done(integral(2 * simplified(factor * rest), start.q, end.q), value)
     square = (start.v**2 + gained) / factor
-    words = "v dv = a dq, linear in v², with its integrating factor"
-    return (span("v(q)", words, end.v**2 - square, None, None, where),)
+    return (span("v(q)", BY_FACTOR, end.v**2 - square, None, None, where),)
 
 
 def _product(

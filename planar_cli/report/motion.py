@@ -198,7 +198,7 @@ class MotionTelling:
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
-            if single and leg.results[0].formula == 0:
+            if single and leg.results[0].formula == 0 and not isinstance(e.source, BalanceTrace):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)

@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.calculus.laws import Moment, Span, relations
+from planar_cli.calculus.laws import BY_FACTOR, Moment, Span, relations
 from planar_cli.calculus.limits import limit
 from planar_cli.calculus.vibrations import in_letters
 from planar_cli.equation.displacement import Coordinate
@@ -70,6 +70,7 @@ class Equation:
     @property
     def cost(self) -> float:
         extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
+        extra += 2.0 if self.span is not None and self.span.words == BY_FACTOR else 0.0
         extra += self.law.effort if self.law is not None else 0.0
         return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
