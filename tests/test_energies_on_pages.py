@@ -150,3 +150,27 @@ def test_equations_that_are_counted_are_those_that_are_named() -> None:
 ])  # fmt: skip
 def test_an_acceleration_that_speeds_tell_comes_before_its_force(stem: str, line: str) -> None:
     assert line in page(stem)
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("rod-falling-on-a-smooth-floor", "(8) → 0 = m ṡ_3 (8): ṡ_3 = 0 m/s From 1 to 3, work and kinetic energy"),
+    ("ladder-leaving-the-wall", "From 2 to 3, ladder: conservation of momentum"),
+])  # fmt: skip
+def test_energy_and_momentum_come_before_an_integrating_factor(stem: str, line: str) -> None:
+    assert line in page(stem)
+    assert "integrating factor" not in page(stem)
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("pile-driver", "the negative root, as it moves downward there"),
+    ("bob-whose-cord-catches-on-a-nail", "= -2.801 m/s the negative root, as it moves to the right there"),
+    ("sledge-down-a-slope-and-out-over-level-snow", "the positive root, as it moves downward to the right there"),
+])  # fmt: skip
+def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
+    told = page("ball-leaving-a-dome")
+    assert "At 2: (8) v_Px,2 = v_P,2 sin φ_P,2 = 3.719 sin 44.82° = 2.621 m/s" in told
+    assert "the same motion" not in told

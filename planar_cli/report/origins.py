@@ -56,6 +56,9 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         words = turning(e.words) if e.kind == "turn" else e.words
         words += components_of(e.words) if e.kind == "given" else ""
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
+    if e.kind == "handed" and e.stop:
+        # Its velocity or place there in other letters, from which the next part of the motion starts.
+        return line(f"At {e.stop}:")
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
@@ -188,7 +191,7 @@ def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:
         own = result.unknown - result.formula
         if e.kind == "link" or e.is_datum:
             return bool(expanded(e.residual - own) == 0) or e.kind == "link"
-        if e.kind == "loop" and not result.roots[1:]:
+        if e.kind in ("loop", "handed") and not result.roots[1:]:
             return any(expanded(e.residual - sense * own) == 0 for sense in (1, -1))
     return e.span is not None and e.span.explicit is not None and letter_of(e, ledger) == result.unknown
 

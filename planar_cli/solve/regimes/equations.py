@@ -35,6 +35,8 @@ NO_MASS = 0.5
 """What a law of energy or momentum costs where the file gives no mass."""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}
 
+LAST = 10.0
+"""What a law costs that needs an integrating factor: more than energy and momentum together, whatever these need."""
 LONGEST = 150
 """A law with more operations has no closed integral, and stays as it is."""
 
@@ -70,7 +72,7 @@ class Equation:
     @property
     def cost(self) -> float:
         extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
-        extra += 2.0 if self.span is not None and self.span.words == BY_FACTOR else 0.0
+        extra += LAST if self.span is not None and self.span.words == BY_FACTOR else 0.0
         extra += self.law.effort if self.law is not None else 0.0
         return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
