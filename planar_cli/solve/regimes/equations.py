@@ -34,7 +34,6 @@ COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3}
 NO_MASS = 0.5
 """What a law of energy or momentum costs where the file gives no mass."""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}
-
 LAST = 10.0
 """What a law costs that needs an integrating factor: more than energy and momentum together, whatever these need."""
 LONGEST = 150
