@@ -70,8 +70,8 @@ class Equation:
 
     @property
     def cost(self) -> float:
-        extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
-        extra += LAST if self.span is not None and self.span.words == BY_FACTOR else 0.0
+        words = self.span.words if self.span is not None else ""
+        extra = LAST if words == BY_FACTOR else 1.0 if self.span is not None and self.span.unevaluated else 0.0
         extra += self.law.effort if self.law is not None else 0.0
         return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
@@ -387,8 +387,7 @@ def ending_equations(laws: Laws, stop: Stop, regime: Regime) -> Iterator[Equatio
     for law in laws.laws:
         if law.order != 2 or law.speed is None or law.f.free_symbols & {regime.time, law.coordinate.symbol}:
             continue
-        slope = sp.diff(law.f, law.v)
-        if slope == 0:
+        if sp.diff(law.f, law.v) == 0:
             continue
         residual = law.f.xreplace({law.v: _speed(law, stop)})
         yield Equation(residual, "given", IN_THE_END, stop.name)
