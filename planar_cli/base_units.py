@@ -32,11 +32,6 @@ def _to_the(factor: Fraction, power: Fraction) -> Fraction:
         return Fraction(root) ** power.numerator
 
 
-def base_units(us: bool) -> str:
-    """The base units of a file in words."""
-    return "in ft, slug, s" if us else "SI units"
-
-
 def in_base(unit: Unit, us: bool) -> float:
     """What one of a unit is in the base units of a file."""
     return float(factor_to_base(unit, us)) * math.pi**unit.pi_power

@@ -61,3 +61,33 @@ def test_particles_that_are_only_drawn_apart() -> None:
     """They stand for bodies of any size."""
     text = PARTICLES % ("50 mm", ", normal: 0 deg", "")
     assert first(solve(text.replace(", omega(A) = 0", ""))["v"]) == pytest.approx(0.5)
+
+
+def test_the_gap_is_told_in_the_units_of_the_file() -> None:
+    text = """plane: horizontal
+given: {W: 2 lbf}
+bodies:
+  A: {disk: [0, 0], radius: 1 ft, weight: W}
+  B: {disk: [3 ft, 0], radius: 0.5 ft, weight: W}
+joints:
+  - impact: {between: [A, B], restitution: 0.5}
+states:
+  1: [v(A).x = 5 ft/s, v(A).y = 0 ft/s, omega(A) = 0 rad/s, B at rest]
+  2: [just after 1]
+find: {v: v(B).x @ 2}
+"""
+    with pytest.raises(NoSolution, match=r"A and B do not touch in state 1: they are 1\.5 ft apart"):
+        solve(text)
+
+
+def test_a_link_that_does_not_fit_is_told_in_the_units_of_the_file() -> None:
+    text = """plane: vertical
+points: {A: [0, 0], B: [3 ft, 0]}
+bodies: {P: {particle: B, weight: 4 lbf}}
+joints:
+  - link: {between: [A, P], length: 2.5 ft}
+instant: [at rest]
+find: {a: a(P).mag}
+"""
+    with pytest.raises(NoSolution, match=r"length is off by 0\.5 ft"):
+        solve(text)

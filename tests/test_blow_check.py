@@ -9,7 +9,9 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 ONE = r"\(u \+ u′\)/2 = (\S+) \((\S+) \+ (\S+)\)/2 = (\S+) J; T′ - T = (\S+) - (\S+) = (\S+) J"
@@ -42,3 +44,24 @@ def test_several_impulses() -> None:
 
 def test_none_in_letters() -> None:
     assert "T′ - T" not in _page("hinged-bars-struck")
+
+
+def test_a_velocity_that_vanishes_has_no_digits() -> None:
+    """Caught without restitution, the point struck stands still: what rounding leaves of it is not told."""
+    text = """plane: vertical
+points: {A: [0, 0], E: {from: A, distance: 0.8 m, angle: 30 deg}}
+bodies:
+  rod: {rod: [A, 30 deg], length: 1 m, mass: 2 kg}
+  edge: {particle: E}
+joints:
+  - weld: {at: E, between: [edge, ground]}
+  - impact: {between: [rod, edge], restitution: 0}
+states:
+  1: [v(rod).x = 0 m/s, v(rod).y = -3 m/s, omega(rod) = 0 rad/s]
+  2: [just after 1]
+find: {w: omega(rod) @ 2}
+"""
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(300).render(narrate(solve_problem(problem))).split())
+    assert "2.498 (-2.598 + 0)/2 = -3.245 J" in page

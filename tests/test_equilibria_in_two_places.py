@@ -177,3 +177,20 @@ def test_what_is_the_same_in_all_positions_is_told() -> None:
     assert problem is not None, wrong
     page = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
     assert "other roots: -90° (it holds as well, and what is asked is the same)" in page
+
+
+def test_a_knot_without_mass_that_is_pulled() -> None:
+    """2 k (l - 0.8 m) y/l = 50 N with l² = 1 m² + y²; the digits that are left of it move no body without mass."""
+    text = """plane: vertical
+points: {A: [-1 m, 0], B: [1 m, 0]}
+coordinates: {y: m}
+bodies: {K: {particle: [0, -y]}}
+loads:
+  - spring: {between: [A, K], stiffness: 100 N/m, natural_length: 0.8 m}
+  - spring: {between: [B, K], stiffness: 100 N/m, natural_length: 0.8 m}
+  - force: {body: K, magnitude: 50 N, angle: -90 deg}
+instant: [equilibrium, y > 0]
+find: {y: y}
+"""
+    y = float(first(solve(text)["y"]))
+    assert 200 * (hypot(1, y) - 0.8) * y / hypot(1, y) == pytest.approx(50)

@@ -347,3 +347,47 @@ def test_of_a_stepped_wheel_that_rim_touches_that_can(at: float, ratio: float) -
 
 def test_the_hub_of_a_reel_touches_a_rail() -> None:
     assert_close(solve(RAIL)["v"], "0.2")
+
+
+FLYWHEEL = """plane: horizontal
+points: {O: [0, 0]}
+bodies: {w: {disk: O, mass: 3 kgTOLD}}
+joints:
+  - pin: {at: O, between: [ground, w]}
+loads:
+  - torque: {body: w, moment: 4 N*m}
+instant: [at rest]
+find: {value: alpha(w)}
+"""
+
+
+def test_a_wheel_that_nothing_touches_needs_no_radius() -> None:
+    assert_close(solve(FLYWHEEL.replace("TOLD", ", inertia: 0.2 kg*m^2"))["value"], 20)
+
+
+def test_its_inertia_needs_a_radius_where_it_is_not_told() -> None:
+    _, wrong = load_text(FLYWHEEL.replace("TOLD", ""))
+    assert [(d.code, d.message) for d in wrong] == [("PL311", "the body w needs the key 'radius'")]
+
+
+THROWN = """plane: vertical
+bodies: {P: {particle: [0, 0], mass: 2 kg}}
+states:
+  1: [v(P).x = 3 m/s, v(P).y = 4 m/s]
+  2: [v(P).y = 0 m/s]
+find: {height: y(P) @ 2}
+cases:
+  now:
+    instant: [v(P).x = 3 m/s, v(P).y = 4 m/s]
+    find: {rho: rho(P)}
+  moon:
+    given: {g: 1.62 m/s^2}
+    find: {there: y(P) @ 2}
+"""
+
+
+def test_a_case_of_states_may_ask_about_one_instant() -> None:
+    """ρ = v²/a_n with a_n = g v_x/v; the other case still has the states."""
+    found = solve(THROWN)
+    for name, truth in (("height", 8 / 9.81), ("rho", 25 / (9.81 * 0.6)), ("there", 8 / 1.62)):
+        assert_close(found[name], truth)

@@ -39,7 +39,7 @@ def joined(scene: Setting, title: str, during: Span, a: str, b: str, place: Vec,
 
 def same_turn(title: str, a: str, b: str) -> Residual:
     """Two bodies turn by the same angle."""
-    return Residual(title, lambda poses: poses.angle(a) - poses.angle(b))
+    return Residual(title, lambda poses: poses.angle(a) - poses.angle(b), turns=True)
 
 
 def touching(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, ...]:

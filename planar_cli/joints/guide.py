@@ -231,4 +231,4 @@ def _with_tangent(name: str, mover: str, track: Outline, point: Vec) -> Residual
             along = poses.point(mover, point) - poses.point(track.body, center_of(track, point) or point)
         return poses.angle(mover) - poses.turned(along)
 
-    return Residual(f"{name}: angle", angle)
+    return Residual(f"{name}: angle", angle, turns=True)

@@ -127,7 +127,8 @@ _NAMES = {
         "the point A and does not turn, or from the body A: give the body another name."
     ),
     "PL430": (
-        "`instant` says what holds at the one instant asked about; `states` names several. A file has one of the two."
+        "`instant` says what holds at the one instant asked about; `states` names several. A file has one of the two; "
+        "a case of a file with states may have an `instant` in their place."
     ),
     "PL431": (
         "This statement cannot stand here: `just after` belongs to `states`, `is largest` to `instant` and "

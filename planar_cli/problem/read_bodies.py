@@ -197,6 +197,10 @@ def _rod(fields: Fields) -> Rod:
 
 
 def _round(kind: str, fields: Fields) -> Round | Outline:
+    """A wheel that nothing touches needs no radius where its inertia is told, or where it has no mass."""
+    light, told = not {"mass", "weight"} & fields.present(), {"inertia", "radius_of_gyration"} & fields.present()
+    if not {"radius", "hub"} & fields.present() and (light or told):
+        return Outline(fields.need_name(kind, "a point"))
     found = Round(kind, fields.need_name(kind, "a point"), fields.need_side("radius"), fields.side("hub"))
     center = fields.name("center", "a point")
     return found if center in (None, found.center) else Outline(center, found)

@@ -12,13 +12,17 @@ def merged(base: Mapping, case: Mapping) -> Mapping:
     """The file as a case sees it: lists are added to, names replaced, words and choices replaced.
 
     A name that the case gives in `given`, `symbols`, `unknowns` or `coordinates` leaves the others of these four.
-    The file's own `find` and `cases` are left out; a case has finds of its own.
+    The file's own `find` and `cases` are left out; a case has finds of its own. One that says what holds at a single
+    `instant` has that in place of the states of the file.
     """
     moved = _moved(case)
     changes = {key.text: (key, value) for key, value in case.pairs}
+    left_out = {"find", "cases", "answers"}
+    if "instant" in changes and "states" not in changes:
+        left_out.add("states")
     pairs: list[tuple[Scalar, Node]] = []
     for key, value in base.pairs:
-        if key.text in ("find", "cases", "answers"):
+        if key.text in left_out:
             continue
         kept = _without(value, moved - _names(changes, key.text)) if key.text in VALUES else value
         if key.text in changes:

@@ -69,9 +69,11 @@ class Poses(Protocol):
 @record
 class Residual:
     """`of` gives a number that stays zero, or a Vec of which both parts do; `title` says what it keeps. `anywhere`: it
-    vanishes wherever the joint begins to hold, not only from where things are drawn.
+    vanishes wherever the joint begins to hold, not only from where things are drawn. `turns`: it is an angle, others
+    are lengths.
     """
 
     title: str
     of: Callable[[Poses], Any]
     anywhere: bool = False
+    turns: bool = False

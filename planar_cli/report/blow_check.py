@@ -34,6 +34,8 @@ PARTING = "; u, u′: velocity at which the two points part, before and after"
 TURNING = "; ω, ω′: before and after"
 MOST = 5
 """Works of impulses that fit a line."""
+NIL = Decimal("1e-25")
+"""A velocity that is no more than this part of the other one is rounding."""
 STILL = Vec(Decimal(0), Decimal(0))
 
 
@@ -196,6 +198,8 @@ class _Blow:
                 for body, point, force, couple in acting
             ]
             speeds.append(Decimal(0) if agree(parts, []) else sum(parts, Decimal(0)))
+        # One that vanishes among digits that were rounded is none.
+        speeds = [Decimal(0) if abs(s) <= NIL * max(map(abs, speeds)) else s for s in speeds]
         turns = all(force is None for _, _, force, _ in acting)
         pair = len({body for body, *_ in acting if body in self.bodies}) > 1
         return _Work(letter, size, speeds[0], speeds[1], turns, pair)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from decimal import Decimal
 
-from planar_cli.base_units import base_units
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
+from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instances import Instance
 from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.units import parse_unit
 
 DIFFERENT = "PL720"
 HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
@@ -32,8 +34,9 @@ class Seen:
 
 def disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Disagreement:
     """The refusal, with both values of every find that differs."""
-    drawn = ", ".join(f"{s.name} = {instance.taken.letters[s.name]:.6g}" for s in problem.symbols)
-    diagnostics = tuple(_told(problem, wrong, f", for {drawn} ({base_units(problem.us)})" if drawn else ""))
+    values = {s: Decimal(repr(instance.taken.letters[s.name])) for s in problem.symbols}
+    drawn = ", ".join(f"{s.name} = {in_unit(v, parse_unit(s.unit or '1'), problem.us)}" for s, v in values.items())
+    diagnostics = tuple(_told(problem, wrong, f", for {drawn}" if drawn else ""))
     return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
 
 

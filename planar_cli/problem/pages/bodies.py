@@ -10,6 +10,7 @@ Each body has one shape:
     disk: G, radius: R             `hub: r` is a second, concentric step
     ring: G, radius: R             all mass at the rim
     sphere: G, radius: R
+    disk: G                        no radius where nothing touches it and its inertia is told
     disk: O, radius: R, center: G  a wheel, ring or sphere whose mass centre G is not its middle O
     sector: O, radius: R, span: 180 deg, angle: 90 deg        its apex, opening angle, and the direction of its axis
     plate: G, width: b, height: h, angle: 0 deg               a rectangle about G; angle is that of its width

@@ -12,7 +12,6 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.base_units import base_units
 from planar_cli.equation.exact import PI, Unvalued
 from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
@@ -21,6 +20,7 @@ from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
+from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand
 from planar_cli.solve.within_a_turn import within_a_turn
@@ -204,5 +204,6 @@ def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> t
     """Values of sought constants with which the motion is another, in a phrase."""
     if not others:
         return ()
-    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} ({base_units(course.ledger.us)})" for s in course.sought()]
+    values, ledger = others[-1].branch.values, course.ledger
+    names = [f"{s.name} = {in_unit(values[s], ledger.units[s], ledger.us)}" for s in course.sought()]
     return (f"other roots, as {', '.join(names)}, {why}",)

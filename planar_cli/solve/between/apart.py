@@ -18,7 +18,9 @@ from planar_cli.equation.plain import derivative
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.joints.base import Joint
 from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.impulsive.impact import Blow
+from planar_cli.units import LENGTH, default_unit
 
 TOUCHES = 1e-4
 """A gap is one beyond this part of the largest length in sight: places of a file have some four digits."""
@@ -35,10 +37,12 @@ def demand_together(course: StatedMotion, i: int, here: Valuation, near: float) 
     gaps = _gaps(blow, here, near)
     if not gaps or (len(gaps) < len(_impacts(blow)) and all(j.during is None for j, _ in gaps)):
         return
+    us = course.ledger.us
+    apart = default_unit(LENGTH, us=us)
     for joint, gap in gaps:
         if (joint.during is not None or not blow.otherwise) and _fixed(course, i, _between(joint), here):
             a, b = _between(joint)
-            text = f"{a} and {b} do not touch in state {blow.since.name}: they are {gap:.4g} m apart"
+            text = f"{a} and {b} do not touch in state {blow.since.name}: they are {in_unit(gap, apart, us)} apart"
             hint = "let a state before it lead there, or give the places in which they touch"
             if all(partner_of(blow.scene, name).particle for name in (a, b)):
                 hint = f"particles have no size: let {a} and {b} meet at one place, or write `sphere:` with a radius"

@@ -7,7 +7,6 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.base_units import base_units
 from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.jets import Jet
@@ -18,13 +17,15 @@ from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
-from planar_cli.solve.diagnosis.words import false_words, in_unit, left_of, listed, short, unit_of
+from planar_cli.problem.residuals import Residual
+from planar_cli.solve.diagnosis.words import false_words, in_unit, left_of, listed, unit_of
 from planar_cli.solve.instant.asked import names_anywhere
 from planar_cli.solve.instant.inequalities import holds
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.study import solve_velocities
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.multibody.poses import NearPoses
+from planar_cli.units import LENGTH, Unit, default_unit, parse_unit
 
 NEGLIGIBLE = Decimal("1e-6")
 DRIVEN = ("a", "alpha", "ddot")
@@ -286,15 +287,19 @@ def demand_drawn(instant: Instant, trial: Trial) -> None:
             parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
             off = max((abs(p.value) for p in parts), default=Decimal(0))
             if off > NEGLIGIBLE:
-                gap = (
-                    "" if instant.scene.ledger.symbolic else f" by {short(off)} ({base_units(instant.scene.ledger.us)})"
-                )
+                ledger = instant.scene.ledger
+                gap = "" if ledger.symbolic else f" by {in_unit(off, _measure(residual, ledger.us), ledger.us)}"
                 name = f"the {joint.kind} {instant.aliases[joint.name]}"
                 text = f"{name} does not fit the drawing: {residual.title} is off{gap}"
                 hint = "correct the length or a point, or leave the length out"
                 wrong.append(Diagnostic(joint.mark, "PL615", text, hint))
     if wrong:
         raise NoSolution(wrong)
+
+
+def _measure(residual: Residual, us: bool) -> Unit:
+    """The unit in which it is told by how much a joint does not fit."""
+    return parse_unit("rad") if residual.turns else default_unit(LENGTH, us=us)
 
 
 __all__ = ["check_positions", "clash", "demand_drawn", "parts_of", "sources"]

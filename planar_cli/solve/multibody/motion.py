@@ -185,7 +185,7 @@ class Multibody:
         for i in set().union(*parts):
             own = [part[i] for part in parts if i in part]
             # Loads in balance leave their rounding, which a body without mass would be asked to take.
-            if abs(found := sum(own, ZERO)) > NOTHING * max(map(abs, own)):
+            if abs(found := sum(own, ZERO)) > FEW * max(map(abs, own)):
                 total[i] = found
         return total
 
