@@ -171,7 +171,7 @@ class NumericTelling:
     ) -> Printed | None:
         explicit = stage.algebra.explicit
         inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
-        left, right = (s.xreplace(inside) / self._length(w) for s in sides)
+        left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in sides)
         apart = w.law == "relation"
         found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart)
         if found is None:
