@@ -1,4 +1,4 @@
-"""A time is told by its own integral, t = ∫ dv/a, a speed as the root of its line, and roots as one would write them."""
+"""A time is told by its own integral, t = ∫ dv/a, a speed as the root of its line, roots as one would write them."""
 
 from __future__ import annotations
 
