@@ -19,7 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
-from planar_cli.report.axes_asked import axis_of, noted
+from planar_cli.report.axes_asked import along_radius, axis_of, noted
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import Turned, components_told
@@ -142,7 +142,7 @@ class AskedTelling:
             values = (
                 [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)
             )
-            if way := self._way(answer, axis):
+            if way := self._way(answer, axis) or along_radius(answer, self.system.quantities(), self.phrases):
                 sides.append(way)
             if self._readable(expr, answer.unit.dimension) and not expr.is_number:
                 whole = self._with_unit(answer, expr)

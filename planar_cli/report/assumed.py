@@ -23,6 +23,9 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
             told, rest = [w for w in words if w not in assumed], [w for w in words if w in assumed]
             notes = [Note("Motion", line(f"{'; '.join(told)}, as the velocities tell"))] if told else []
             return [*notes, *([Note("Assume", line("; ".join(rest)))] if rest else [])]
+        if list(assumed) == words:
+            # Only the side on which a contact presses is another one.
+            return [Note("Assume", line("; ".join(words)))]
         return [
             Note("Assume", line("; ".join(assumed))),
             Note("Fails", _objection(natural, phrases)),

@@ -6,8 +6,18 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
+import sympy as sp
+
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.quantities import Quantities
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.blocks import Block, Equation, Line, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import Found
+
+LONGEST = 40
+"""A sum of components of more operations is not written."""
 
 
 def axis_of(what: Any) -> str:
@@ -20,3 +30,20 @@ def noted(blocks: Iterable[Block], axis: str) -> Iterator[Block]:
     """Lines of one component, the axis beside them."""
     for block in blocks:
         yield replace(block, note=line(f"along {axis}")) if axis and isinstance(block, Equation) else block
+
+
+def along_radius(answer: Found, quantities: Quantities, phrases: Phrases) -> Line:
+    """The component along the radius to a point or across it, by those along x and y where these are letters:
+    a_r = a_x cos θ + a_y sin θ.
+    """
+    what = answer.find.found.what if answer.find is not None else None
+    if not isinstance(what, Quantity) or what.word not in ("v", "a") or not len(what.parts) == len(what.things) == 1:
+        return ()
+    vector = quantities.any(replace(what, parts=()))
+    if what.parts[0].kind not in ("r", "theta") or not isinstance(vector, Vec):
+        return ()
+    place, parts = quantities.place(what.things[0]), [sp.sympify(p.value) for p in (vector.x, vector.y)]
+    radius = Vec(place.x.value, place.y.value)
+    size, way = simplified(sp.sqrt(radius.dot(radius))), radius if what.parts[0].kind == "r" else radius.turned()
+    told = sp.Add(*(simplified(w / size) * p for w, p in zip((way.x, way.y), parts, strict=True)))
+    return line(phrases.math(told)) if all(p.is_Symbol for p in parts) and not longer(told, LONGEST) else ()

@@ -15,6 +15,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.letter_check import letter_check
+from planar_cli.report.polar_check import polar_check
 from planar_cli.report.power_check import power_check
 from planar_cli.report.presses import formula_of_press
 from planar_cli.report.velocity_check import velocity_check
@@ -47,7 +48,7 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     )
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
     if single and sure and not limits:
-        others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check))
+        others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check, polar_check))
         told += [next(filter(None, others), ())]
     told += [letter_check(instant, phrases)] if single and phrases.symbolic else []
     return [Check(phrase) for phrase in told if phrase]

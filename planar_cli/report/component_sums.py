@@ -49,11 +49,12 @@ def components_told(turned: Turned, figures: int) -> Line:
         return ()
     if sum(map(len, found)) > MOST_TERMS:
         return ()
-    x, y = (_sum(parts, figures) for parts in found)
+    x, y = (sum_of_products(parts, figures) for parts in found)
     return line("[", x, ", ", y, "]")
 
 
-def _sum(parts: Sequence[tuple[int, tuple[Decimal, ...]]], figures: int) -> Math:
+def sum_of_products(parts: Sequence[tuple[int, tuple[Decimal, ...]]], figures: int) -> Math:
+    """A sum of signed products of numbers, with as many figures as its result needs."""
     if not parts:
         return Math(sp.S.Zero)
     numbers = [n for _, factors in parts for n in factors]

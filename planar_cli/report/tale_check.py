@@ -25,6 +25,7 @@ from planar_cli.units import LENGTH, PURE, TIME
 
 SHORT = 10
 """What a vector is at a special place has at most so many operations."""
+RATES = ("v", "a", "omega", "alpha")
 PLACES = ((sp.S.Zero, "0"), (sp.pi, "180°"))
 Values = dict[str, tuple[Decimal, int]]
 """Of the letters of a tale: their values, and how often they are lengths differentiated."""
@@ -36,7 +37,12 @@ def tale_check(part: PartSolution, phrases: Phrases) -> Line:
         return ()
     numeric = replace(phrases, symbolic=False, lettered=frozenset())
     values = _values(part.tale)
-    ways = (_by_components(values, numeric), _on_circle(part, values, numeric), _special(part, phrases))
+    ways = (
+        _by_components(values, numeric),
+        _on_circle(part, values, numeric),
+        _special(part, phrases),
+        _rates(part, phrases),
+    )
     return next(filter(None, ways), ())
 
 
@@ -126,12 +132,33 @@ def _special(part: PartSolution, phrases: Phrases) -> Line:
     return ()
 
 
-def _angle(answer: Found, phrases: Phrases) -> sp.Symbol | None:
-    """The only coordinate in a vector in letters, where that is an angle."""
+def _rates(part: PartSolution, phrases: Phrases) -> Line:
+    """What velocities and accelerations that are asked as single numbers come to at the same positions."""
+    told: list[Any] = []
+    for number, words in PLACES:
+        found: list[Any] = []
+        for answer in part.found:
+            what = answer.find.found.what if answer.find is not None else None
+            angle = _angle(answer, phrases, "number")
+            if angle is None or not isinstance(what, Quantity) or what.word not in RATES:
+                continue
+            value = sp.factor_terms(
+                sp.radsimp(simplified((answer.expressions or (sp.nan,))[0].xreplace({angle: number})))
+            )
+            if longer(value, SHORT) or value.has(sp.nan, sp.zoo, sp.oo):
+                return ()
+            found += [", " if found else "", Name(answer.name), " = ", phrases.math(value)]
+            head = ["; " if told else "", "at ", Math(angle), f" = {words}: "]
+        told += [*head, *found] if found else []
+    return line(*told)
+
+
+def _angle(answer: Found, phrases: Phrases, kind: str = "vector") -> sp.Symbol | None:
+    """The only coordinate in a vector, or a number, in letters, where that is an angle."""
     ledger = phrases.ledger
     inside = {s for e in answer.expressions or () for s in e.free_symbols}
     own = inside & set(ledger.coordinates)
-    if answer.kind != "vector" or answer.values is not None or len(own) != 1 or ledger.symbols.get("t") in inside:
+    if answer.kind != kind or answer.values is not None or len(own) != 1 or ledger.symbols.get("t") in inside:
         return None
     (angle,) = own
     return angle if ledger.units[angle].dimension == PURE else None

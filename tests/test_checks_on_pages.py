@@ -1,0 +1,52 @@
+"""Checks of kinematics that a person can make: polar coordinates about a pin, and special places."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        (
+            "kinematics/collar-on-rotating-rod",
+            [
+                "polar coordinates about O: a_r = r̈ - r ω² = -0.2 - 0.5 · 4² = -8.2 m/s²",
+                "a_θ = r α + 2 ṙ ω = 0.5 (-3) + 2 · 0.6 · 4 = 3.3 m/s²",
+                "√(a_r² + a_θ²) = 8.839 m/s² = |a_P|",
+            ],
+        ),
+        ("kinematics/ring-on-two-turning-rods", ["polar coordinates about A: a_r = r̈ - r ω² = -1.467 - 0.4 · 3²"]),
+        (
+            "kinematics/pin-in-a-limacon-groove",
+            [
+                "at θ = 0: v_r = 0, v_th = b w, a_r = 0, a_th = 0; at θ = 180°: v_r = 0, v_th = 3 b w, a_r = -4 b w²",
+                # At an instant the components along and across the radius, by those along x and y.
+                "a_ur = a_Px cos θ + a_Py sin θ = -2 b w²",
+                "a_uth = a_Py cos θ - a_Px sin θ = 2 b w²",
+            ],
+        ),
+        ("kinematics/geneva-wheel", ["at θ = 0: ω_wheel = -(1 + √2) w, α_wheel = 0"]),
+    ],
+)
+def test_a_check_that_a_person_can_make(name: str, lines: list[str]) -> None:
+    page = Terminal(width=240).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+    for told in lines:
+        assert told in page
+
+
+def test_of_a_chord_that_misses_the_pin_there_are_no_polar_coordinates() -> None:
+    page = Terminal(width=240).render(narrate(worked(ROOT / "problems/kinematics/slider-in-a-chord-of-a-disk.yaml")[0]))
+    assert "polar coordinates" not in page
+
+
+def test_the_same_assumption_is_not_told_to_fail() -> None:
+    """A ball in a loop that does not press outwards presses inwards: the contact holds, there is nothing else to try."""
+    page = Terminal(width=240).render(narrate(worked(ROOT / "problems/particles/bead-in-loop.yaml")[0]))
+    assert "Fails" not in page
+    assert "Assume      ball at P stays in contact" in page
