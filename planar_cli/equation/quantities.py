@@ -21,6 +21,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 
 LATER = {
@@ -33,8 +34,7 @@ LATER = {
     "mean",
     "count",
     "reached",
-    "period",
-    "frequency",
+    *OF_SWINGS,
     "stable",
 }
 

@@ -83,7 +83,7 @@ QUANTITY_KINDS: Mapping[str, Kind] = MappingProxyType(
         "impulse": Kind(units.IMPULSE),
         "H": Kind(units.ANGULAR_MOMENTUM),
         "power": Kind(units.POWER),
-        "count": PURE,
+        **dict.fromkeys(("count", "decrement", "damping_ratio"), PURE),
         "period": Kind(units.TIME),
         "frequency": Kind(units.RATE),
         **dict.fromkeys(("reached", "stable"), TRUTH),

@@ -19,13 +19,16 @@ _THINGS = (
     " mass I KE PE momentum H power work impulse heat path_length"
 )
 
+OF_SWINGS = ("period", "frequency", "decrement", "damping_ratio")
+"""Quantities of small oscillations of one freedom about an equilibrium state."""
+
 # What stands in the bracket of each quantity: one or two names, a side, a relation, or a state.
 QUANTITIES: Mapping[str, Form] = MappingProxyType(
     {
         **dict.fromkeys(_THINGS.split(), "things"),
         **dict.fromkeys(("dot", "ddot", "mean"), "side"),
         "count": "relation",
-        **dict.fromkeys(("reached", "period", "frequency", "stable"), "state"),
+        **dict.fromkeys(("reached", *OF_SWINGS, "stable"), "state"),
     }
 )
 

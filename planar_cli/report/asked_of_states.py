@@ -22,7 +22,7 @@ from planar_cli.report.compared import compared_sides
 from planar_cli.report.equilibrium_places import by_places, equilibrium_places
 from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.nil_impulses import nil_of_blow
-from planar_cli.report.oscillation import by_frequency, periods_told
+from planar_cli.report.oscillation import by_damping, by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.values_of_states import closed_value, untold
@@ -161,7 +161,11 @@ class AskedTelling:
         if phrases.has_numbers(formula) and asked.unit is not None:
             values = self._values(asked, asked.unit, formula)
             values = values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
-        sides: list[Any] = [name, *self._shown(formula, span, asked.unit, values, phrases), *values]
+        damped = by_damping(asked.find.found.what, self.found, phrases)
+        shown = damped or self._shown(formula, span, asked.unit, values, phrases)
+        if shown and values and shown[0].expr == sp.Symbol(asked.find.name, real=shown[0].expr.is_real):
+            shown = shown[1:]  # the file calls it as the page does
+        sides: list[Any] = [name, *shown, *values]
         if span is not None and (quoted := self._told_before(span)):
             yield Equation((name, quoted, *values))
         elif span is None:

@@ -12,6 +12,7 @@ from planar_cli.equation.exact import ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.letter_check import letter_check
@@ -90,7 +91,7 @@ def _follow_from_motion(names: list[str], part: PartSolution) -> bool:
     told = {f.name: f.find.found.what for f in part.found if f.find is not None}
     compared = bool(part.instants) and part.instants[-1].checks.get("digits") is not None
     words = [what.word if isinstance(what := told.get(name), Quantity) else "" for name in names]
-    return compared and all(word in ("period", "frequency", "stable") for word in words)
+    return compared and all(word in (*OF_SWINGS, "stable") for word in words)
 
 
 def unconfirmed(found: Found, part: PartSolution) -> str:

@@ -10,6 +10,9 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.report.clean import Mixed, dimension_of
 from planar_cli.units import PURE
 
+LARGEST = 10_000
+"""A ratio of larger numbers is not easier to read than the logarithms that it joins."""
+
 
 def of_ratios(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
     """A formula in which logarithms of quantities with units, with the same factor up to its sign, stand as one."""
@@ -31,8 +34,33 @@ def of_ratios(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
             found.setdefault(sign * factor, []).append((sign, logs[0].args[0]))
         return sp.Add(*rest, *(_together(factor, parts, ledger) for factor, parts in found.items()))
 
-    found = expr.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), joined)
+    found = expr.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), _of_numbers)
+    found = found.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), joined)
     return found.replace(lambda x: x.is_Mul and any(isinstance(a, sp.log) for a in x.args), _turned)
+
+
+def _of_numbers(total: Any) -> Any:
+    """2 a ln(8/5) for 6 a ln(2) - 2 a ln(5): logarithms of numbers with multiples of one factor as one."""
+    multiples: dict[sp.Expr, dict[sp.Rational, sp.Rational]] = {}
+    rest = []
+    for term in total.args:
+        logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log)]
+        if len(logs) != 1 or not logs[0].args[0].is_Rational:
+            rest.append(term)
+            continue
+        count, factor = (term / logs[0]).as_coeff_Mul(rational=True)
+        multiples.setdefault(factor, {})[logs[0].args[0]] = count
+    if not any(len(counts) > 1 for counts in multiples.values()):
+        return total
+    for factor, counts in multiples.items():
+        unit = sp.gcd_list(list(counts.values()))
+        ratio = sp.prod(number ** (count / unit) for number, count in counts.items())
+        short = max(ratio.p, ratio.q) <= LARGEST
+        if not short:
+            rest += [factor * count * sp.log(number) for number, count in counts.items()]
+        else:
+            rest.append(factor * unit * sp.log(ratio) if ratio > 1 else -factor * unit * sp.log(1 / ratio))
+    return sp.Add(*rest)
 
 
 def _of_two(total: sp.Expr, ledger: Ledger) -> sp.Expr | None:

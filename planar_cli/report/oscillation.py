@@ -51,8 +51,24 @@ def by_frequency(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> list[M
         return []
     letter = sp.Symbol("omega_d" if found.damping != 0 else "omega_0", real=True)
     size = {} if phrases.symbolic else {letter: motion.value(sp.sqrt(found.square))}
-    put = phrases.numbers(factor * letter, size) if size else None
+    put = phrases.numbers(factor * letter, size) if size and factor != 1 else None
     return [phrases.math(factor * letter), *([] if put is None else [put])]
+
+
+def by_damping(what: Any, motion: MotionTrace, phrases: Phrases) -> list[Math]:
+    """A decrement δ = π c/ω_d or damping ratio ζ = c/(2 ω_0), c the factor of the rate in the linear part, with its
+    numbers. Empty: it is something else, or no such part was told.
+    """
+    word = what.word if isinstance(what, Quantity) else ""
+    found = next((o for o in motion.oscillations if word and o.state in what.things and len(o.motion) == 1), None)
+    if found is None or word not in ("decrement", "damping_ratio") or found.damping == 0 or found.verdict.power > 1:
+        return []
+    whole = word == "decrement"
+    letter = sp.Symbol("omega_d" if whole else "omega_0", real=True)
+    expr = phrases.neat(sp.pi * found.damping / letter if whole else found.damping / (2 * letter))
+    size = {} if phrases.symbolic else {letter: motion.value(sp.sqrt(found.square if whole else found.stiffness))}
+    put = phrases.numbers(expr, size) if size else None
+    return [phrases.math(expr), *([] if put is None else [put])]
 
 
 def oscillation_blocks(

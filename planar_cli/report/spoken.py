@@ -23,6 +23,8 @@ WORDS = {
     "energy": "the energy of {}",
     "period": "the period about {}",
     "frequency": "the frequency about {}",
+    "decrement": "the logarithmic decrement about {}",
+    "damping_ratio": "the damping ratio about {}",
 }
 RELATIVE = {"v": "the velocity", "a": "the acceleration"}
 PARTS = {"mag": "the size of ", "angle": "the direction of "}

@@ -26,6 +26,7 @@ from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.simulate.measures import START, Measures, Moment
 from planar_cli.simulate.spans import Spans
@@ -35,9 +36,7 @@ from planar_cli.units import PURE, Unit, default_unit, parse_unit
 NOT_FOLLOWED = {
     "path": "a curve has an equation, which no step method gives",
     "hodograph": "a curve has an equation, which no step method gives",
-    "period": "small oscillations are about an equilibrium, not along a motion",
-    "frequency": "small oscillations are about an equilibrium, not along a motion",
-    "stable": "small oscillations are about an equilibrium, not along a motion",
+    **dict.fromkeys((*OF_SWINGS, "stable"), "small oscillations are about an equilibrium, not along a motion"),
 }
 NO_UNIT = parse_unit("1")
 JOULE = parse_unit("J")

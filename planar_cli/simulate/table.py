@@ -12,6 +12,7 @@ from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.measures import Several
@@ -106,7 +107,7 @@ def _throughout(found: Found) -> bool:
     nodes = list(walk(found.what))
     quantities = [n for n in nodes if isinstance(n, Quantity)]
     words = {q.word for q in quantities}
-    late = words & {"path", "hodograph", "period", "frequency", "stable", "reached", "mode", "work", "impulse", "mean"}
+    late = words & {"path", "hodograph", *OF_SWINGS, "stable", "reached", "mode", "work", "impulse", "mean"}
     return bool(quantities) and not late and not any(getattr(n, "at", None) for n in nodes)
 
 

@@ -14,11 +14,12 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.solve.instant.asked import FORCES, has_mass
 from planar_cli.solve.regimes.mode_dates import told_by_modes
 
 CURVES = ("path", "hodograph")
-SPANNED = ("reached", "period", "frequency", "stable", "count")
+SPANNED = ("reached", *OF_SWINGS, "stable", "count")
 REACTIONS = frozenset(("N", "friction", "reaction", "tension"))
 MOTIONS = frozenset(("v", "omega", "dot", "KE", "momentum", "H", "a", "alpha", "ddot"))
 

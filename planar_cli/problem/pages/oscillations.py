@@ -17,9 +17,13 @@ Small oscillations about it
   stable(s)            is a small deviation drawn back? true or false
   period(s)            2*pi/omega_d, of the damped oscillation if there is damping
   frequency(s)         its inverse: 1/s or Hz; the circular frequency with `in rad/s`
+  decrement(s)         logarithmic decrement: ln of the ratio of two amplitudes a period apart, c*T/(2*m) of a block;
+                       of the n-th after it divide by n: `decrement(s) = log(x_0/x_n)/n`
+  damping_ratio(s)     damping as a part of the critical one, c/(2*m*omega_0); also where nothing oscillates
 
-  What is told of them may determine a constant under `unknowns`: `[equilibrium, theta = 0, period(hang) = 2 s]`, or
-  `period(hang) is smallest`; `frequency(hang) = 0` is critical damping.
+  What is told of them may determine constants under `unknowns`: `[equilibrium, theta = 0, period(hang) = 2 s]`, or
+  `period(hang) is smallest`; `frequency(hang) = 0` is critical damping. A record of an oscillation that dies away
+  tells stiffness and damping: `[equilibrium, x = 0, period(rest) = T, decrement(rest) = log(x_1/x_2)]`.
 
   A period exists for one free coordinate; of several only `stable(s)` is asked. Where the motion creeps back without
   oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small oscillations.

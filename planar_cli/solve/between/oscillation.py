@@ -3,6 +3,7 @@
 With s the small deviation that grows with a free speed u (ds/dt = u), and du/dt = f(q, u):
 
     s̈ + c ṡ + ω₀² s = 0        ω₀² = -Σ ∂f/∂q dq/ds        c = -∂f/∂u        T = 2π/√(ω₀² - c²/4)
+    δ = ln(s_n/s_n+1) = c T/2        ζ = c/(2 ω₀)
 
 With several free speeds ω₀² and c are matrices; the roots λ of their characteristic equation tell periods and
 stability. SI units.
@@ -23,6 +24,7 @@ from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.problem.walk import walk
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import Verdict
 from planar_cli.solve.regimes.regime import Regime
@@ -71,6 +73,23 @@ class Oscillation:
     def frequency(self) -> sp.Expr:
         """In Hz."""
         return sp.sqrt(self.square) / (2 * sp.pi)
+
+    def decrement(self, period: sp.Expr | None) -> sp.Expr:
+        """ln of the ratio of two deviations a period apart. `period`: what it is stated to be."""
+        return self.damping[0][0] * (self.period if period is None else period) / 2
+
+    def damping_ratio(self, period: sp.Expr | None) -> sp.Expr:
+        """The damping as a part of the critical one: ζ = c/(2 ω₀), and with a period ζ = δ/√(4π² + δ²)."""
+        if period is None:
+            return self.damping[0][0] / (2 * sp.sqrt(self.stiffness[0][0]))
+        decrement = self.decrement(period)
+        return decrement / sp.sqrt(4 * sp.pi**2 + decrement**2)
+
+    def told(self, word: str, period: sp.Expr | None) -> sp.Expr:
+        """One of the quantities of a single freedom, by its word."""
+        if word in ("period", "frequency"):
+            return self.period if word == "period" else self.frequency
+        return self.decrement(period) if word == "decrement" else self.damping_ratio(period)
 
 
 def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) -> Oscillation:
@@ -155,8 +174,8 @@ def _demand_steady(law: sp.Expr, drift: dict[sp.Symbol, sp.Expr], regime: Regime
 def oscillations_asked(
     course: RegimeSequence, raw: Mapping[str, Iterable[tuple[Statement, tuple[Any, ...]]]]
 ) -> dict[str, Oscillation]:
-    """The oscillations that period(s), frequency(s) or stable(s) ask about, by state. `raw`: what the equilibrium
-    states say, in the general position.
+    """The oscillations that period(s), decrement(s), stable(s) and the like ask about, by state. `raw`: what the
+    equilibrium states say, in the general position.
     """
     found: dict[str, Oscillation] = {}
     for q in _asked(course):
@@ -170,23 +189,48 @@ def oscillations_asked(
     return found
 
 
-def periods(course: RegimeSequence, swings: Mapping[str, Oscillation]) -> dict[sp.Symbol, sp.Expr]:
-    """What period(s) and frequency(s) of one freedom are, in letters of their states. NoSolution: a state gives that of
-    several freedoms.
+def periods(
+    course: RegimeSequence,
+    swings: Mapping[str, Oscillation],
+    raw: Mapping[str, Iterable[tuple[Statement, tuple[Any, ...]]]],
+) -> dict[sp.Symbol, sp.Expr]:
+    """What period(s), frequency(s), decrement(s) and damping_ratio(s) of one freedom are, in letters of their states.
+    NoSolution: a state gives that of several freedoms. `raw`: what the equilibrium states say.
     """
     told = {}
     stated = {n for state in course.problem.states for r in state.relations for n in walk(r)}
     for reader in course.distinct_readers():
         for symbol, q in reader.spans.items():
-            if q.word in ("period", "frequency") and swings[q.things[0]].single:
-                found = swings[q.things[0]]
-                told[symbol] = found.period if q.word == "period" else found.frequency
-            elif q.word in ("period", "frequency") and q in stated:
+            if q.word in OF_SWINGS and swings[q.things[0]].single:
+                name = q.things[0]
+                period = _stated_period(course, raw[name]) if q in stated else None
+                told[symbol] = swings[name].told(q.word, period)
+            elif q.word in OF_SWINGS and q in stated:
                 count = len(swings[q.things[0]].speeds)
                 text = f"about {q.things[0]} there are {count} freedoms, and `{q.word}({q.things[0]})` is of one alone"
                 hint = "leave one free to swing: hold the others by `motion`, or draw each body in a case of its own"
                 raise NoSolution([Diagnostic(q.mark, "PL632", text, hint)])
     return told
+
+
+def _stated_period(course: RegimeSequence, raw: Iterable[tuple[Statement, tuple[Any, ...]]]) -> sp.Expr | None:
+    """The period that relations of a state give, themselves or by its frequency, in constants of the file; None: none.
+    With it what goes with the damping alone stays apart from what goes with the stiffness.
+    """
+    spans = {symbol: q for reader in course.distinct_readers() for symbol, q in reader.spans.items()}
+    varying = {s for regime in course.distinct_regimes() for s in regime.letters}.union(spans)
+    for _, parts in raw:
+        for symbol in parts[1].free_symbols & spans.keys() if parts[0] == "=" else ():
+            try:
+                form = linear_form(parts[1], [symbol])
+            except Nonlinear:
+                continue
+            word, factor = spans[symbol].word, form.terms.get(symbol)
+            if word in ("period", "frequency") and factor is not None and factor.is_number:
+                size = -form.constant / factor
+                if not size.free_symbols & varying and size != 0:
+                    return size if word == "period" else 1 / size
+    return None
 
 
 def placed(course: RegimeSequence, found: Oscillation) -> Oscillation:
@@ -209,13 +253,13 @@ def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation]
         found = swings[q.things[0]]
         if isinstance(value, Sample) and (q.word == "stable" or not _swings(found, value)):
             demand_everywhere(placed(course, found), q, value, course.scene.everywhere())
-        if q.word in ("period", "frequency") and not (q in stated and value.is_zero(found.square)):
+        if q.word in OF_SWINGS and not (q in stated and value.is_zero(found.square)):
             _demand_period(swings[q.things[0]], q, value)
 
 
 def periods_asked(course: RegimeSequence) -> set[str]:
-    """The equilibrium states about which a period is asked."""
-    return {q.things[0] for q in _asked(course) if q.word in ("period", "frequency")}
+    """The equilibrium states about which a period is asked, or what goes with one."""
+    return {q.things[0] for q in _asked(course) if q.word in OF_SWINGS}
 
 
 def _swings(found: Oscillation, value: Valuation) -> bool:
@@ -225,7 +269,7 @@ def _swings(found: Oscillation, value: Valuation) -> bool:
 
 def _asked(course: RegimeSequence) -> Iterator[Quantity]:
     spans = (q for reader in course.distinct_readers() for q in reader.spans.values())
-    return (q for q in spans if q.word in ("period", "frequency", "stable"))
+    return (q for q in spans if q.word in (*OF_SWINGS, "stable"))
 
 
 def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
@@ -239,7 +283,7 @@ def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
     if not stability(found, value).stable:
         raise _no_period(q.mark, f"the equilibrium {state} is not stable, so nothing oscillates about it")
     square = value(found.square)
-    if value.is_zero(found.square) or square < 0:
+    if q.word != "damping_ratio" and (value.is_zero(found.square) or square < 0):
         how = "critically damped" if value.is_zero(found.square) else "overdamped"
         raise _no_period(q.mark, f"{how}: it creeps back to {state} without oscillating")
 

@@ -107,7 +107,7 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     blows = _blows(motion, placed)
     between.close(motion.regimes)
     swings = oscillations_asked(motion, beside)
-    motion.told.update(periods(motion, swings))
+    motion.told.update(periods(motion, swings, beside))
     if spanned:
         tell_spans(motion, spanned, blows, raw)
     demands = {s.name: readers[s.name].demands(stops[s.name], raw[s.name]) for s in states}
