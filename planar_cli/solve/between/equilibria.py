@@ -228,8 +228,23 @@ def _demand_letter_by_letter(
     """Undecided: the equations do not give one letter after the other."""
     found = list(_chain(course, states, demands, equations, {}).branches(equations))
     if found and all(b.left for b in found):
+        _demand_enough(course, states, found[0])
         text = "the equations of equilibrium are nonlinear in several unknowns at once"
         raise undecided_at(states[0].mark, f"{text}; a coordinate less may help, where symmetry tells one")
+
+
+def _demand_enough(course: RegimeSequence, states: tuple[State, ...], branch: Branch) -> None:
+    """NoSolution: fewer relations are left than constants that are sought, so that no equilibrium tells them."""
+    told = {s: simplified(sp.sympify(str(v))) for s, v in branch.values.items()}
+    left = [e for e in branch.left if simplified(e.residual.xreplace(told)) != 0]
+    unknowns = by_name({s for e in left for s in e.residual.free_symbols & {*course.sought()}} - told.keys())
+    stated = list(dict.fromkeys(e.words for e in left))
+    if len(left) >= len(unknowns) or len(left) != len(stated):
+        return
+    names = listed(s.name for s in unknowns)
+    text = f"{states[0].name}: {names} are open: {listed(f'`{t}`' for t in stated)} is all that is said of them there"
+    hint = "an equilibrium is solved before any motion: say more of it, such as its `decrement` or `damping_ratio`"
+    raise NoSolution([Diagnostic(states[0].mark, "PL623", text, hint)])
 
 
 def _branches(
