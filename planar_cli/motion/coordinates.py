@@ -103,8 +103,9 @@ class Coordinates:
                 return self._written(x, y)
             case Polar(origin, distance, angle):
                 return self._written(distance, angle) or self._follows_named(origin)
-            case Towards(origin, towards, distance):
-                return self._written(distance) or self._follows_named(origin) or self._follows_named(towards)
+            case Towards(origin, towards, distance, offset):
+                sides = [distance] if offset is None else [distance, offset]
+                return self._written(*sides) or self._follows_named(origin) or self._follows_named(towards)
             case Midpoint(a, b):
                 return self._follows_named(a) or self._follows_named(b)
             case TwoFacts() as facts:

@@ -147,7 +147,8 @@ def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Di
             hint = "a direction that turns with a body is counted from its angle: `theta(b)`, `theta(b) + 90 deg`"
         elif formula.angle and quantity.word == "theta":
             hint = "a direction that turns with a body is written with the coordinate by which the body is placed: "
-            hint += "`B: {from: A, distance: l, angle: phi}` with `coordinates: {phi: deg}`, and here `phi + 90 deg`"
+            hint += "`B: {from: A, distance: l, angle: phi}` with `coordinates: {phi: deg}`, and here `phi + 90 deg`; "
+            hint += "a point beside a line through others is `{from: A, towards: B, distance: l, offset: h}`"
         yield Diagnostic(quantity.mark, "PL413", f"{formula.what} cannot use {quantity.word}(…)", hint)
     for state in (quantity.at,) if isinstance(quantity.at, str) else quantity.at or ():
         yield from missing_state(state, scope, quantity.mark)

@@ -160,7 +160,8 @@ def _parts(place: object) -> tuple[list[Side], list[str]]:
         case Polar():
             return [place.distance, place.angle], [place.origin]
         case Towards():
-            return [place.distance], [place.origin, place.towards]
+            sides = [place.distance] if place.offset is None else [place.distance, place.offset]
+            return sides, [place.origin, place.towards]
         case TwoFacts():
             sides = [s for s in (place.x, place.y) if s is not None]
             facts = (*place.lines, *place.distances)

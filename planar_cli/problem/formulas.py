@@ -104,6 +104,7 @@ def _of_point(point: Point) -> Iterator[Formula]:
             yield from _plain(place.angle, "angle", f"the angle {what}")
         case Towards():
             yield from _plain(place.distance, "length", f"the distance {what}")
+            yield from _plain(place.offset, "length", f"the offset {what}")
         case TwoFacts():
             yield from _plain(place.x, "length", f"x {what}")
             yield from _plain(place.y, "length", f"y {what}")

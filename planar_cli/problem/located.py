@@ -64,7 +64,7 @@ def located(point: Point, numbers: Numbers) -> Vec:
                 hint = f"name another point, or write `{{from: {place.origin}, distance: …, angle: 30 deg}}`"
                 raise refuse(point.mark, "PL510", text, hint)
             towards: Vec = origin + reach * (value(place.distance) / length)
-            return towards
+            return towards if place.offset is None else towards + reach.turned() * (value(place.offset) / length)
         case Midpoint():
             middle: Vec = (at(place.a) + at(place.b)) / numbers.number(2)
             return middle

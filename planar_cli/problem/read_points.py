@@ -21,8 +21,9 @@ from planar_cli.problem.scene import (
     TwoFacts,
 )
 
-POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "on", "lines", "distances", "side")
+POINT_KEYS = tuple("from distance angle towards offset midpoint x y line on lines distances side".split())
 POINT_SLIPS = {
+    "across": "write `{from: A, towards: B, distance: l, offset: h}`",
     "length": "write `distance: …`",
     "r": "write `distance: …`",
     "to": "write `towards: …`",
@@ -40,7 +41,8 @@ SURFACE_KEYS = ("through", "angle", "center", "radius", "y", "r", "body", "speed
 SIDES = ("left", "right", "above", "below")
 POINT_EXAMPLE = "A: [0, 0.2 m]"
 POINT_FORMS = (
-    "`[x, y]`, `{from: A, distance: l, angle: 30 deg}`, `{from: A, towards: B, distance: l}`, `{midpoint: [A, B]}`, "
+    "`[x, y]`, `{from: A, distance: l, angle: 30 deg}`, `{from: A, towards: B, distance: l}` "
+    "(with `offset: h` to the left of that line), `{midpoint: [A, B]}`, "
     "or two facts of x, y, line: [A, 30 deg], lines: [[A, 30 deg], [B, 120 deg]], distances: {A: l, B: d}"
 )
 SURFACE_FORMS = (
@@ -117,8 +119,8 @@ def _from(fields: Fields) -> Polar | Towards | TwoFacts:
             fields.report.add(fields.place("on"), "PL323", text, POINT_FORMS)
         return TwoFacts(None, None, _lines(fields), ((origin, distance),), _side_word(fields))
     if "towards" in fields:
-        _alone(fields, {"from", "distance", "towards"})
-        return Towards(origin, fields.need_name("towards", "a point"), distance)
+        _alone(fields, {"from", "distance", "towards", "offset"})
+        return Towards(origin, fields.need_name("towards", "a point"), distance, fields.side("offset"))
     _alone(fields, {"from", "distance", "angle"})
     return Polar(origin, distance, fields.need_side("angle", "or `towards:` another point"))
 
@@ -126,7 +128,7 @@ def _from(fields: Fields) -> Polar | Towards | TwoFacts:
 def _two_facts(fields: Fields) -> TwoFacts:
     lines, distances = _lines(fields), _distances(fields)
     facts = len(distances) + len(lines) + sum(key in fields for key in ("x", "y"))
-    stray = fields.present() & {"distance", "angle", "towards"}
+    stray = fields.present() & {"distance", "angle", "towards", "offset"}
     if stray:
         fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
     elif facts != 2 and fields.readable:

@@ -49,11 +49,12 @@ class Polar:
 
 @record
 class Towards:
-    """A point at `distance` from `origin` in the direction of `towards`."""
+    """A point at `distance` from `origin` in the direction of `towards`, and `offset` to the left of that line."""
 
     origin: str
     towards: str
     distance: Side
+    offset: Side | None = None
 
 
 @record

@@ -129,7 +129,9 @@ def _point() -> Schema:
         "anyOf": [
             listing(side, 2, 2),
             record({"from": place, "distance": side, "angle": side}, ["from", "distance", "angle"]),
-            record({"from": place, "towards": place, "distance": side}, ["from", "towards", "distance"]),
+            record(
+                {"from": place, "towards": place, "distance": side, "offset": side}, ["from", "towards", "distance"]
+            ),
             *(record({"from": place, "distance": side, k: line, "side": facts["side"]}, ["from", k]) for k in lines),
             record({"midpoint": listing(place, 2, 2)}, ["midpoint"]),
             record(facts, []),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from planar_cli.problem.expression import Name, Quantity, Side
+from planar_cli.problem.expression import Name, Negate, Quantity, Side
 from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import (
     At,
@@ -103,14 +103,26 @@ def _place(point: Point, figures: int) -> Line:
             short = len(origin) <= SHORT and len(point.name) <= SHORT
             head = f"{origin}{point.name} = " if short else f"{point.name} from {origin}: "
             return line(head, one, " at ", other) if one and other else ()
-        case Towards(origin, towards, distance):
+        case Towards(origin, towards, distance, None):
             one = said(distance, figures)
             return line(f"{point.name} on {origin}{towards} with {origin}{point.name} = ", one) if one else ()
+        case Towards():
+            return _beside(point.name, point.place, figures)
         case Midpoint(a, b):
             return line(f"{point.name} midpoint of {a}{b}")
         case TwoFacts():
             return _by_two(point.name, point.place, figures)
     return ()
+
+
+def _beside(name: str, place: Towards, figures: int) -> Line:
+    """K 140 mm from A along AB and 80 mm to the left of it."""
+    offset, side = place.offset, "left"
+    if isinstance(offset, Negate):
+        offset, side = offset.operand, "right"
+    along, across = said(place.distance, figures), offset and said(offset, figures)
+    way = f" from {place.origin} along {place.origin}{place.towards} and "
+    return line(f"{name} ", along, way, across, f" to the {side} of it") if along and across else ()
 
 
 def _by_two(name: str, place: TwoFacts, figures: int) -> Line:

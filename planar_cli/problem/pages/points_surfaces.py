@@ -5,7 +5,7 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
     points:
       A: [0, 0.2 m]                                     coordinates x, y
       B: {from: A, distance: l, angle: 30 deg}
-      C: {from: A, towards: B, distance: l}
+      C: {from: A, towards: B, distance: l}             `offset: h` besides: h to the left of the line from A to B
       D: {midpoint: [A, B]}
       E: {x: 0.3 m, distances: {A: l}}                  two facts out of:
                                                           x: 1 m
