@@ -7,6 +7,7 @@ from typing import Any
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.checks import against_limit, bounded_in
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -16,9 +17,9 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
     """
     trial = instant.trial
     natural = next((t for t in instant.rejected if not any(t.choice)), None)
-    words = list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
-    if natural is not None and any(trial.choice):
-        assumed = dict.fromkeys(m.words for m in natural.system.modes.values() if m.words)
+    words = _words(trial)
+    if natural is not None and any(trial.choice) and _words(natural) != words:
+        assumed = _words(natural)
         if natural.objection == "velocities":
             told, rest = [w for w in words if w not in assumed], [w for w in words if w in assumed]
             notes = [Note("Motion", line(f"{'; '.join(told)}, as the velocities tell"))] if told else []
@@ -28,10 +29,20 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
             return [Note("Assume", line("; ".join(words)))]
         return [
             Note("Assume", line("; ".join(assumed))),
-            Note("Fails", _objection(natural, phrases)),
+            Note("Fails", _objection(_on_its_side(natural, instant), phrases)),
             Note("Instead", line("; ".join(words))),
         ]
     return [Note("Assume", line("; ".join(words)))] if words else []
+
+
+def _words(trial: Trial) -> list[str]:
+    return list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
+
+
+def _on_its_side(natural: Trial, instant: InstantSolution) -> Trial:
+    """The same assumption with the side of a guide that is pressed: that it was the other one is nothing against it."""
+    alike = (t for t in instant.rejected if t.tests and _words(t) == _words(natural))
+    return next((t for t in alike if bounded_in(t.system, t.tests[0][0]) is not None), natural)
 
 
 def _objection(trial: Any, phrases: Phrases) -> Line:
