@@ -5,7 +5,7 @@ Nothing is drawn here: the sign of sin θ, or of R - r cos θ, is left open.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
@@ -39,6 +39,16 @@ def with_certain_signs(expr: sp.Expr) -> sp.Expr:
     return expr.xreplace(told) if told else expr
 
 
+def with_positive_divisors(expr: sp.Expr) -> sp.Expr:
+    """The minus of a divisor that is never positive before its quotient: -F/(M + m - m cos β)."""
+    turned = {}
+    for p in (p for p in expr.atoms(sp.Pow) if p.exp == -1):
+        negative = {f: -f for f in sp.Mul.make_args(p.base) if f.is_Add and certain_sign(f) == -1}
+        if negative:
+            turned[p] = (-1) ** len(negative) / sp.Mul(*(negative.get(f, f) for f in sp.Mul.make_args(p.base)))
+    return expr.xreplace(turned) if turned else expr
+
+
 def _range(expr: sp.Expr) -> Range:
     """Between which numbers an expression surely lies."""
     if expr.is_number:
@@ -46,7 +56,7 @@ def _range(expr: sp.Expr) -> Range:
     if isinstance(expr, sp.sin | sp.cos):
         return UNIT
     if expr.is_Add:
-        return _sum(_amplitudes(expr.args))
+        return _sum(_of_sizes(expr.args))
     if expr.is_Mul:
         number, rest = expr.as_coeff_Mul()
         if number == 1:
@@ -77,6 +87,21 @@ def _product(ranges: Iterator[Range]) -> Range:
         ends = low * one, low * other, high * one, high * other
         low, high = sp.Min(*ends), sp.Max(*ends)
     return low, high
+
+
+def _of_sizes(terms: Iterable[sp.Expr]) -> Iterator[Range]:
+    """The ranges of the terms of a sum, those with the same letters that are never negative together: m (cos θ - 2)."""
+    shared: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in terms:
+        sizes = [f for f in sp.Mul.make_args(term) if f.as_base_exp()[0].is_Symbol and f.is_nonnegative]
+        size = sp.Mul(*sizes)
+        shared.setdefault(size, []).append(term / size)
+    for size, factors in shared.items():
+        low, high = _sum(_amplitudes(tuple(factors)))
+        if size == 1:
+            yield low, high
+        else:
+            yield (sp.S.Zero if low >= 0 else -sp.oo), (sp.S.Zero if high <= 0 else sp.oo)
 
 
 def _amplitudes(terms: tuple[sp.Expr, ...]) -> Iterator[Range]:

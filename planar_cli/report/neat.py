@@ -13,6 +13,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from planar_cli.equation.bounds import certain_sign, with_positive_divisors
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger
@@ -40,6 +41,7 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
+        expr = with_positive_divisors(expr)
         expr = of_one(multiplied(divided_out(of_ratios(expr, self.ledger))))
         if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):
             expr = over_durations(expr, times)
@@ -131,7 +133,7 @@ class Neat:
         if all(self._is_fixed(s) for s in total.free_symbols):
             value = self.value.known(total)
             return 0 if value is None or self.value.is_zero(total) else 1 if value > 0 else -1
-        return 0
+        return certain_sign(total)
 
     def _is_fixed(self, symbol: sp.Symbol) -> bool:
         """Has a symbol one number: a given of the file, or the value at a state where no letter is drawn?"""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
@@ -63,14 +65,26 @@ def _oblique(found: Found, positive: bool, ledger: Ledger, value: Valuation) -> 
     return vector_words(cosine, sine) if positive else vector_words(-cosine, -sine)
 
 
-def sense_of_formula(found: Found) -> str:
-    """The same behind a formula, where the signs of its letters tell its sign: " counterclockwise"."""
+def sense_of_formula(found: Found, acute: Collection[sp.Symbol]) -> str:
+    """The same behind a formula, where its letters tell its sign: " counterclockwise". `acute`: angles among them."""
     (formula, *others) = found.expressions or (None,)
     if formula is None or others or formula.free_symbols == set():
         return ""
-    positive, negative = formula.is_positive, formula.is_negative
-    words = _words(found, bool(positive)) if positive or negative else ""
-    return f"{', that is' if negative else ''} {words}" if words else ""
+    sign = _sign(formula, acute)
+    words = _words(found, sign > 0) if sign else ""
+    return f"{', that is' if sign < 0 else ''} {words}" if words else ""
+
+
+def _sign(formula: sp.Expr, acute: Collection[sp.Symbol]) -> int:
+    """1 or -1 where a product has that sign for positive letters and acute angles; 0: it is not known."""
+    if formula == 0:
+        return 0
+    sign = 1
+    for factor in sp.Mul.make_args(formula):
+        base = factor.as_base_exp()[0]
+        if not (isinstance(base, sp.sin | sp.cos | sp.tan) and base.args[0] in acute):
+            sign *= certain_sign(factor)
+    return sign
 
 
 def _words(found: Found, positive: bool) -> str:

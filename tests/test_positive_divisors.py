@@ -1,0 +1,39 @@
+"""Divisors that are negative whatever their letters are stand with the minus before the quotient."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.equation.bounds import certain_sign, with_positive_divisors
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+M, m, l = sp.symbols("M m l", positive=True)  # noqa: E741
+phi = sp.Symbol("phi", real=True)
+cosine = sp.cos(phi)
+
+
+@pytest.mark.parametrize(("expr", "sign"), [
+    (2 * m * cosine - M - 2 * m, -1), (m * cosine**2 - M - m, -1), (M + m - m * cosine, 1),
+    (2 * m * cosine - M - m, 0), (M - m, 0), (m * cosine, 0), (l * m * (3 - cosine) + l * M, 1),
+])  # fmt: skip
+def test_signs_of_terms_with_the_same_letters(expr: sp.Expr, sign: int) -> None:
+    assert certain_sign(expr) == sign
+
+
+def test_the_minus_of_a_divisor_stands_before() -> None:
+    assert with_positive_divisors(M / (l * (m * cosine - M - m))) == -M / (l * (M + m - m * cosine))
+    assert with_positive_divisors(M / (m - M)) == M / (m - M)
+
+
+@pytest.mark.parametrize(("stem", "told"), [
+    ("wedge-drawn-to-a-wall-by-its-block", "-m g sin β / (M + 2 m - 2 m cos β), that is to the left"),
+    ("bob-on-a-cart", "α = -(M + m) g sin φ / (l (M + m - m cos² φ)), that is clockwise"),
+    ("collar-drawn-up-from-its-rod-by-a-spring", "friction within its limit (|F_rod| = 9.6 lbf > -μ N_rod = 0.36 lbf)"),
+])  # fmt: skip
+def test_on_the_page(stem: str, told: str) -> None:
+    assert told in " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
