@@ -12,21 +12,21 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
 
 FILES = {p.stem: p for p in PROBLEMS}
-M, m, l = sp.symbols("M m l", positive=True)  # noqa: E741
+M, m, r = sp.symbols("M m r", positive=True)
 phi = sp.Symbol("phi", real=True)
 cosine = sp.cos(phi)
 
 
 @pytest.mark.parametrize(("expr", "sign"), [
     (2 * m * cosine - M - 2 * m, -1), (m * cosine**2 - M - m, -1), (M + m - m * cosine, 1),
-    (2 * m * cosine - M - m, 0), (M - m, 0), (m * cosine, 0), (l * m * (3 - cosine) + l * M, 1),
+    (2 * m * cosine - M - m, 0), (M - m, 0), (m * cosine, 0), (r * m * (3 - cosine) + r * M, 1),
 ])  # fmt: skip
 def test_signs_of_terms_with_the_same_letters(expr: sp.Expr, sign: int) -> None:
     assert certain_sign(expr) == sign
 
 
 def test_the_minus_of_a_divisor_stands_before() -> None:
-    assert with_positive_divisors(M / (l * (m * cosine - M - m))) == -M / (l * (M + m - m * cosine))
+    assert with_positive_divisors(M / (r * (m * cosine - M - m))) == -M / (r * (M + m - m * cosine))
     assert with_positive_divisors(M / (m - M)) == M / (m - M)
 
 
