@@ -6,6 +6,9 @@ import math
 
 import pytest
 from answered import assert_close, solve
+from conftest import ROOT
+
+from planar_cli.errors import NoSolution
 
 FALL = """
 title: Parachutist at his terminal speed
@@ -80,3 +83,9 @@ find: {v: v(cart).x}
 def test_equilibrium_of_what_moves() -> None:
     """Zero accelerations: F = c v²."""
     assert_close(solve(STEADY)["v"], 5)
+
+
+def test_a_speed_that_nothing_tells_is_named_though_its_equations_are_wide() -> None:
+    text = (ROOT / "problems/particles/can-driven-along-a-groove.yaml").read_text(encoding="utf-8")
+    with pytest.raises(NoSolution, match=r"the velocities are open: nothing determines omega\(rod\)"):
+        solve(text.replace("motion: [omega(rod) = 6 rad/s]", ""))

@@ -10,8 +10,9 @@ import pytest
 import sympy as sp
 from answered import assert_close, solve, solved
 from answered import first as number
+from conftest import ROOT
 
-from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.errors import FileProblem, NoSolution, Undecided
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -500,3 +501,9 @@ def test_a_shaken_base_has_a_closed_form() -> None:
     n = 15 / 20
     expected = 0.01 * (math.sin(7.5) - n * math.sin(10)) / (1 - n**2)
     assert number(solution.parts[0].found[0]) == pytest.approx(expected)
+
+
+def test_an_equilibrium_that_nothing_chooses_is_named() -> None:
+    text = (ROOT / "problems/oscillations/bead-on-a-turning-hoop.yaml").read_text(encoding="utf-8")
+    with pytest.raises(Undecided, match=r":30: the stability of in_ is not decided: nothing tells phi @ in_$"):
+        solve(text.replace("phi = pi, equilibrium", "equilibrium"))

@@ -307,6 +307,12 @@ def exact(number: Fraction, unit: Unit | None, us: bool) -> sp.Expr:
     return value * sp.Rational(factor.numerator, factor.denominator) * sp.pi**unit.pi_power
 
 
+def at_state(letter: str) -> str:
+    """`theta @ free` for the letter of a state, `theta__free`; any other one as it is."""
+    stem, _, state = letter.partition("__")
+    return f"{stem} @ {state}" if state else stem
+
+
 def display(value: Decimal, unit: Unit, us: bool) -> Decimal:
     """A value in the base units of a file in the given unit."""
     factor = factor_to_base(unit, us)

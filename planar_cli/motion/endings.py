@@ -17,7 +17,8 @@ def stuck_at(stuck: StepTooSmall | Singular, t: float) -> Outcome:
         return Outcome("singular", f"at t = {t:.9g} s the accelerations are not determined", t, "", "PL702")
     if isinstance(stuck, TooManySteps):
         return Outcome("long", f"{stuck}", stuck.t, "", "PL703")
-    return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
+    words = f"near t = {stuck.t:.9g} s a place is singular, or something grows beyond all bounds: {stuck}"
+    return Outcome("small", words, stuck.t, "", "PL703")
 
 
 def undetermined_at(loose: Sequence[str], t: float) -> Outcome:

@@ -20,8 +20,9 @@ import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.ledger import at_state
 from planar_cli.equation.plain import derivative, identically_zero, simplified
-from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.problem.walk import walk
 from planar_cli.problem.words import OF_SWINGS
@@ -300,8 +301,8 @@ def stability(found: Oscillation, value: Valuation) -> Verdict:
     try:
         return _single(found, value) if found.single else _several(found, value)
     except (Unvalued, NoValue) as error:
-        text = f"the stability of {found.stop.name} is not decided: {error}"
-        raise Undecided(text) from error
+        why = f"nothing tells {at_state(str(error))}" if isinstance(error, Unvalued) else str(error)
+        raise undecided_at(found.stop.mark, f"the stability of {found.stop.name} is not decided: {why}") from error
 
 
 def demand_everywhere(found: Oscillation, q: Quantity, value: Valuation, draws: Iterable[Valuation]) -> None:

@@ -166,7 +166,7 @@ class Follower:
         begins = self._start_of(i)
         if begins is None:
             demand_told(self.course.problem, self.motion.run.trajectory.outcome)
-            done.lost = "what follows is not told"
+            done.lost = self.motion.run.trajectory.outcome.words or "what follows is not told"
             return False
         _, choice, _ = begins
         if choice != self.course.modes.stretch(i).choice:

@@ -15,7 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
@@ -129,12 +129,16 @@ def _linear(
 
 def _form(residual: sp.Expr, x: sp.Symbol) -> Form | None:
     """A residual taken apart by one unknown; None where that enters nonlinearly."""
-    for written in (residual, expanded(residual)):
-        try:
-            return linear_form(written, {x})
-        except Nonlinear:
-            continue
-    return None
+    try:
+        return linear_form(residual, {x})
+    except Nonlinear:
+        pass
+    if wide(residual):
+        return None
+    try:
+        return linear_form(expanded(residual), {x})
+    except Nonlinear:
+        return None
 
 
 def _circle(

@@ -20,7 +20,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import DIGITS, PI, Valuation
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.factoring import factored
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
@@ -49,7 +49,8 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     numerator = sp.fraction(together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
     # A root vanishes with what is under it; on one side of there it is not real, so that no sign changes.
     numerator = sp.Mul(*(f.base if _is_root(f) and x in f.free_symbols else f for f in sp.Mul.make_args(numerator)))
-    closed = _closed(numerator, x, value)
+    # Nobody would read a closed form of so many terms.
+    closed = [] if wide(numerator) else _closed(numerator, x, value)
     if closed:
         found = [Root(e, v) for e in closed if (v := _real(e, value)) is not None]
         if found or symbolic:

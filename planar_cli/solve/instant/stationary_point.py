@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.ledger import at_state
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
 
@@ -61,7 +62,10 @@ def eliminated(
     related = _binding(related, objective, unknowns - sought)
     letters = sorted({s for p in (*related, objective) for s in p.free_symbols if s in unknowns}, key=lambda s: s.name)
     if len(letters) != len(related) + 1 or len(letters) > MOST:
-        raise Undecided("what is largest or smallest here depends on several unknowns at once")
+        named = f": {', '.join(at_state(s.name) for s in letters)}" if letters else ""
+        raise Undecided(
+            f"what is largest or smallest depends on several unknowns at once{named}; a datum may be missing"
+        )
     rows = [[sp.diff(p, x) for x in letters] for p in (*related, objective)]
     condition = proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
     return related, objective, letters, condition
