@@ -46,7 +46,7 @@ def test_of_a_chord_that_misses_the_pin_there_are_no_polar_coordinates() -> None
 
 
 def test_the_same_assumption_is_not_told_to_fail() -> None:
-    """A ball in a loop that does not press outwards presses inwards: the contact holds, there is nothing else to try."""
+    """A ball in a loop that does not press outwards presses inwards: the contact holds all the same."""
     page = Terminal(width=240).render(narrate(worked(ROOT / "problems/particles/bead-in-loop.yaml")[0]))
     assert "Fails" not in page
     assert "Assume      ball at P stays in contact" in page

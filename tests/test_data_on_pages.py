@@ -48,3 +48,15 @@ def test_an_inertia_that_nothing_needs_is_named() -> None:
     """A car that slides without turning needs no radius of gyration."""
     page = page_of_file("car-with-locked-wheels")
     assert "Not used the radius of gyration of car, 1.2 m: not needed here" in page
+
+
+def test_a_letter_that_is_sought_stands_on_the_right() -> None:
+    """The file says ω = w, with w unknown: not w = ω under a line of its own."""
+    page = page_of_file("whirling-collar")
+    assert "(1) unknown: ω = w" in page
+    assert "Given: ω_rod = w" not in page
+
+
+def test_what_a_wheel_carries_moves_with_it() -> None:
+    page = page_of_file("roller-with-a-drag-bar")
+    assert "bar moves with roller, which rolls: a_bar = -R α_roller" in page

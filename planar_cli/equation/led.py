@@ -35,6 +35,6 @@ def led(system: System, body: str) -> str:
         return ""
     j = edge.joining
     if j.rolling is not None:
-        return f"{edge.body} rolls without slipping"
+        return f"{body} {'rolls without slipping' if edge.body == body else f'moves with {edge.body}, which rolls'}"
     turns = edge.body == body and j.path is None and j.turns and system.scene.rigid(body)
     return f"{edge.body} turns about {j.place}" if turns else ""

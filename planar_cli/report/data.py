@@ -6,6 +6,8 @@ import re
 from dataclasses import field, replace
 from decimal import Decimal
 
+import sympy as sp
+
 from planar_cli.equation.ledger import Kind
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Name as Letter
@@ -48,6 +50,20 @@ class DataTelling:
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
+
+    def of_letter(self, w: Written, moving: frozenset[sp.Symbol], number: int) -> Equation | None:
+        """unknown: ω = w, where the file says that a velocity or acceleration is a letter which is sought."""
+        letters, roles = w.residual.free_symbols, self.scene.ledger.roles
+        sought = [s for s in letters if s in roles and roles[s].kind is Kind.SOUGHT]
+        own = [s for s in letters if s in moving]
+        if w.source != "given" or w.times or len(sought) != 1 or len(own) != 1 or len(letters) != 2:
+            return None
+        (letter,), (x,) = sought, own
+        other = next((e for e in (letter, -letter) if sp.expand(w.residual.xreplace({x: e})) == 0), None)
+        if other is None:
+            return None
+        self.told.add(w.lead)
+        return Equation((self.phrases.math(x), self.phrases.math(other)), number, SOUGHT)
 
     def given(self, w: Written, behind: str) -> Line:
         """`Given: v = √(2 g h), differentiated`, as the file has it; empty: it has no such form."""

@@ -290,6 +290,9 @@ class Telling:
             self.solving.nil.add((id(stage.algebra), w.number))
             self.vectors.zero |= {speed[1].symbol} if speed[1].formula == 0 else set()
             return [speed[0]]
+        moving |= frozenset(self.system.tree.acceleration_unknowns())
+        if not self._at_limit(w) and (told := self.data.of_letter(w, moving, number)) is not None:
+            return [told]
         if rope := rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero):
             self.solving.merged.add((id(stage.algebra), w.number))
             return rope
