@@ -39,6 +39,7 @@ from planar_cli.report.origins import (
     letter_of,
     needed_results,
     needed_steps,
+    says_zero,
     sides_of,
     told_once,
     turning_blocks,
@@ -198,7 +199,7 @@ class MotionTelling:
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
-            if single and leg.results[0].formula == 0 and not isinstance(e.source, BalanceTrace):
+            if single and says_zero(e, leg.results[0], route):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)

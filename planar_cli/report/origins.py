@@ -201,6 +201,15 @@ def is_handed_on(r: trace.Result) -> bool:
     return r.formula is not None and (r.formula.is_Symbol or r.formula.is_number)
 
 
+def says_zero(e: Relation, r: trace.Result, route: RouteTrace) -> bool:
+    """Does a relation that is no balance say at sight that a letter is zero, without others that have to vanish?"""
+    if r.formula != 0 or isinstance(e.source, BalanceTrace):
+        return False
+    if isinstance(e.source, ImpactEquation):
+        return True
+    return r.unknown not in simplified(e.residual.xreplace(dict(route.plain)) / r.unknown).free_symbols
+
+
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
     """The letter that a relation between states gives, by its kind."""
     span = e.span
