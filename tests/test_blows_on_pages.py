@@ -146,3 +146,11 @@ def test_why_forces_have_no_angular_impulse(stem: str, words: str) -> None:
 def test_energy_about_a_fixed_point() -> None:
     """I_A ω²/2, where the lengths of a body are numbers of the file."""
     assert "T_2 = 1/2 I_A ω_2² = 1/2 · 16 · 2.8125² = 63.28 J" in page("ex-4-13")
+
+
+def test_a_velocity_that_stays_zero_and_is_in_no_equation_is_not_drawn() -> None:
+    """The dumbbell and the ball move along x alone; the ball that hits a rod has a line for its v_y."""
+    told = page("ex-4-14")
+    assert "v_Cy" not in told
+    assert "v_Gy" not in told
+    assert "m_ball v_ball,y,2 ↑" in page("ball-hits-a-hanging-rod")

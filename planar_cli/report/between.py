@@ -59,6 +59,9 @@ class BetweenTelling:
     counted: set[int] = field(default_factory=set)
     """The numbers of equations in which numbers were put in at once."""
 
+    used: Collection[sp.Symbol] = ()
+    """The letters in all equations of blows, and in what is asked."""
+
     named: Named | None = None
     """The equation that was told last, where arms in it have names."""
 
@@ -226,7 +229,12 @@ class BetweenTelling:
                 symbol = scene.ledger.symbols[letter]
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
         phrases = Phrases(scene.ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
-        yield from force_rows(solution, solution.stages[0], phrases, inertia_as_force=False, impulsive=True)
+        stage = solution.stages[0]
+        # A velocity that is zero after the blow and stands in no equation is not drawn.
+        speeds = dict.fromkeys(s for parts in stage.accelerations.values() for _, c in parts for s in c.free_symbols)
+        idle = [s for s in speeds if s not in self.used and self.phrases.value.vanishes(s)]
+        stage = replace(stage, zero=(*stage.zero, *idle))
+        yield from force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True)
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

@@ -37,6 +37,7 @@ from planar_cli.report.origins import (
     is_handed_on,
     is_steady,
     letter_of,
+    letters_of_blows,
     needed_results,
     needed_steps,
     says_zero,
@@ -86,7 +87,7 @@ class MotionTelling:
         self._laws = LawTelling(phrases, found.varying)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
-        self.between = BetweenTelling(phrases, {}, self.numeric)
+        self.between = BetweenTelling(phrases, {}, self.numeric, used=letters_of_blows(found))
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""
@@ -94,15 +95,13 @@ class MotionTelling:
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
         body = list(told_once(self._body()))
+        route = self.found.route
         if not body:
             return []
-        route = self.found.route
         timed = any(e.law is not None for leg in route.steps for e in leg.relations)
         spans = [s for s in self.found.spans if not in_blow(s)]
         title = "Motion over time" if timed or spans or self.found.passing else self._principle()
-        if body[0] == HENCE:
-            body = body[1:]
-        return [Heading(f"STEP {step}", title, self._states()), *body]
+        return [Heading(f"STEP {step}", title, self._states()), *(body[1:] if body[0] == HENCE else body)]
 
     def _principle(self) -> str:
         """By what the states are joined, where no time runs between them."""

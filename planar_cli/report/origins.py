@@ -210,6 +210,13 @@ def says_zero(e: Relation, r: trace.Result, route: RouteTrace) -> bool:
     return r.unknown not in simplified(e.residual.xreplace(dict(route.plain)) / r.unknown).free_symbols
 
 
+def letters_of_blows(found: MotionTrace) -> set[sp.Symbol]:
+    """The letters in the equations of blows on the way to the answers, and in what is asked."""
+    blows = (e.source for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation))
+    sides = [side for e in blows for side in (e.left, e.right)] + [p for r in found.requests for p in r.parts]
+    return {s for side in sides for s in sp.sympify(side).free_symbols}
+
+
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
     """The letter that a relation between states gives, by its kind."""
     span = e.span
