@@ -61,6 +61,8 @@ class BetweenTelling:
 
     used: Collection[sp.Symbol] = ()
     """The letters in all equations of blows, and in what is asked."""
+    axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Moments of inertia about the points at which blows hold bodies."""
 
     named: Named | None = None
     """The equation that was told last, where arms in it have names."""
@@ -119,7 +121,7 @@ class BetweenTelling:
 
     def _energies(self, b: BalanceTrace, number: int) -> Iterator[Block]:
         """Energies one by one with their numbers, then their balance."""
-        telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry)
+        telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         yield from telling.lines()
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")

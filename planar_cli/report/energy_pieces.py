@@ -50,6 +50,8 @@ class EnergyPieces:
     """The stretches that were told before."""
     geometry: Collection[sp.Expr]
     """What vanishes by relations that stand before, of which the unknowns are found together with this balance."""
+    axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Moments of inertia about the points at which blows hold bodies, as they stand on the page."""
     letters: dict[str, sp.Expr | None] = field(default_factory=dict)
     """By its words each energy in the letters in which it was told; None: it has none."""
 
@@ -125,7 +127,8 @@ class EnergyPieces:
             fixed = title.startswith("moment of inertia") and " about " in title
             if fixed and self.phrases.value.is_zero(simplified(factor) - symbol):
                 return symbol * speeds[0] ** 2 / 2
-        return None
+        whole = (s for s, i in self.axes.items() if self.phrases.value.vanishes(simplified(factor) - i))
+        return next((s * speeds[0] ** 2 / 2 for s in whole), None)
 
     def _summed(self, expr: sp.Expr, unit: str = "J") -> tuple[Any, ...]:
         """A formula with numbers for all but the unknowns. `unit`: of one that has none of these."""

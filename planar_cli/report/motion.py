@@ -33,6 +33,7 @@ from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     head,
+    inertias_of_blows,
     is_explicit,
     is_handed_on,
     is_steady,
@@ -87,7 +88,8 @@ class MotionTelling:
         self._laws = LawTelling(phrases, found.varying)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
-        self.between = BetweenTelling(phrases, {}, self.numeric, used=letters_of_blows(found))
+        used, axes = letters_of_blows(found), inertias_of_blows(found)
+        self.between = BetweenTelling(phrases, {}, self.numeric, used=used, axes=axes)
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""
@@ -203,10 +205,8 @@ class MotionTelling:
                 return
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
-        inserted = one_in_another(leg, self.found, route.plain)
-        if inserted is not None:
-            yield from told_inserted(inserted, numbers, self.phrases, self._chain)
-            return
+        if (inserted := one_in_another(leg, self.found, route.plain)) is not None:
+            return (yield from told_inserted(inserted, numbers, self.phrases, self._chain))
         named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
         yield from () if named else self._in_numbers(leg, numbers, route)
         lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))

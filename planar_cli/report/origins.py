@@ -217,6 +217,18 @@ def letters_of_blows(found: MotionTrace) -> set[sp.Symbol]:
     return {s for side in sides for s in sp.sympify(side).free_symbols}
 
 
+def inertias_of_blows(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
+    """Moments of inertia about the points at which blows hold bodies, with their formulas."""
+    blows = (e.source for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation))
+    made: dict[sp.Symbol, sp.Expr] = {}
+    for e in blows:
+        ledger = e.impact.solution.instant.scene.ledger if e.impact.solution is not None else found.ledger
+        for symbol in by_name((e.left - e.right).free_symbols & ledger.definitions.keys()):
+            if " about " in ledger.titles.get(symbol, ""):
+                made[symbol] = ledger.definitions[symbol].xreplace(dict(ledger.definitions))
+    return made
+
+
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:
     """The letter that a relation between states gives, by its kind."""
     span = e.span
