@@ -24,5 +24,5 @@ def test_a_balance_with_nothing_on_its_right() -> None:
     assert problem is not None, wrong
     page = " ".join(Terminal(300).render(narrate(solve_problem(problem))).split())
     assert "-19.62 - 1.333 α = 0 in N·m" in page
-    assert "α = -14.715 rad/s²" in page
+    assert "= -14.715 rad/s²" in page
     assert "R = O_y = 9.81 N" in page

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.constraints import Constraint, coefficients
 from planar_cli.motion.dense import null_space
+from planar_cli.motion.directions import demand_directions
 from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
 from planar_cli.motion.other_side import open_terms, to_the_other_side
@@ -76,6 +77,7 @@ class _Search:
         self.model.note(self.zeros.time, self.zeros.state)
         assumed = self._velocities()
         self._fulfilled()
+        demand_directions(self.model, self.zeros)
         return Start(self.zeros.time, tuple(self.zeros.state), assumed)
 
     # --- places ------------------------------------------------------------------------------------------------------

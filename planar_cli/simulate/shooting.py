@@ -153,8 +153,8 @@ def telling(state: State) -> list[Statement]:
 
 
 def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
-    """Where the constant is looked for, in SI units: positive values, then negative ones, then next to zero; an angle
-    all round.
+    """Where the constant is looked for, in SI units: positive values, then much larger ones, then negative ones, then
+    next to zero; an angle all round.
     """
     unit = parse_unit(unknown.unit or "1")
     if unit.angle and unit.dimension == PURE:
@@ -169,6 +169,8 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
     size = scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
     positive = [size * 10 ** (k / PER_DECADE) for k in range(-DECADES * PER_DECADE, DECADES * PER_DECADE + 1)]
     yield positive
+    # The ordinary size rests on the times of a motion with 1 for the constant, and a buffer may be much stiffer.
+    yield [positive[-1] * 10 ** (k / PER_DECADE) for k in range(DECADES * PER_DECADE + 1)]
     yield [-v for v in positive]
     # Smaller ones than these, of either sign: what is off with nothing at all is mostly off the other way beyond them.
     yield [-positive[0], 0.0, positive[0]]
