@@ -1,8 +1,8 @@
 """Dataclasses with slots that are cheap to define.
 
 `@dataclass(frozen=True, slots=True)` compiles six methods for each class, 0.45 ms at every start: with some hundreds of
-classes that is more than the rest of importing them. Here `__init__` alone is compiled, when the first object is made,
-and the others are shared. What comes out is a dataclass like any other for `fields`, `replace`, `match` and `pickle`:
+classes that is more than the rest of importing them. Here `__init__` alone is compiled, once so many objects are made
+that it pays, and the others are shared. What comes out is a dataclass like any other for `fields`, `replace`, `match` and `pickle`:
 its fields are told by a twin that the standard library makes when they are first asked for.
 """
 
@@ -14,6 +14,8 @@ from operator import attrgetter
 from typing import Any, TypeVar, dataclass_transform
 
 T = TypeVar("T")
+RARE = 40
+"""To compile `__init__` takes as long as so many calls of one that looks its fields up, and most records are few."""
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -85,13 +87,46 @@ class _Told:
 
 
 def _first_time(made: Any, names: Sequence[str], written: Mapping[str, Any], frozen: bool) -> Callable[..., None]:
-    """`__init__`, which is compiled when it is first called."""
+    """`__init__`, which is compiled when it has been called so often that it pays, or is called in a wrong way."""
+    members: dict[str, Field[Any]] = {}
+    left = RARE
 
     def initialize(self: Any, *args: Any, **named: Any) -> None:
-        made.__init__ = _init(made, {n: _field(written, n) for n in names}, frozen)
+        nonlocal left
+        left -= 1
+        members.update({} if members else {n: _field(written, n) for n in names})
+        if left > 0 and _enter(self, members, args, named):
+            return
+        made.__init__ = _init(made, members, frozen)
         made.__init__(self, *args, **named)
 
     return initialize
+
+
+def _enter(owner: Any, members: Mapping[str, Field[Any]], args: Sequence[Any], named: Mapping[str, Any]) -> bool:
+    """Set all fields; False: these are not the right parameters."""
+    values = dict(zip([n for n, f in members.items() if f.init], args, strict=False))
+    if len(values) < len(args) or not named.keys().isdisjoint(values):
+        return False
+    values.update(named)
+    number = 0
+    for name, f in members.items():
+        if f.init and name in values:
+            number, value = number + 1, values[name]
+        elif f.default is not MISSING:
+            value = f.default
+        elif f.default_factory is not MISSING:
+            value = f.default_factory()
+        elif f.init:
+            return False
+        else:
+            continue
+        object.__setattr__(owner, name, value)
+    if number < len(values):
+        return False
+    if hasattr(owner, "__post_init__"):
+        owner.__post_init__()
+    return True
 
 
 def _init(cls: type, members: dict[str, Field[Any]], frozen: bool) -> Callable[..., None]:

@@ -8,6 +8,7 @@ from dataclasses import FrozenInstanceError, dataclass, field, fields, is_datacl
 
 import pytest
 
+from planar_cli import records
 from planar_cli.records import changing, record
 
 
@@ -121,3 +122,40 @@ def test_it_is_matched_copied_and_pickled() -> None:
         case _:
             pytest.fail("not matched by its fields")
     assert pickle.loads(pickle.dumps(first)) == copy.deepcopy(first) == copy.copy(first) == first
+
+
+def test_many_are_made_like_few() -> None:
+    """`__init__` is compiled on the way, or where it is called in a wrong way."""
+    for k in range(2 * records.RARE):
+        assert Few(k, y=[k]) == Few(k, [k], 3)
+        assert (Few(k).y, Few(k).w) == ([], k + 1)
+
+
+@record
+class Few:
+    """Of every kind of field one."""
+
+    x: int
+    y: list[int] = field(default_factory=list)
+    z: int = 3
+    w: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "w", self.x + 1)
+
+
+@record
+class Wrong:
+    """Made in no right way at first."""
+
+    x: int
+    y: int = 0
+
+
+@pytest.mark.parametrize(
+    ("args", "named"), [((), {}), ((1, 2, 3), {}), ((1,), {"x": 2}), ((1,), {"z": 2}), ((), {"y": 2})]
+)
+def test_wrong_parameters_are_refused(args: tuple[int, ...], named: dict[str, int]) -> None:
+    with pytest.raises(TypeError, match="Wrong"):
+        Wrong(*args, **named)
+    assert Wrong(1, y=2) == Wrong(x=1, y=2)

@@ -77,7 +77,6 @@ class Regime:
         self._rates = Routine(self._system, lambda u: [*speeds, *u[0][:count]], self.neighbour)
         self._forces = Routine(self._system, self._pushes, self.neighbour)
         self._watch = Routine(self._system, self._watched, self.neighbour)
-        self._power = Routine(self._system, self._powers, self.neighbour)
         self._still: Code | None = None
         self._kinetics: Code | None = None
         self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.independent.values)
@@ -172,8 +171,21 @@ class Regime:
     @cached_property
     def conservative(self) -> bool:
         """Does its energy stay the same: is there nothing that feeds or drains it?"""
-        (power,) = self._powers(self._system.stand_ins())
+        power = self._power_of_unknowns
         return power.constant and power.value == 0
+
+    @cached_property
+    def _power_of_unknowns(self) -> Term:
+        """The power in terms of stand-ins for the unknowns."""
+        (power,) = self._powers(self._system.stand_ins())
+        return power
+
+    @cached_property
+    def _power(self) -> Routine:
+        power = self._power_of_unknowns
+        if set(ordered([power])).isdisjoint(v for part in self._system.stand_ins() for v in part):
+            return self._of_state([power])
+        return Routine(self._system, self._powers, self.neighbour)
 
     @property
     def operations(self) -> int:
@@ -263,8 +275,7 @@ class Regime:
         wanted, variables = list(outputs), list(unknowns)
         count, inside = self.layout.count, set(ordered(wanted))
         if inside.isdisjoint(variables):
-            # It is known from the state alone.
-            return Routine(System(self.layout, [], []), lambda found: wanted)
+            return self._of_state(wanted)
         pushed = not inside.isdisjoint(variables[count:])
 
         def computed(found: Unknowns) -> list[Term]:
@@ -274,6 +285,10 @@ class Regime:
             return [replaced(t, by) for t in wanted]
 
         return Routine(self._system, computed, self.neighbour)
+
+    def _of_state(self, outputs: Sequence[Term]) -> Routine:
+        """What is known from the state alone: no system has to be solved for it."""
+        return Routine(System(self.layout, [], []), lambda found: outputs)
 
     def _pushes(self, unknowns: Unknowns) -> list[Term]:
         found = self.exerted(unknowns)
@@ -294,7 +309,8 @@ class Regime:
         for slot in layout.slots:
             total = total + graph.rate(slot.mass, places) * slot.rate * slot.rate * 0.5
         force: dict[int, Term] = dict(self.parts.wasting)
-        pushes = self.exerted(unknowns)
+        # Forces that do no work on what their joints allow need not be resolved.
+        pushes = self.exerted(unknowns) if any(h.followers for h in self.parts.held) else {}
         for held in self.parts.held:
             add(force, held.loads, graph.number(1.0), graph)
             for name in held.followers:
