@@ -12,6 +12,7 @@ import click
 
 from planar_cli import __version__
 from planar_cli.help_page import ABOUT, commands
+from planar_cli.near import nearest
 from planar_cli.options import Argument, Choice, Command, FloatRange, IntRange, Kind, Option
 from planar_cli.registry import modules
 
@@ -34,10 +35,8 @@ class CommandShelf(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         known = self.list_commands(ctx)
         if args and args[0] not in known and not args[0].startswith("-"):
-            from difflib import get_close_matches
-
-            near = get_close_matches(args[0], known, n=1, cutoff=0.5)
-            hint = f" Did you mean '{near[0]}'?" if near else f" There are {', '.join(known)}."
+            near = nearest(args[0], known, 0.5)
+            hint = f" Did you mean '{near}'?" if near else f" There are {', '.join(known)}."
             raise click.UsageError(f"There is no command '{args[0]}'.{hint}", ctx)
         return super().resolve_command(ctx, args)
 

@@ -9,18 +9,20 @@ PlanarError                 anything that a user can mend; never shown as a trac
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@record
 class Mark:
     """A place in a file: line and column count from 1."""
 
     file: str
     line: int
     column: int
+
+    def __lt__(self, other: Mark) -> bool:
+        return (self.file, self.line, self.column) < (other.file, other.line, other.column)
 
     def shifted(self, columns: int) -> Mark:
         """The place `columns` further right on the same line."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import ast
 import inspect
 from dataclasses import is_dataclass
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
+from planar_cli.near import nearest
 
 if TYPE_CHECKING:
     from planar_cli.problem.keys import KeySpec
@@ -72,8 +72,8 @@ def explanation(topic: str) -> str:
     if word in pages():
         return pages()[word]
     known = [*pages(), *(kind for shelf in SHELVES for kind in kinds(shelf)), *codes()]
-    near = get_close_matches(topic, known, n=1, cutoff=0.5) or get_close_matches(code, known, n=1, cutoff=0.5)
-    hint = f"did you mean '{near[0]}'?" if near else "`planar explain` lists the topics"
+    near = nearest(topic, known, 0.5) or nearest(code, known, 0.5)
+    hint = f"did you mean '{near}'?" if near else "`planar explain` lists the topics"
     raise PlanarError(f"there is no page '{topic}'; {hint}")
 
 

@@ -44,10 +44,7 @@ class IntRange:
 
     def read(self, text: str) -> int:
         """The number. ValueError: it is none, or beyond the limits."""
-        number = int(text)
-        if not self.least <= number or (self.most is not None and number > self.most):
-            raise ValueError(text)
-        return number
+        return int(_within(int(text), self.least, self.most))
 
 
 @record
@@ -59,10 +56,14 @@ class FloatRange:
 
     def read(self, text: str) -> float:
         """The number. ValueError: it is none, or beyond the limits."""
-        number = float(text)
-        if not self.least <= number or (self.most is not None and number > self.most):
-            raise ValueError(text)
-        return number
+        return _within(float(text), self.least, self.most)
+
+
+def _within(number: float, least: float, most: float | None) -> float:
+    """The number. ValueError: it is beyond the limits, or no number."""
+    if not least <= number or (most is not None and number > most):
+        raise ValueError(number)
+    return number
 
 
 Kind = Choice | IntRange | FloatRange

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from difflib import get_close_matches
 from types import MappingProxyType
+
+from planar_cli.near import nearest
 
 HABITS: Mapping[str, str] = MappingProxyType(
     {
@@ -109,7 +110,5 @@ def suggestion(name: str, atoms: Collection[str]) -> str:
         return f"write it in `{base}`: with a small m it would be a thousandth, with a capital M a million"
     same = [unit for unit in atoms if unit.lower() == name.lower()]
     # Of short units nearly every one is close to every other.
-    close = same or [
-        unit for unit in get_close_matches(name, atoms, n=1, cutoff=0.6) if len(unit) > 2 and len(name) > 3
-    ]
-    return f"did you mean `{close[0]}`?" if close else ""
+    near = same[0] if same else nearest(name, atoms)
+    return f"did you mean `{near}`?" if same or (len(near) > 2 and len(name) > 3) else ""

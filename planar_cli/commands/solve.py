@@ -17,6 +17,7 @@ from planar_cli import cli
 from planar_cli.commands._limit import time_limit
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
+from planar_cli.near import nearest
 from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
 from planar_cli.records import record
@@ -159,10 +160,8 @@ def _demand_find(problem: Problem, name: str | None) -> None:
     """Raise for --why with a name that the file does not ask for."""
     asked = [f.name for p in (problem, *(case.problem for case in problem.cases)) for f in p.find]
     if name is not None and name not in asked:
-        from difflib import get_close_matches
-
-        near = get_close_matches(name, asked, n=1)
-        hint = f"did you mean {near[0]}?" if near else f"it asks for {', '.join(asked)}"
+        near = nearest(name, asked)
+        hint = f"did you mean {near}?" if near else f"it asks for {', '.join(asked)}"
         raise WrongUsage(f"{problem.file} has no find '{name}'; {hint}")
 
 

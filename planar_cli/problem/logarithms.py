@@ -7,7 +7,6 @@ sum is the same in all units, and so means something though its parts do not.
 from __future__ import annotations
 
 import cmath
-import random
 from collections.abc import Callable
 from fractions import Fraction
 
@@ -78,6 +77,9 @@ class _Draw:
 
 def _drawn(side: Name | Quantity) -> complex:
     """The same size wherever the same stands."""
+    # Few files have logarithms.
+    import random
+
     if isinstance(side, Name):
         key = f"{side.name} {side.at}"
     else:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.near import nearest
 from planar_cli.problem.expression import Found, Law, Name, Side, Statement
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.parser import ParseError, parse_found, parse_law, parse_side, parse_statement
@@ -47,8 +47,7 @@ def unreadable(mark: Mark) -> Name:
 def close_to(word: str, allowed: Iterable[str]) -> str:
     """The one of `allowed` that looks most like `word`, or ""."""
     choices = {name.lower(): name for name in allowed}
-    found = get_close_matches(word.lower(), list(choices), n=1, cutoff=0.6)
-    return choices[found[0]] if found else ""
+    return choices.get(nearest(word.lower(), choices), "")
 
 
 def listed(words: Iterable[str], joined: str = "or") -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from typing import NoReturn
 
+from planar_cli.near import nearest
 from planar_cli.problem.expression import (
     Binary,
     Function,
@@ -212,10 +212,10 @@ class SideParser(InstantParser):
 
     def _unknown_call(self, token: Token) -> NoReturn:
         known = sorted(FUNCTIONS | set(QUANTITIES))
-        close = get_close_matches(token.text, known, n=1, cutoff=0.7)
+        close = nearest(token.text, known, 0.7)
         hint = CALL_HABITS.get(token.text) or CALL_HABITS.get(token.text.lower(), "")
         if not hint and close:
-            hint = f"did you mean `{close[0]}(…)`?"
+            hint = f"did you mean `{close}(…)`?"
         elif not hint:
             hint = f"write `{token.text}*(…)` for a product; quantities are written as `v(P)`, functions as `sin(…)`"
         self.cursor.fail(f"there is no quantity or function {token.text}(…)", hint, "PL208", token)
@@ -326,8 +326,7 @@ class SideParser(InstantParser):
         return tuple(parts)
 
     def _unknown_part(self, token: Token) -> NoReturn:
-        close = get_close_matches(token.text, sorted(PARTS), n=1, cutoff=0.6)
-        part = PART_HABITS.get(token.text) or (close[0] if close else "")
+        part = PART_HABITS.get(token.text) or nearest(token.text, sorted(PARTS))
         hint = f"write `.{part}`" if part else "parts are .x .y .mag .angle .t .n .r .theta .along(…) .across(…)"
         self.cursor.fail(f"there is no part .{token.text}", hint, "PL213", token)
 

@@ -82,7 +82,7 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
             for at in _roots(_missed(shot, unknown.name, known), values):
                 root = 0.0 if abs(at) <= NOTHING * least else at
                 new = not any(abs(root - other) <= SAME * max(abs(other), least) for other in found)
-                if new and _passes(problem, {**known, unknown.name: root}):
+                if new and passes(problem, {**known, unknown.name: root}):
                     found.append(root)
         if found:
             return tuple(sorted(found))
@@ -205,7 +205,7 @@ def motion_with(problem: Problem, values: Mapping[str, float], times: float = TI
         return None
 
 
-def _passes(problem: Problem, values: Mapping[str, float]) -> bool:
+def passes(problem: Problem, values: Mapping[str, float]) -> bool:
     """Does the motion pass all states of the file?"""
     run = motion_with(problem, values)
     return run is not None and all(s.name in run.measures.moments for s in problem.states)

@@ -17,11 +17,11 @@ from itertools import product
 
 import numpy as np
 
-from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.records import record
-from planar_cli.simulate.run import Run, Settings, followed, prepared
+from planar_cli.simulate.run import prepared
+from planar_cli.simulate.shooting import motion_with, passes
 from planar_cli.simulate.timetable import Timetable, is_time, mode_of
 from planar_cli.units import PURE, parse_unit
 
@@ -29,12 +29,10 @@ STARTS, NEAREST = 400, 16
 """So many starts are tried at most, and so many of them, those that come nearest, are followed on."""
 DECADES = 2.0
 """Sizes of constants are looked for within so many powers of ten about an ordinary one."""
-TOLERANCE, SHIFT, ROUNDS = 1e-11, 1e-6, 30
-"""Of the steps of a motion; of a constant, for a difference; of Newton's method, at most."""
+SHIFT, ROUNDS = 1e-6, 30
+"""Of a constant, for a difference; of Newton's method, at most."""
 HOLDS, SAME = 1e-9, 1e-6
 """At a solution relations are off by less than this part of their scale; solutions closer than that are one."""
-TIMES, STEPS = 500.0, 1500
-"""A state is looked for over so many characteristic times, and so many steps, at most."""
 Residuals = Callable[[Sequence[float]], list[float] | None]
 
 
@@ -62,7 +60,7 @@ def shooting_at_several(problem: Problem, known: Mapping[str, float]) -> list[di
         found = []
         for root in _roots(residuals, _starts(unknowns, sizes), sizes):
             values = dict(zip((u.name for u in unknowns), root, strict=True))
-            if _passes(problem, {**known, **values}):
+            if passes(problem, {**known, **values}):
                 found.append(values)
         if found:
             return found
@@ -129,7 +127,7 @@ def _starts(unknowns: Sequence[Symbol], sizes: Sequence[float]) -> Iterator[tupl
 
 def _residuals(shots: Shots, names: Sequence[str], known: Mapping[str, float]) -> Residuals:
     def residuals(values: Sequence[float]) -> list[float] | None:
-        run = _run(shots.problem, {**known, **dict(zip(names, values, strict=True))})
+        run = motion_with(shots.problem, {**known, **dict(zip(names, values, strict=True))})
         if run is None:
             return None
         table, found = Timetable(run.problem, run.measures), []
@@ -142,21 +140,6 @@ def _residuals(shots: Shots, names: Sequence[str], known: Mapping[str, float]) -
         return found
 
     return residuals
-
-
-def _run(problem: Problem, values: Mapping[str, float]) -> Run | None:
-    """The motion with these numbers; None: with them there is none."""
-    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=TIMES, most_steps=STEPS)
-    try:
-        return followed(prepared(problem, values), settings)
-    except PlanarError:
-        return None
-
-
-def _passes(problem: Problem, values: Mapping[str, float]) -> bool:
-    """Does the motion pass all states of the file?"""
-    run = _run(problem, values)
-    return run is not None and all(s.name in run.measures.moments for s in problem.states)
 
 
 # --- roots ------------------------------------------------------------------------------------------------------------

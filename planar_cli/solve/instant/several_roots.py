@@ -19,7 +19,6 @@ from planar_cli.equation.machine import compiled
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 
-MOST_UNKNOWNS = 3
 PLACES = {2: (-2.9, -1.3, -0.61, -0.23, 0.17, 0.53, 1.1, 2.7), 3: (-1.3, -0.31, 0.43, 1.1)}
 """Where a search begins, in ordinary sizes; not even, so that no axis of symmetry is hit."""
 ANGLES = {2: (-2.9, -1.7, -0.9, -0.31, 0.23, 0.83, 1.6, 2.7), 3: (-2.6, -0.9, 0.7, 2.3)}
