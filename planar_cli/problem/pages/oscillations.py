@@ -35,6 +35,11 @@ The whole motion
   damped or over-damped, free or driven by a force that is a polynomial, exponential or sinusoidal function of time. Of
   a pendulum that swings far the speeds are exact (v dv = a ds), and the times are numbers.
 
+Steady vibration
+  What a periodic force or a shaken support keeps up is what is left when the start has died away. Start at rest, let
+  that pass, and take the next crest: `settled: [t = 20 s]`, `crest: [x is largest]`; the amplitude is x @ crest, less
+  its place of rest. Under `motion` x = X*sin(w*t) would not follow from the forces: it would add one of its own.
+
     title: Block between a spring and a damper
     plane: horizontal
     given: {m: 2 kg, k: 200 N/m, c: 8 N*s/m, x_0: 100 mm}

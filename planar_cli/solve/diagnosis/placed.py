@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import sympy as sp
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Relation
+from planar_cli.problem.expression import Function, Relation
 from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.clash import clash, parts_of, sources
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.asked import names_anywhere
@@ -54,18 +55,22 @@ def _written_with(instant: Instant, name: str) -> str:
 
 
 def driven_with(problem: Problem, sought: Iterable[sp.Symbol] | None) -> str:
-    """What a law of `motion` with a sought constant (None: any law) means among loads; "" where there is none."""
-    names = None if sought is None else {s.name for s in sought}
-    for law in problem.motion if problem.loads else ():
-        said = law.statement
-        if not isinstance(said, Relation):
-            continue
-        if names is None or names & (names_anywhere(said.left) | names_anywhere(said.right)):
-            return (
-                f"`{said.text}` in `motion` is kept up by a force of its own, whatever acts: put into the states"
-                " what is known of the motion that the loads bring about, its place and velocity at the start, say"
-            )
-    return ""
+    """What a law of `motion` with a sought constant (None: any law, best one with an unknown of the file) means among
+    loads; "" where there is none.
+    """
+    said = [law.statement for law in problem.motion if isinstance(law.statement, Relation)] if problem.loads else []
+    names = {u.name for u in problem.unknowns} if sought is None else {s.name for s in sought}
+    held = [r for r in said if names & (names_anywhere(r.left) | names_anywhere(r.right))]
+    chosen = next(iter([*held, *(said if sought is None else [])]), None)
+    if chosen is None:
+        return ""
+    hint = (
+        f"`{chosen.text}` in `motion` is kept up by a force of its own, whatever acts: put into the states"
+        " what is known of the motion that the loads bring about, its place and velocity at the start, say"
+    )
+    if {n.name for n in walk(chosen) if isinstance(n, Function)} & {"sin", "cos"}:
+        hint += "; the amplitude of the steady vibration is read where it `is largest` long after a start at rest"
+    return hint
 
 
 def told_throughout(problem: Problem, found: Iterable[Found]) -> tuple[Found, ...]:
