@@ -371,7 +371,8 @@ class VectorTelling:
     def _arm(self, place: str, reference: str, arm: Vec) -> Line:
         """The arm in numbers, or in letters where they are short."""
         name = _arm_name(place, reference)
-        if not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y)):
+        plain = not sp.sympify(arm.x).free_symbols | sp.sympify(arm.y).free_symbols
+        if plain or (not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y))):
             shown = self.phrases.vector(self.phrases.certain(arm.x), self.phrases.certain(arm.y), LENGTH)
             return line(name, " = ", *self._constructed(arm), *shown)
         if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
