@@ -1,13 +1,22 @@
-"""Logarithmic decrement and damping ratio of small oscillations, asked for and stated."""
+"""Logarithmic decrement and damping ratio of small oscillations, asked for and stated; numbers in shares."""
 
 from __future__ import annotations
 
 import math
+import re
+from pathlib import Path
 
 import pytest
 from answered import assert_close, solve
 
 from planar_cli.errors import NoSolution
+from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+ROOT = Path(__file__).parents[1]
 
 BLOCK = """
 title: Block between a spring and a damper
@@ -53,3 +62,43 @@ def test_a_record_tells_stiffness_and_damping(rate: str, damping: str) -> None:
     found = solve(BLOCK.format(names=names, said=f", {rate}, {damping}", find="{k: k, c: c}"))
     assert_close(found["c"], 2 * 2 * 0.5 / 0.4)
     assert_close(found["k"], 2 * (4 * math.pi**2 + 0.25) / 0.16)
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [
+        ("oscillations/stiffness-and-damping-from-a-record", "c = 2 m ln(1.6)/T = 2 · 2 ln(1.6) / 0.4 = 4.700 N·s/m"),
+        (
+            "oscillations/stiffness-and-damping-from-a-record",
+            "ζ = ln(1.6)/(T ω_0) = ln(1.6) / (0.4 · 15.752) = 0.07459",
+        ),
+        ("oscillations/bar-with-spring-and-dashpot-in-us-units", "  ω_d = 38.45 rad/s"),
+        ("oscillations/bar-with-spring-and-dashpot-in-us-units", "δ = 3 π c g d²/(W L² ω_d)"),
+    ],
+)
+def test_they_are_told_by_the_frequency(name: str, line: str) -> None:
+    """Logarithms of numbers stand as one, and what the file calls as the page does is not told twice."""
+    page = Terminal(width=120).render(narrate(solve_problem(read(str(ROOT / "problems" / f"{name}.yaml")))))
+    assert line in page
+
+
+STRUCK = """
+title: Block that rebounds
+plane: vertical
+bodies: {ball: {particle: [0, 2 m], mass: any}}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+joints:
+  - impact: {between: [ball, floor], restitution: 0.6, during: 2->3}
+states:
+  1: [at rest]
+  2: [y(ball) = 0]
+  3: [just after 2]
+find: {loss: (KE(ball) @ 2 - KE(ball) @ 3)/KE(ball) @ 2}
+"""
+
+
+def test_a_share_from_which_the_mass_cancels_has_its_numbers() -> None:
+    problem, _ = load_text(STRUCK)
+    assert problem is not None
+    (line,) = re.findall(r"loss = 1 - .*", Terminal(width=120).render(narrate(solve_problem(problem))))
+    assert line.endswith("= 0.64")

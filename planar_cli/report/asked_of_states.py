@@ -156,6 +156,10 @@ class AskedTelling:
     def _line(self, asked: Request, part: Part, span: SpanIntegral | None) -> Iterator[Block]:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
         formula = part.expr if span is None or longer(part.expr, SHORT) else factor_terms(part.expr)
+        if span is None and not self.numeric.symbolic and not self.numeric.has_numbers(formula):
+            # A mass that the file leaves open may cancel, as in the share of an energy that is lost.
+            bare = simplified(formula)
+            formula = bare if self.numeric.has_numbers(bare) else formula
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
         values: list[Value] = []
         if phrases.has_numbers(formula) and asked.unit is not None:
