@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.motion import Motion
+from planar_cli.equation.motion import Edge, Motion, Tree
 
 DIGITS = 40
 """Coefficients are told to so many digits."""
@@ -18,30 +18,43 @@ NOTHING = sp.Rational(1, 10**30)
 
 
 def relative_rest(
-    motion: Motion, rows: Sequence[sp.Expr], coordinates: Sequence[sp.Expr], value: Valuation
+    motion: Motion, tree: Tree, coordinates: Sequence[sp.Expr], told: Collection[sp.Expr]
 ) -> Iterator[Condition]:
     """What equilibrium demands beside that: no second rate of a coordinate that is not driven; without coordinates, no
-    acceleration relative to what a body is joined to, or to what is driven. `rows`: what joints and `motion` demand;
-    `coordinates`: their second rates.
+    acceleration relative to what a body is joined to, or to what is driven. `tree`: how the joints lead the bodies;
+    `motion`: in whose unknowns it is written; `coordinates`: their second rates; `told`: what joints and `motion` tell.
     """
-    tree = motion.tree
-    unknowns = tree.acceleration_unknowns()
     joined = [e for e in tree.edges if e.rise_rate is None]
-    own = [a for e in joined for a in (e.slide_rate, e.spin_rate) if a is not None]
-    told = told_by(rows, [*unknowns, *coordinates], value)
-    for a in coordinates or own:
+    for a in coordinates:
         if a not in told:
             yield Condition("given", "equilibrium", a)
-    driven = next((e for e in joined if {e.slide_rate, e.spin_rate} & told), None)
-    if coordinates or driven is None:
+    driven = next((e for e in joined if {e.slide_rate, e.spin_rate} & set(told)), None)
+    if coordinates:
         return
-    for edge in (e for e in tree.edges if e.rise_rate is not None and not told >= {e.slide_rate, e.rise_rate}):
+    for edge in joined:
+        for a in (edge.slide_rate, edge.spin_rate):
+            if a is not None and a not in told:
+                yield Condition("given", "equilibrium", a if motion.tree is tree else _relative(motion, edge, a))
+    for edge in (e for e in tree.edges if e.rise_rate is not None and not {*told} >= {e.slide_rate, e.rise_rate}):
+        if driven is None:
+            return
         at = motion.center(edge.body)
         relative = motion.acceleration(at, edge.body) - motion.acceleration(at, driven.body)
         yield Condition("given", "equilibrium", relative, body=edge.body, base=driven.body)
         if edge.spin_rate is not None:
-            turning = edge.spin_rate - motion.accelerations[driven.body].angular
+            turning = motion.accelerations[edge.body].angular - motion.accelerations[driven.body].angular
             yield Condition("given", "equilibrium", turning, body=edge.body, base=driven.body)
+
+
+def _relative(motion: Motion, edge: Edge, a: sp.Expr) -> sp.Expr:
+    """The acceleration of a body at rest relative to what it is joined to: how it turns, or along its path."""
+    joining = edge.joining
+    assert joining is not None, "a body that nothing joins has two components"
+    if a == edge.spin_rate:
+        return motion.accelerations[joining.mover].angular - motion.accelerations[joining.base].angular
+    assert joining.path is not None, "what slides has a path"
+    relative = motion.acceleration(joining.point, joining.mover) - motion.acceleration(joining.point, joining.base)
+    return relative.dot(joining.path.tangent)
 
 
 def told_by(rows: Sequence[sp.Expr], unknowns: Sequence[sp.Expr], value: Valuation) -> set[sp.Expr]:

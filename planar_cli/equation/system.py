@@ -219,8 +219,14 @@ class System:
         inside = set().union(*(a.free_symbols for a in parts))
         return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol) and a in inside]
 
-    def _driving(self, motion: Motion) -> tuple[list[sp.Expr], list[sp.Expr]]:
-        """What joints and `motion` demand of accelerations, and the second rates of coordinates."""
+    def _second_rates(self) -> list[sp.Expr]:
+        """The second rates of coordinates."""
+        return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+
+    def driven(self) -> set[sp.Expr]:
+        """The accelerations that joints and `motion` tell."""
+        motion = self.motion
+        assert motion is not None
         names = {s.name for s in self.scene.ledger.coordinates}
         quantities = self.quantities_of(motion, self.reactions)
         always: list[tuple[Relation, bool]] = [(r, True) for r, lasts in self.statements.relations if lasts]
@@ -230,14 +236,8 @@ class System:
             *stated(always, quantities, quantities.evaluator, names, ACCELERATION),
             *coordinate_conditions(quantities, set(self.scene.ledger.coordinates), ACCELERATION, self.tree),
         ]
-        seconds = [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
-        return [e for c in found for e in c.rows()], seconds
-
-    def driven(self) -> set[sp.Expr]:
-        """The accelerations that joints and `motion` tell."""
-        assert self.motion is not None
-        rows, seconds = self._driving(self.motion)
-        return told_by(rows, [*self.motion.tree.acceleration_unknowns(), *seconds], self.scene.valuations[0])
+        unknowns = [*motion.tree.acceleration_unknowns(), *self._second_rates()]
+        return told_by([e for c in found for e in c.rows()], unknowns, self.scene.valuations[0])
 
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
         if level == ACCELERATION and self._all_balanced():
@@ -245,7 +245,7 @@ class System:
             return [Condition("given", "equilibrium", a) for a in own]
         found: list[Condition] = []
         if level == ACCELERATION and None in self.statements.equilibrium:
-            found += relative_rest(motion, *self._driving(motion), self.scene.valuations[0])
+            found += relative_rest(motion, self.tree, self._second_rates(), self.driven())
         for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
             if name is None:
                 continue

@@ -124,7 +124,14 @@ def read_text(text: str, file: str) -> tuple[Node | None, list[Diagnostic]]:
         return None, diagnostics
     builder = _Builder(text, file)
     try:
-        builder.run(_events(text))
+        try:
+            builder.run(_events(text, _fast()))
+        except yaml.MarkedYAMLError as error:
+            if "nesting" not in (error.problem or ""):
+                raise
+            # libyaml looks too far ahead for the limit of this reader to be met; the slower loader tells the place.
+            builder = _Builder(text, file)
+            builder.run(_events(text, yaml.SafeLoader))
     except yaml.YAMLError as error:
         builder.report.append(explain_error(error, text, file))
     except (ValueError, OverflowError, RecursionError):
@@ -137,8 +144,14 @@ def read_text(text: str, file: str) -> tuple[Node | None, list[Diagnostic]]:
     return (None, sorted(builder.report, key=lambda d: (d.mark, d.code))) if builder.report else (builder.root, [])
 
 
-def _events(text: str) -> Iterator[yaml.Event]:
-    return yaml.parse(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+def _fast() -> type:
+    """The loader of libyaml, where PyYAML was built with it."""
+    found: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    return found
+
+
+def _events(text: str, loader: type) -> Iterator[yaml.Event]:
+    return yaml.parse(text, Loader=loader)
 
 
 def _bad_characters(text: str, file: str) -> list[Diagnostic]:
