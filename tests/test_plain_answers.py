@@ -42,6 +42,13 @@ def test_what_is_short_already_stays() -> None:
     assert shorter(kept) == kept
 
 
+def test_a_sum_stands_below_rather_than_a_difference() -> None:
+    """The sign is seen: -6 g sin² β / (L (1 + 3 sin² β)), and not 6 g sin² β / (L (3 cos² β - 4))."""
+    expr = -6 * g * sp.sin(beta) ** 2 / (d * (1 + 3 * sp.sin(beta) ** 2))
+    for other in (expr, expr.xreplace({1 + 3 * sp.sin(beta) ** 2: 4 - 3 * sp.cos(beta) ** 2})):
+        assert shorter(other) == expr
+
+
 @pytest.mark.parametrize(
     ("expr", "positive"),
     [

@@ -59,9 +59,13 @@ def _is_root(e: sp.Expr) -> bool:
 
 
 def _effort(expr: sp.Expr) -> int:
-    """Operations; a sum of fractions and functions of inverse functions are harder to read."""
+    """Operations; a sum of fractions and functions of inverse functions are harder to read, and so is a difference below
+    the bar, which hides its sign: 1 + 3 sin² β rather than 3 cos² β - 4.
+    """
     halves = [f for f in expr.atoms(TrigonometricFunction) if f.has(InverseTrigonometricFunction)]
-    return int(operations(expr)) + HARD * (len(halves) + bool(expr.is_Add))
+    below = [p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add]
+    differences = [a for a in below if any(t.could_extract_minus_sign() for t in a.args)]
+    return int(operations(expr)) + HARD * (len(halves) + len(differences) + bool(expr.is_Add))
 
 
 def _of_inverse(e: sp.Basic) -> bool:
