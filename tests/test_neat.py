@@ -28,7 +28,7 @@ ROLL = r / (r - R) - 1
 LETTERS = (
     "ball-rolling-round-a-loop",
     "disk-rolling-in-a-trough",
-    "two-hinged-bars-that-collapse",
+    "half-disk-rocking",
     "load-on-four-strands",
     "body-slider-crank-over-time",
     "throw-up-a-slope",
