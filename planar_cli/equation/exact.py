@@ -333,10 +333,22 @@ def integral(expr: sp.Integral, value: Valuation, digits: int, at_least: int) ->
         raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
     inside = sorted(expr.function.free_symbols - {x}, key=lambda s: s.name)
-    return _integral(expr.function, x, value(start), value(end), tuple((s, value(s)) for s in inside), digits, at_least)
+    letters = tuple((s, value(s)) for s in inside)
+    found = _remembered(expr.function, x, value(start), value(end), letters, digits, at_least)
+    if isinstance(found, ArithmeticError):
+        raise type(found)(*found.args)
+    return found
 
 
 @lru_cache(maxsize=REMEMBERED)
+def _remembered(*what: Any) -> Decimal | ArithmeticError:
+    """An integral, or why it has no value: what does not settle takes longest."""
+    try:
+        return _integral(*what)
+    except ArithmeticError as error:
+        return error.with_traceback(None)
+
+
 def _integral(
     function: sp.Expr,
     x: sp.Symbol,
