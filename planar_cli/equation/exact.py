@@ -12,13 +12,13 @@ import operator
 from collections.abc import Callable, Container, Mapping
 from decimal import Decimal
 from functools import lru_cache
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Any, NewType
 
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.quadrature import breaks, quad, to_decimal
+from planar_cli.equation.quadrature import breaks, quad, switching, to_decimal
 from planar_cli.errors import NoValue
 
 DIGITS = 60
@@ -329,26 +329,17 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
 
 def integral(expr: sp.Integral, value: Valuation, digits: int, at_least: int) -> Decimal:
     """The value of a definite integral over one variable, with so many certain digits, or so many at least."""
-    if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
+    if [len(limit) for limit in expr.limits] != [3]:
         raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
-    inside = sorted(expr.function.free_symbols - {x}, key=lambda s: s.name)
-    letters = tuple((s, value(s)) for s in inside)
-    found = _remembered(expr.function, x, value(start), value(end), letters, digits, at_least)
+    letters = tuple((s, value(s)) for s in sorted(expr.function.free_symbols - {x}, key=lambda s: s.name))
+    found = _integral(expr.function, x, value(start), value(end), letters, digits, at_least)
     if isinstance(found, ArithmeticError):
         raise type(found)(*found.args)
     return found
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _remembered(*what: Any) -> Decimal | ArithmeticError:
-    """An integral, or why it has no value: what does not settle takes longest."""
-    try:
-        return _integral(*what)
-    except ArithmeticError as error:
-        return error.with_traceback(None)
-
-
 def _integral(
     function: sp.Expr,
     x: sp.Symbol,
@@ -357,8 +348,8 @@ def _integral(
     inside: tuple[tuple[sp.Symbol, Decimal], ...],
     most: int,
     least: int,
-) -> Decimal:
-    """The same with the values of letters.
+) -> Decimal | ArithmeticError:
+    """The same with the values of letters; or why there is none, which takes longest to find.
 
     A root has a corner where what stands under it touches zero: among the places where that is stationary.
     """
@@ -375,9 +366,9 @@ def _integral(
         try:
             places = breaks([_along(s, x, rest) for s in switches], low, high)
             return sum((quad(g, a, b, digits) for a, b in pairwise(places)), ZERO)
-        except ArithmeticError:
+        except ArithmeticError as error:
             if digits == least:
-                raise
+                return error.with_traceback(None)
     return ZERO
 
 
@@ -401,11 +392,3 @@ def _along(expr: sp.Expr, x: sp.Symbol, rest: Valuation) -> Callable[[Decimal], 
         return here(expr)
 
     return at
-
-
-def switching(expr: sp.Expr) -> list[sp.Expr]:
-    """Where one of these changes its sign, an expression may have a corner or a jump."""
-    found = [a.args[0] for a in sorted(expr.atoms(sp.Abs, sp.sign), key=sp.default_sort_key)]
-    found += [a - b for m in expr.atoms(sp.Max, sp.Min) for a, b in combinations(m.args, 2)]
-    found += [c.lhs - c.rhs for p in expr.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)]
-    return found

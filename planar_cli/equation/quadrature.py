@@ -10,9 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from decimal import Decimal, getcontext
 from functools import lru_cache
+from itertools import combinations
 from typing import Any
 
 import mpmath
+import sympy as sp
 
 from planar_cli.errors import NotReached, NoValue
 
@@ -146,6 +148,14 @@ def to_decimal(x: Mpf) -> Decimal:
     man, exp = map(int, x.man_exp)
     whole = Decimal(-man if x < 0 else man)
     return +(whole * (1 << exp)) if exp >= 0 else whole / (1 << -exp)
+
+
+def switching(expr: sp.Expr) -> list[sp.Expr]:
+    """Where one of these changes its sign, an expression may have a corner or a jump."""
+    found = [a.args[0] for a in sorted(expr.atoms(sp.Abs, sp.sign), key=sp.default_sort_key)]
+    found += [a - b for m in expr.atoms(sp.Max, sp.Min) for a, b in combinations(m.args, 2)]
+    found += [c.lhs - c.rhs for p in expr.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)]
+    return found
 
 
 def breaks(switches: Sequence[Callable[[Decimal], Decimal]], a: Decimal, b: Decimal) -> list[Decimal]:

@@ -59,8 +59,8 @@ def _is_root(e: sp.Expr) -> bool:
 
 
 def _effort(expr: sp.Expr) -> int:
-    """Operations; a sum of fractions and functions of inverse functions are harder to read, and so is a difference below
-    the bar, which hides its sign: 1 + 3 sin² β rather than 3 cos² β - 4.
+    """Operations; a sum of fractions and functions of inverse functions are harder to read, and so is a difference
+    below the bar, which hides its sign: 1 + 3 sin² β rather than 3 cos² β - 4.
     """
     halves = [f for f in expr.atoms(TrigonometricFunction) if f.has(InverseTrigonometricFunction)]
     below = [p.base for p in expr.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add]
