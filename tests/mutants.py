@@ -124,15 +124,15 @@ class _Walk:
     def _contrary_of(self, item: Node, keys: tuple[str, ...]) -> tuple[str | None, Path_]:
         """What says the contrary of an item of a list, and where below it.
 
-        Where nothing has mass, and places are written, joints only say what these tell: at another point, or across,
-        they do not.
+        Where nothing has mass, and places are written, joints only say what these tell: at another point they do not.
+        What hangs straight down, or is led by other joints, moves along a guide without it, and not across it.
         """
         if isinstance(item, Scalar) and item.text in ("at rest", "equilibrium") and self.names.get("bodies"):
             return f"v({self.names['bodies'][0]}).mag > 0", ()
-        if keys[-1] != "joints" or self.heavy or not isinstance(item, Mapping):
+        if keys[-1] != "joints" or not isinstance(item, Mapping):
             return _contrary(item), ()
         inner = item.pairs[0][1]
-        for i, (key, value) in enumerate(inner.pairs if isinstance(inner, Mapping) else ()):
+        for i, (key, value) in enumerate(inner.pairs if isinstance(inner, Mapping) and not self.heavy else ()):
             if key.text in ("at", "point") and isinstance(value, Scalar):
                 others = [name for name in self.names.get("points", []) if name != value.text]
                 return (others[-1] if others else None), (0, i)

@@ -7,8 +7,9 @@ A mutant is refused, has no solution, has another answer, or has the same answer
 cancels stands in the equations). It may have the very same page for a reason:
 
     implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound,
-              and that of a joint where places are written and nothing has mass: at another point it does not fit; so
-              does a number of a statement with the other sign, where a little more of it changes nothing: a count
+              and that of a joint where places are written and nothing has mass: at another point it does not fit; that
+              of a guide along which a body moves anyhow: at right angles to it; so does a number of a statement with
+              the other sign, where a little more of it changes nothing: a count
     drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
               told by a name
     even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn,
@@ -17,7 +18,8 @@ cancels stands in the equations). It may have the very same page for a reason:
     asked     a find asks for another thing of the same value
     a name    a name that nothing else uses is spelt otherwise
 
-What is none of it ("unchanged"), ends in a fault, or is refused without a place is an offender and is listed.
+What is none of it ("unchanged"), ends in a fault, or is refused or left undecided without a place is an offender and
+is listed.
 
 A file is worked out once, in a process of its own. Most mutants are refused as they are read, there; each of the others
 is worked out in a child of that process, which remembers what it knows of the file and has a limit of processor time.
@@ -59,6 +61,7 @@ from planar_cli.problem.structure import read_problem
 from planar_cli.registry import members
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import Voice, narrate
+from planar_cli.solve.where_asked import has_place
 
 GROUPS = {"statement": 0, "number": 0, "sign": 0, "name": 1, "unit": 2, "key": 2}
 """Those of which most is learnt come first."""
@@ -128,7 +131,7 @@ def solved(problem: Problem, other_than: str | None = None) -> Outcome:
     except (FileProblem, NoSolution) as error:
         return _failed("refused" if isinstance(error, FileProblem) else "no solution", error.diagnostics)
     except Undecided as error:
-        return Outcome(UNDECIDED, str(error))
+        return Outcome(UNDECIDED, ("" if has_place(error, problem.file) else "no place: ") + str(error))
     answers = json.dumps(solution_data(solution, verdicts, 12, None)["answers"], default=str, sort_keys=True)
     if other_than is not None and answers != other_than:
         return Outcome(SOLVED, "", answers)
