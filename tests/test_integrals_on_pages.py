@@ -70,3 +70,22 @@ def test_logarithms_of_numbers_stand_as_one() -> None:
 )
 def test_a_number_that_a_root_shares_with_the_denominator_stands_once(expr: sp.Expr, text: str) -> None:
     assert plain(expr) == text
+
+
+def test_a_free_vibration_is_told_over_time_before_what_it_is_at_a_state() -> None:
+    page = page_of_file("damped-block-three-ways")
+    motion = "From 1 on, under-damped, ζ < 1: x = x_0 exp(-ζ ω_n t) (ζ ω_n sin(ω_d t)/ω_d + cos(ω_d t))"
+    assert page.index(motion) < page.index("At cross: (2) ζ ω_n sin(ω_d t_cross)/ω_d + cos(ω_d t_cross) = 0")
+    assert "At turn: (4) sin(ω_d t_turn) = 0" in page
+    assert page.count("under-damped") == 1
+
+
+def test_the_impulse_of_a_force_in_numbers_is_an_integral() -> None:
+    page = page_of_file("block-fading-force")
+    assert "impulse = ∫[0 → t_fast] (20 - 4 t) dt = 50 N·s" in page
+    assert "impulse = ∫[0 → t_stop] (20 - 4 t) dt = 20 t_stop - 2 t_stop² in N·s" in page
+    assert "v_P,fast = 50/5 = 10 m/s" in page
+
+
+def test_a_relation_that_says_a_number_stands_once() -> None:
+    assert "where its derivative is zero: (2) t_fast = 5 s From" in page_of_file("block-fading-force")

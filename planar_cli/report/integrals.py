@@ -55,6 +55,8 @@ def _in_powers(formula: sp.Expr, times: set[sp.Symbol], found: MotionTrace) -> s
     common = times & (formula / sp.Mul(*brackets)).free_symbols
     if len(brackets) != 1 or not common & brackets[0].free_symbols:
         return formula
+    if formula.free_symbols <= times:
+        return sp.expand(formula)
     terms = [term.as_coeff_Mul()[1] for term in brackets[0].args]
     units = [unit for s in terms if (unit := found.ledger.units.get(s)) is not None]
     return sp.expand(formula) if any(u.dimension in (VELOCITY, RATE) for u in units) else formula

@@ -13,7 +13,9 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
+from planar_cli.report.free_motions import motion_blocks
 from planar_cli.report.notation import plain
+from planar_cli.report.origins import is_vibration
 from planar_cli.report.put_in import partly
 from planar_cli.report.vibrations import free_blocks, vibration_blocks
 from planar_cli.report.words import Phrases
@@ -66,6 +68,7 @@ class LawTelling:
         self._told: set[tuple[sp.Symbol, sp.Expr]] = set()
         self.natural: set[sp.Symbol] = set()
         """The natural frequencies that were told."""
+        self._moved: set[tuple[sp.Symbol, str]] = set()
 
     def blocks(self, e: Relation, route: RouteTrace, unknown: Collection[sp.Symbol]) -> Iterator[Block]:
         """The law of which a relation is an integral. `unknown`: letters that are not known yet."""
@@ -84,6 +87,9 @@ class LawTelling:
         if own is not None and own.begun and own.begun[0][0] not in self.natural:
             self.natural.add(own.begun[0][0])
             yield from free_blocks(own, law, self.phrases, e.since)
+        if own is not None and not own.begun and is_vibration(e) and (own.natural, e.since) not in self._moved:
+            self._moved.add((own.natural, e.since))
+            yield from motion_blocks(e, route, self.phrases)
 
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:

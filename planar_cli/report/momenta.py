@@ -15,13 +15,14 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.setup import ANGULAR_IMPULSE
 from planar_cli.principles.base import Moving
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.inertias import inertia_of
+from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
-from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY
+from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY, Dimension
 
 SHORT = 12
 """Longer velocities, momenta and impulses stand in the balance alone."""
@@ -96,7 +97,10 @@ class MomentumTelling:
         dimension = ANGULAR_MOMENTUM if self.balance.law.about else IMPULSE
         put = integral.xreplace(dict(self.plain))
         clean = is_clean(self.phrases.ledger, gain, dimension=dimension)
-        if not clean or longer(gain, SHORT) or longer(put.args[0], SHORT):
+        if longer(gain, SHORT) or longer(put.args[0], SHORT):
+            return
+        if not clean:
+            yield from self._in_numbers(line(about), put, gain, dimension)
             return
         sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
         if not gain.free_symbols & set(self.unknowns) and not self.phrases.symbolic:
@@ -105,6 +109,19 @@ class MomentumTelling:
             usual = bool(self.balance.law.about) and not self.phrases.ledger.us
             sides += [replace(v, unit=ANGULAR_IMPULSE) if usual else v for v in shown]
         yield Equation(tuple(sides))
+
+    def _in_numbers(self, about: Line, put: sp.Expr, gain: sp.Expr, dimension: Dimension) -> Iterator[Block]:
+        """Of a law in numbers with the time alone: ∫[0 → t_2] (20 - 4 t) dt = 20 t_2 - 2 t_2², in N·s."""
+        varies, (time, *_) = put.args[0].free_symbols, put.args[1]
+        letters = gain.free_symbols - set(self.unknowns)
+        if self.phrases.symbolic or varies - {time} or letters & self.phrases.ledger.values.keys():
+            return
+        if gain.free_symbols & set(self.unknowns):
+            found = put_in(sp.expand(gain), sp.S.Zero, self.unknowns, self.phrases, dimension)
+            if found is not None:
+                yield Equation((about, self.phrases.math(put), found.left), None, (), found.note)
+        elif (value := self.phrases.value.known(gain)) is not None:
+            yield Equation((about, self.phrases.math(put), self.phrases.of_dimension(value, dimension)))
 
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))

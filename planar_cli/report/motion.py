@@ -36,6 +36,7 @@ from planar_cli.report.origins import (
     inertias_of_blows,
     is_explicit,
     is_handed_on,
+    is_outright,
     is_steady,
     letter_of,
     letters_of_blows,
@@ -56,7 +57,7 @@ from planar_cli.report.roots_of_squares import rooted
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
-from planar_cli.report.zeros import without_zeros
+from planar_cli.report.zeros import that_vanish, without_zeros
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
@@ -68,7 +69,7 @@ from planar_cli.solve.between.trace import (
 )
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
-LONGEST, LETTERED, SHORT, PLAIN = 90, 36, 26, 12
+LONGEST, LETTERED, SHORT, PLAIN = 90, 30, 26, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters without numbers, of letters
 that have numbers, of numbers, and of what mixes letters and numbers with units.
 """
@@ -181,8 +182,7 @@ class MotionTelling:
                 numbers += told
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
-                yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words))
-                return
+                return (yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words)))
             if single and is_explicit(e, leg, self.found.ledger):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
@@ -200,7 +200,7 @@ class MotionTelling:
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
-            if single and says_zero(e, leg.results[0], route):
+            if single and (says_zero(e, (r := leg.results[0]), route) or is_outright(e, r, route)):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)
@@ -211,7 +211,7 @@ class MotionTelling:
         yield from () if named else self._in_numbers(leg, numbers, route)
         lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(needed_results(leg, self.found)):
-            plain = r.formula is not None and not longer(r.formula, PLAIN)
+            plain = (formula := self._formula(r)) is not None and not longer(formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
             if first := self._by_function(leg, r, numbers, route):
@@ -319,6 +319,7 @@ class MotionTelling:
             if own in route.plain:
                 explicit = e.span.explicit.xreplace(route.plain)
                 explicit = explicit if own in self.found.route.plain else self._neat(explicit)
+                explicit = explicit if route.plain[own] else that_vanish(explicit, self._open)
                 return self.phrases.math(explicit), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
@@ -377,11 +378,11 @@ class MotionTelling:
         """
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
             return []
-        if divides_by_zero(r.formula, self.numeric):
+        if divides_by_zero(r.formula, self.numeric) or (not explicit and longer(r.formula, SHORT)):
             return []
-        if not explicit and longer(r.formula, SHORT):
-            return []
-        return in_known(r.formula, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
+        return in_known(
+            in_times(r.formula, self.found), set(self.general), self._shown(r), self.phrases, min(most, SHORT)
+        )
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite() or (self.phrases.symbolic and not r.value):

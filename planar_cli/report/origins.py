@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
@@ -48,6 +49,8 @@ PLACE, ACROSS = "place of ", " across its line"
 
 def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     """The heading of a relation. `names`: those of symbols, which are set as mathematics."""
+    if is_vibration(e):
+        return line(f"At {e.stop}:" if e.stop else f"From {e.since} on:")
     if e.span is not None:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
         words = calculus(e)
@@ -63,6 +66,11 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
     return spoken(f"{place}{words}:", names)
+
+
+def is_vibration(e: Relation) -> bool:
+    """Is it a relation by the time of a vibration, whose motion is told by itself before?"""
+    return e.law is not None and e.law.vibration is not None and e.span is not None and EQUATION in e.span.words
 
 
 def components_of(words: str) -> str:
@@ -227,6 +235,14 @@ def inertias_of_blows(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
             if " about " in ledger.titles.get(symbol, ""):
                 made[symbol] = ledger.definitions[symbol].xreplace(dict(ledger.definitions))
     return made
+
+
+def is_outright(e: Relation, r: trace.Result, route: RouteTrace) -> bool:
+    """Does a relation say no more than that its letter is a number, as 5 - t = 0?"""
+    if e.source is not None or e.span is not None or r.formula is None or not r.formula.is_number:
+        return False
+    slope = sp.diff(e.residual.xreplace(dict(route.plain)), r.unknown)
+    return bool(slope.is_number) and slope != 0
 
 
 def letter_of(e: Relation, ledger: Ledger) -> sp.Symbol | None:

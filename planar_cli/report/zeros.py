@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -28,3 +28,11 @@ def _without(result: Result, zeros: dict[sp.Symbol, sp.Expr]) -> Result:
         return result
     formula = result.formula.xreplace(zeros)
     return result if formula.is_number or formula.has(sp.nan, sp.zoo) else replace(result, formula=formula)
+
+
+def that_vanish(product: sp.Expr, unknowns: Collection[sp.Symbol]) -> sp.Expr:
+    """What can vanish of a product that is zero: sin(ω_d t) of x_0 ω_n² sin(ω_d t) exp(-ζ ω_n t)/ω_d, without factors
+    that hold no unknown, and without exponentials.
+    """
+    factors = [f for f in sp.Mul.make_args(product) if f.free_symbols & set(unknowns) and not isinstance(f, sp.exp)]
+    return sp.Mul(*factors) if factors and not any(f.is_Pow and f.exp.is_negative for f in factors) else product

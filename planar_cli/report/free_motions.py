@@ -1,0 +1,49 @@
+"""A free vibration told as a function of the time, once, before what it is at this or that state.
+
+From 1 on, under-damped, ζ < 1:
+  x = x_0 exp(-ζ ω_n t) (cos(ω_d t) + ζ ω_n sin(ω_d t)/ω_d)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.calculus.linear_laws import EQUATION
+from planar_cli.equation.plain import simplified
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.characteristic import with_coefficients
+from planar_cli.report.origins import calculus
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import Relation, RouteTrace
+
+RATES = {"q(t)": "", "v(t)": "_dot"}
+
+
+def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases) -> Iterator[Block]:
+    """The place and, where a state rests on it, the velocity of the vibration of which a relation is."""
+    law = e.law
+    if law is None or law.vibration is None:
+        return
+    time, names = sp.Symbol("t", real=True), phrases.ledger.symbols
+    words = with_coefficients(calculus(e), law, names["t"])
+    yield Paragraph(line(f"From {e.since} on, " if e.since else "", *words, ":"))
+    every = [r for leg in route.steps for r in leg.relations if _is_same(r, e)]
+    for kind, dots in RATES.items():
+        told = next((r for r in every if r.kind == kind), None)
+        if told is None or told.span is None or told.span.explicit is None:
+            continue
+        formula = told.span.explicit.xreplace(dict(route.plain))
+        roles = {s: role for s in formula.free_symbols if (role := phrases.ledger.roles.get(s)) is not None}
+        ends = [s for s, role in roles.items() if role.of == names["t"] and role.at == told.stop]
+        formula = simplified(formula.xreplace(dict.fromkeys(ends, time)))
+        yield Equation((line(Name(f"{law.coordinate.symbol.name}{dots}")), phrases.math(formula)))
+
+
+def _is_same(r: Relation, e: Relation) -> bool:
+    """Is a relation one of the same vibration since the same state, by the time?"""
+    if r.law is None or r.law.vibration is None or r.span is None or e.law is None or e.law.vibration is None:
+        return False
+    same = r.law.vibration.natural == e.law.vibration.natural and r.since == e.since
+    return same and EQUATION in r.span.words
