@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from planar_cli.problem.expression import Name, Side
+from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
@@ -29,6 +29,7 @@ from planar_cli.problem.scene import (
     Line as Straight,
 )
 from planar_cli.problem.scope import Member, members_of
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, line
@@ -38,6 +39,8 @@ from planar_cli.report.mentioned import Mentioned
 from planar_cli.report.sides import is_zero, number_of, said
 
 RIGHT_ANGLE = 90
+OF_MASS = frozenset({"mass", "I", "KE", "PE", "momentum", "H"})
+"""Quantities of a body that its mass makes."""
 
 
 @record
@@ -97,7 +100,7 @@ def _oblique(side: Side) -> bool:
 def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
     """Masses and weights that the file gives as numbers, on a page that tells of no force that would need them."""
     for body in () if page.kinetic else problem.bodies:
-        if _mass_letter(body, _heavy(problem)) in page.letters:
+        if _mass_letter(body, _heavy(problem)) in page.letters or body.name in _asked_of(problem):
             continue
         for what, side in (("mass", body.mass), ("weight", body.weight)):
             if side is not None and number_of(side) is not None and (value := said(side, figures)):
@@ -107,12 +110,19 @@ def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Lin
 def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
     """Moments of inertia and radii of gyration that the file gives as numbers, of bodies whose page needs none."""
     for body in () if page.energies else problem.bodies:
-        if page.kinetic and _tells_inertia(body, problem, page):
+        if body.name in _asked_of(problem) or (page.kinetic and _tells_inertia(body, problem, page)):
             continue
         for what, side in (("moment of inertia", body.inertia), ("radius of gyration", body.gyration)):
             told = None if side is None else number_of(side)
             if side is not None and told is not None and told[0] and (value := said(side, figures)):
                 yield line(f"the {what} of {body.name}, ", value)
+
+
+def _asked_of(problem: Problem) -> set[str]:
+    """The bodies of which something is asked that their mass and its distribution make."""
+    asked = [q for f in problem.find for q in walk(f.found.what) if isinstance(q, Quantity) and q.word in OF_MASS]
+    named = {thing for q in asked for thing in q.things[:1]}
+    return {b.name for b in problem.bodies} if "all" in named else named
 
 
 def _tells_inertia(body: Body, problem: Problem, page: Mentioned) -> bool:

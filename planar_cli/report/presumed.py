@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.problem.expression import JustAfter, Relation
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Problem, Round
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.conditions import without_factors
@@ -46,7 +46,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         return
     for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
-    for told in _taking_hold(part.motion.problem):
+    for told in (*_taking_hold(part.motion.problem), *_turning_with(part)):
         yield Note("Assume", line(told))
 
 
@@ -97,6 +97,22 @@ def _taking_hold(problem: Problem) -> Iterator[str]:
         if joint.during is not None and not joint.strikes and (before := blows.get(joint.during[0])) is not None:
             where = f"at {place}" if (place := getattr(joint, "at", "")) else joint.name
             yield f"The {joint.kind} {where} takes hold in the blow, so that it acts from {before} on."
+
+
+def _turning_with(part: PartSolution) -> Iterator[str]:
+    """Forces of a fixed direction at the rim of a wheel that turns between states: the pull of a cord is another."""
+    for instant in part.instants[:1]:
+        scene, turning = instant.instant.scene, instant.trial.system.motion
+        wheels = {b.name: b.shape for b in scene.problem.bodies if isinstance(b.shape, Round)}
+        for load in scene.problem.loads if turning is not None else ():
+            at, body = getattr(load, "at", None), getattr(load, "body", "")
+            fixed = getattr(load, "angle", None) is not None and getattr(load, "relative_to", None) is None
+            if load.kind != "force" or not (at and fixed) or body not in wheels:
+                continue
+            arm, radius = scene.point(at) - scene.point(wheels[body].center), scene.value(wheels[body].radius)
+            if scene.is_zero(arm.dot(arm) - radius**2):
+                told = "a cord would go on pulling where it leaves the rim"
+                yield f"The force at {at} moves on with that point of {body}; {told}."
 
 
 def _above_zero(expr: Any) -> sp.Expr:
