@@ -92,3 +92,15 @@ def test_points_of_wheels(name: str, lines: list[str]) -> None:
     page = Terminal(width=140).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
     for told in lines:
         assert told in page
+
+
+def test_a_wheel_let_go_from_rest() -> None:
+    """Its mass centre off the middle has a_G = α × r_G/C; lengths without a letter are numbers with their unit."""
+    page = Terminal(140).render(
+        narrate(worked(ROOT / "problems/rigid-bodies/half-cylinder-let-go-on-its-side.yaml")[0])
+    )
+    assert "half rolls without slipping:   a_G = α × r_G/C" in page
+    assert "r_G/C = [4 R/(3 π), R]" in page
+    page = Terminal(140).render(narrate(worked(ROOT / "problems/kinematics/pin-where-two-slots-cross.yaml")[0]))
+    assert "r_P/A = [0.25, 0.4330] m" in page
+    assert "1/4" not in page

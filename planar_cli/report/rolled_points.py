@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.expansion import expanded
+from planar_cli.equation.motion import Twist
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
@@ -35,8 +36,13 @@ def touching(system: System, kinetic: bool) -> list[Paragraph]:
     return found
 
 
+def is_named(parts: Sequence[tuple[Vec, sp.Expr]], twist: Twist) -> bool:
+    """Is the acceleration of a mass centre one letter, of which a line tells what it is? α of its body is none."""
+    return len(parts) == 1 and parts[0][1] != twist.angular
+
+
 def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
-    """Of a body that rolls on the ground: the acceleration of its point of contact, and that of its mass centre."""
+    """Of a body that rolls on the ground: the acceleration of its point of contact, if any, and of its mass centre."""
     edge = next((e for e in system.tree.edges if e.body == body), None)
     j = edge.joining if edge is not None else None
     if edge is None or j is None or j.rolling is None or j.drift is not None or {j.mover, j.base} != {body, GROUND}:
@@ -45,9 +51,16 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     assert motion is not None
     omega, alpha = motion.velocities[body].angular, motion.accelerations[body].angular
     arm = system.scene.center(body) - j.point
-    if omega == 0 or alpha == 0 or any(longer(p, LONGEST) for p in (arm.x, arm.y)):
+    if alpha == 0 or any(longer(p, LONGEST) for p in (arm.x, arm.y)):
         return
     at, centre = j.place, centre_of(system.scene, body)
+    name = Name(f"r_{centre}/{at.replace('_', '')}")
+    note = line(name, " = [", phrases.math(arm.x), ", ", phrases.math(arm.y), "]")
+    if omega == 0:
+        # At rest its point of contact has no acceleration either.
+        sides = (line(Name(f"a_{centre}")), line(phrases.math(alpha), " × ", name))
+        yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
+        return
     normal = motion.accelerations[body].linear
     size = _size(normal.x, normal.y)
     if size is None:
@@ -55,9 +68,7 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     own = Name(f"a_{at.replace('_', '')}")
     arrow = phrases.arrow(normal.x, normal.y)
     yield Equation((line(own), line(phrases.math(size), f" {arrow}")), None, line(f"{body} rolls without slipping:"))
-    name = Name(f"r_{centre}/{at.replace('_', '')}")
     turned = line(phrases.math(alpha), " × ", name, " - ", phrases.math(omega**2), " ", name)
-    note = line(name, " = [", phrases.math(arm.x), ", ", phrases.math(arm.y), "]")
     yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
 
 

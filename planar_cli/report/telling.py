@@ -25,7 +25,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, level_of, vanishing
 from planar_cli.report.polar import polar_blocks
-from planar_cli.report.rolled_points import rolling, touching
+from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.rope_rates import rope_told
@@ -137,14 +137,14 @@ class Telling:
         yield from polar_blocks(self.system, moved, self.phrases, self.vectors.zero)
 
     def _centres(self, stage: Stage) -> Iterator[Block]:
-        """The acceleration of each mass centre that consists of several parts."""
+        """The acceleration of each mass centre that consists of several parts, or turns with its body."""
         bodies = dict.fromkeys(body for block in stage.blocks for w in block.equations for body in w.bodies)
         for body in bodies:
-            light = self.scene.bodies[body].mass == 0
-            if not light and len(stage.accelerations.get(body, ())) != 1 and self.scene.rigid(body):
-                center = self.scene.center(body)
+            heavy = self.scene.bodies[body].mass != 0 and self.scene.rigid(body)
+            if heavy and not is_named(stage.accelerations.get(body, ()), self.vectors.motion.accelerations[body]):
+                at, place = self.scene.center(body), centre_of(self.scene, body)
                 yield from rolling(self.system, body, self.phrases)
-                yield from self.vectors.point(body, center, centre_of(self.scene, body), "acceleration")
+                yield from self.vectors.point(body, at, place, "acceleration")
 
     def _step(self, title: str, aside: str | Line = "") -> Heading:
         """The heading of the next step."""

@@ -385,7 +385,7 @@ class VectorTelling:
         ledger, letters = self.phrases.ledger, {s for p in parts for s in p.free_symbols}
         if all(p.is_Atom for p in parts) or letters & set(ledger.definitions) - self.named:
             return ()
-        if any(longer(p, SHORT) or not is_clean(ledger, p) for p in parts):
+        if any(longer(p, SHORT) or not is_clean(ledger, p, dimension=LENGTH) for p in parts):
             return ()
         return line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "] = ")
 
