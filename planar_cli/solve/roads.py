@@ -64,9 +64,15 @@ def runs_in_time(problem: Problem) -> bool:
         return True
     if any(law.during for law in problem.motion) or any(_is_event(state) for state in problem.states[1:]):
         return True
-    if told_by_modes(problem):
+    if told_by_modes(problem) or _flies_along_a_curve(problem):
         return True
     return any(_timed(node) for formula in formulas(problem) for node in walk(formula.tree))
+
+
+def _flies_along_a_curve(problem: Problem) -> bool:
+    """Is the curve asked of what no joint, law or coordinate leads? Its start and the time alone tell it."""
+    led = problem.joints or problem.motion or problem.coordinates
+    return bool(problem.states[1:]) and not led and any(is_curve(f.found.what) for f in problem.find)
 
 
 def _is_event(state: State) -> bool:
