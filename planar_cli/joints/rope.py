@@ -156,7 +156,7 @@ class Rope(Joint):
         if mode.name == "slack":
             return ()
         along = None if self.along is None else scene.unit(self.along)
-        return (rope_length(f"{self.name}: length", stops_of(self._route(), scene), along),)
+        return (rope_length(f"{self.called}: length", stops_of(self._route(), scene), along),)
 
     def _route(self) -> RopePath:
         return RopePath(self.name, self.path, self.along, self.mark)

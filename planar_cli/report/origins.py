@@ -36,7 +36,7 @@ KEPT = {
     EDGE: "the distance from the line at {} stays the same",
     "distance of the centres": "the distance of the centres at {} stays the same",
     "angle": "the angle at {} stays the same",
-    "length": "the length of {} is constant",
+    "length": "{} keeps its length",
     "arcs on both rims": "{} runs over equal arcs of both rims",
     "arc rolled on the line": "at {} the arc rolled equals the way along the line",
     "arcs rolled on each other": "at {} equal arcs roll on each other",

@@ -12,6 +12,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
+from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.steps import SINGLE
@@ -59,9 +60,9 @@ class SolvingTelling:
             if any(known(s) is None for s in expr.free_symbols):
                 # What has no number cancels: the formula without it has numbers.
                 expr = simplified(self.constants.value.definitions.get(symbol, expr))
-                told += [] if expr.is_number or expr in told else [expr]
-            plain = expr.is_Symbol or expr.is_number or any(known(s) is None for s in expr.free_symbols)
-            put = () if plain else self.constants.substituted(expr, value)
+                told += [] if expr.is_number or plain(expr) in map(plain, told) else [expr]
+            bare = expr.is_Symbol or expr.is_number or any(known(s) is None for s in expr.free_symbols)
+            put = () if bare else self.constants.substituted(expr, value)
             return (self.phrases.math(symbol), *(self.phrases.math(e) for e in told), *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):
@@ -76,6 +77,13 @@ class SolvingTelling:
         elif self.constants is None and (closed := in_letters(expr, self.instant)) is not None:
             sides.append(self.phrases.math(closed))
         return tuple(sides)
+
+    def told_already(self, w: Written, found: SolvedLine) -> tuple[Any, ...]:
+        """A relation that stands as unknown = formula, where its solution would have no more to say."""
+        if found.letters or not self.phrases.symbolic or not is_written(w, found, self.phrases):
+            return ()
+        chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
+        return chain if len(chain) == 2 else ()
 
     def _is_constant(self, symbol: sp.Symbol) -> bool:
         """Has it a number all the time, though the page is in letters?"""
@@ -285,4 +293,8 @@ def is_written(w: Written, found: SolvedLine, phrases: Phrases) -> bool:
     """Does an equation stand as unknown = formula?"""
     solved = (found.symbol, phrases.neat(found.formula))
     either = [phrases.writer.sides(s * w.left, s * w.right, w.source == DIFFERENTIATED) for s in (1, -1)]
-    return any(solved in (sides, sides[::-1]) for sides in either)
+    if any(solved in (sides, sides[::-1]) for sides in either):
+        return True
+    # The same formula may be put together in two ways that read alike.
+    read = [side for sides in either for one, side in (sides, sides[::-1]) if one == found.symbol]
+    return any(plain(side) == plain(solved[1]) for side in read)

@@ -316,6 +316,9 @@ class Telling:
                 line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
             )
             return [*words, Equation(chain, number)]
+        if line_of is not None and (chain := self.solving.told_already(w, line_of)):
+            self.solving.merged.add((id(stage.algebra), w.number))
+            return [*words, Equation(chain, number)]
         if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.as_coeff_Mul()[1].is_Symbol:
             w = replace(w, left=w.right, right=w.left)
         opposite = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
