@@ -78,12 +78,12 @@ class SolvingTelling:
             sides.append(self.phrases.math(closed))
         return tuple(sides)
 
-    def told_already(self, w: Written, found: SolvedLine) -> tuple[Any, ...]:
-        """A relation that stands as unknown = formula, where its solution would have no more to say."""
-        if found.letters or not self.phrases.symbolic or not is_written(w, found, self.phrases):
+    def told_already(self, w: Written, found: SolvedLine, itself: bool) -> tuple[Any, ...]:
+        """A relation that stands as unknown = formula and solves `itself`, or to which its solution would add nothing."""
+        if not itself and (found.letters or not self.phrases.symbolic or not is_written(w, found, self.phrases)):
             return ()
         chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
-        return chain if len(chain) == 2 else ()
+        return chain if itself or len(chain) == 2 else ()
 
     def _is_constant(self, symbol: sp.Symbol) -> bool:
         """Has it a number all the time, though the page is in letters?"""

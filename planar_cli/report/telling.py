@@ -310,13 +310,8 @@ class Telling:
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and line_of.symbol in stage.zero:
             return [*words, self._nil(w, line_of, stage, number)]
-        if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
-            self.solving.merged.add((id(stage.algebra), w.number))
-            chain = self.solving.chain(
-                line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
-            )
-            return [*words, Equation(chain, number)]
-        if line_of is not None and (chain := self.solving.told_already(w, line_of)):
+        itself = line_of and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage)
+        if line_of is not None and (chain := self.solving.told_already(w, line_of, bool(itself))):
             self.solving.merged.add((id(stage.algebra), w.number))
             return [*words, Equation(chain, number)]
         if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.as_coeff_Mul()[1].is_Symbol:
