@@ -79,7 +79,7 @@ class SolvingTelling:
         return tuple(sides)
 
     def told_already(self, w: Written, found: SolvedLine, itself: bool) -> tuple[Any, ...]:
-        """A relation that stands as unknown = formula and solves `itself`, or to which its solution would add nothing."""
+        """A relation that stands as unknown = formula and solves `itself`, or whose solution would add nothing."""
         if not itself and (found.letters or not self.phrases.symbolic or not is_written(w, found, self.phrases)):
             return ()
         chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
