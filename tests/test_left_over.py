@@ -17,7 +17,7 @@ surfaces: {slope: {through: P, angle: 17 deg}}
 bodies: {block: {particle: P, mass: 3 kg}}
 joints:
   - contact: {between: [block, slope], at: P, mu: 0}
-instant: [v(block).mag = 2 m/s, v(block).x > 0]
+instant: [at rest]
 find: {a: a(block).mag, N: N(P)}
 """
 
