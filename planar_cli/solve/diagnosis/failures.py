@@ -7,6 +7,7 @@ from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.cases import no_case
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.open_data import at_change_point, at_dead_centre, open_velocities
+from planar_cli.solve.diagnosis.placed import not_held_at
 from planar_cli.solve.diagnosis.words import false_words
 from planar_cli.solve.instant.inequalities import Broken
 from planar_cli.solve.instant.instant import OPEN, Instant, Trial
@@ -28,10 +29,12 @@ def explain_failure(instant: Instant, rejected: list[Trial], finds: tuple[Find, 
         return NoSolution([_false(instant, false)])
     blamed = [t for t in rejected if t.objection in BLAMED]
     if blamed and len(blamed) == len(rejected):
-        found: Diagnostic | None = None
-        if blamed[0].objection == "velocities":
-            found = at_dead_centre(instant, blamed[0], mark)
-        return NoSolution([found or at_change_point(instant, blamed[0], mark) or clash(instant, blamed[0], mark)])
+        trial = blamed[0]
+        found = at_dead_centre(instant, trial, mark) if trial.objection == "velocities" else None
+        found = found or at_change_point(instant, trial, mark)
+        if found is None and (lack := not_held_at(instant, trial)) is not None:
+            return lack
+        return NoSolution([found or clash(instant, trial, mark)])
     return NoSolution([no_case(instant, rejected, mark)])
 
 

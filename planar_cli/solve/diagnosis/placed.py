@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
@@ -24,8 +24,25 @@ def placed_by_nothing(instant: Instant) -> NoSolution | None:
 
     A formula of fewer coordinates than the body has freedoms is a constraint, and a constraint takes reactions.
     """
+    return _unheld(instant, [b.name for b in instant.scene.problem.bodies])
+
+
+def not_held_at(instant: Instant, trial: Trial) -> NoSolution | None:
+    """The same at one instant, where bodies with mass contradict themselves; None: it is not for want of a joint."""
+    if trial.objection == "velocities":
+        return None
+    texts = sources(trial)
+    bodies, joints = parts_of(instant, texts)
+    stated = any(r.text in texts for r, _ in instant.statements.relations)
+    if stated or joints or any(instant.scene.bodies[b].mass == 0 for b in bodies):
+        return None
+    return _unheld(instant, bodies) or held_by_too_little(instant, trial)
+
+
+def _unheld(instant: Instant, bodies: Sequence[str]) -> NoSolution | None:
+    """What to say of the first of these bodies whose place is so written, and on which no joint acts."""
     held = {a.body for _, modes in instant.modes for m in modes for push in m.facts.pushes for a in push.actions}
-    for body in instant.scene.problem.bodies:
+    for body in (b for b in instant.scene.problem.bodies if b.name in bodies):
         if body.name not in held and (names := _written_with(instant, body.name)):
             text = f"the place of {body.name} is written with {names}, but no joint holds it so, nor do the loads"
             return NoSolution([Diagnostic(body.mark, "PL602", text, HINT)])
