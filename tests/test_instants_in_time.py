@@ -8,6 +8,10 @@ import pytest
 from answered import first, solve
 
 from planar_cli.errors import FileProblem
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 ALONG = """
 title: Along a line
@@ -61,6 +65,23 @@ def test_a_turning_rod() -> None:
 def test_of_two_times_the_one_that_is_not_negative() -> None:
     found = solve(TURNING.format(law="theta(r) = 2 rad/s^2 * t^2", now="theta(r) = 60 deg"))
     assert first(found["t"]) == pytest.approx(math.sqrt(math.pi / 6))
+
+
+@pytest.mark.parametrize(
+    ("law", "now", "chosen", "t", "why"),
+    [
+        ("1 m/s^3 * t^3 - 3 m/s * t", "v(P).mag = 5 m/s", "t > 0 s", math.sqrt(8 / 3), "the positive root, as t_1 > 0"),
+        ("1 m/s^3 * t^3 - 3 m/s * t", "v(P).mag = 5 m/s", "t < 0 s", -math.sqrt(8 / 3), "as t_1 < 0 s"),
+        ("1 m/s^2 * t^2 - 6 m/s * t", "x(P) = -8 m", "t > 3 s", 4, "the root for which t_1 > 3 s"),
+        ("1 m/s^2 * t^2 - 6 m/s * t", "x(P) = -8 m", "0.05 min > t", 2, "the first such time after the start"),
+    ],
+)
+def test_an_inequality_chooses_among_several_times(law: str, now: str, chosen: str, t: float, why: str) -> None:
+    text = ALONG.format(law=law, now=f'{now}", "{chosen}')
+    assert first(solve(text)["t"]) == pytest.approx(t)
+    problem, _ = load_text(text)
+    assert problem is not None
+    assert why in Terminal().render(narrate(solve_problem(problem)))
 
 
 def test_a_force_that_grows() -> None:

@@ -25,7 +25,9 @@ def _dated(problem: Problem) -> Problem:
     if any(isinstance(s, Extreme | Equilibrium) for s in now):
         return problem
     stated = [*now, *(f.found.what for f in problem.find)]
-    if any(_is_time(node) for tree in now for node in walk(tree)) or any(_is_told(f) for f in problem.find):
+    # An inequality as `t > 0` does not tell the time, it chooses among the times that the equations leave.
+    telling = [tree for tree in now if not (isinstance(tree, Relation) and tree.operator != "=")]
+    if any(_is_time(node) for tree in telling for node in walk(tree)) or any(_is_told(f) for f in problem.find):
         return problem
     apart = {id(tree) for tree in stated}
     if not any(_is_time(n) for f in formulas(problem) if id(f.tree) not in apart for n in walk(f.tree)):

@@ -14,6 +14,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.equation.system import System
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.stated_bounds import stated_bound
 from planar_cli.report.turning_values import other_kind
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
@@ -109,8 +110,14 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
 def _later(
     found: MotionTrace, r: Result, others: list[Decimal], earlier: sp.Symbol | None, told: Collection[sp.Symbol]
 ) -> Line:
-    """Of times the first one after the state before."""
+    """Of times the first one after the state before, unless the file says more of it."""
     bound = sp.S.Zero if earlier is None or found.value.is_zero(earlier) else earlier
+    since = found.value(bound)
+    passed = any(since < v < r.value and not _close(v, since) for v in others)
+    if r.value < 0 or passed:
+        stated = stated_bound(found, r.unknown, _state(found, r.unknown), others)
+        if stated or r.value < 0 or all(v < r.value for v in others):
+            return stated
     after = (
         line(Math(r.unknown), " > ", Math(bound)) if bound == 0 or bound in told else _after(found, r.unknown, bound)
     )
