@@ -53,7 +53,7 @@ def test_an_inertia_that_nothing_needs_is_named() -> None:
 def test_a_letter_that_is_sought_stands_on_the_right() -> None:
     """The file says ω = w, with w unknown: not w = ω under a line of its own."""
     page = page_of_file("whirling-collar")
-    assert "(1) unknown: ω = w" in page
+    assert "(1) given, w unknown: ω = w" in page
     assert "Given: ω_rod = w" not in page
 
 

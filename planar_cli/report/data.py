@@ -19,7 +19,7 @@ from planar_cli.report.sides import number_of, said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 
-GIVEN, SOUGHT, DIFFERENTIATED = line("given:"), line("unknown:"), line("differentiated:")
+GIVEN, DIFFERENTIATED = line("given:"), line("differentiated:")
 LOWER = ((re.compile("^alpha"), "omega"), (re.compile("^a(?=_)"), "v"), (re.compile("_ddot$"), "_dot"))
 """By what the name of an acceleration differs from that of its speed."""
 
@@ -45,14 +45,14 @@ class DataTelling:
         if not w.right.is_number or w.right == 0:
             role = self.scene.ledger.roles.get(w.right)
             sought = role is not None and role.kind is Kind.SOUGHT
-            return [Equation((letter, value), number, SOUGHT if sought else GIVEN)]
+            return [Equation((letter, value), number, self._unknown(w.right) if sought else GIVEN)]
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
 
     def of_letter(self, w: Written, moving: frozenset[sp.Symbol], number: int) -> Equation | None:
-        """unknown: ω = w, where the file says that a velocity or acceleration is a letter which is sought."""
+        """given, w unknown: ω = w, where the file says that a velocity or acceleration is a letter which is sought."""
         letters, roles = w.residual.free_symbols, self.scene.ledger.roles
         sought = [s for s in letters if s in roles and roles[s].kind is Kind.SOUGHT]
         own = [s for s in letters if s in moving]
@@ -63,7 +63,11 @@ class DataTelling:
         if other is None:
             return None
         self.told.add(w.lead)
-        return Equation((self.phrases.math(x), self.phrases.math(other)), number, SOUGHT)
+        return Equation((self.phrases.math(x), self.phrases.math(other)), number, self._unknown(letter))
+
+    def _unknown(self, letter: sp.Symbol) -> Line:
+        """The statement is given; which letter of it is sought."""
+        return line("given, ", self.phrases.math(letter), " unknown:")
 
     def given(self, w: Written, behind: str) -> Line:
         """`Given: v = √(2 g h), differentiated`, as the file has it; empty: it has no such form."""
