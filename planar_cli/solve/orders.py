@@ -27,6 +27,8 @@ from planar_cli.solve.diagnosis.words import in_unit, listed
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
+PLACES = "PL630"
+"""The diagnostic of positions of equilibrium: none, or several."""
 MOST = 3
 """Places whose side is open; each doubles the orders."""
 SAME = Decimal("1e-9")
@@ -46,7 +48,8 @@ def in_each_order(
         try:
             part = solve(_ordered(problem, order))
         except (NoSolution, Undecided, FileProblem) as error:
-            failure = error if failure is None or isinstance(error, Undecided) else failure
+            weaker = failure is None or _only_ruled_out(failure)
+            failure = error if weaker or isinstance(error, Undecided) else failure
             continue
         if not any(_alike(part, other) for other, _ in found):
             found.append((part, order))
@@ -56,6 +59,14 @@ def in_each_order(
         return found[0][0]
     assert failure is not None
     raise failure
+
+
+def _only_ruled_out(failure: PlanarError) -> bool:
+    """Is it only that bodies cannot lie so: no numbers fit, or nothing balances? What is said of another order is
+    rather the reason.
+    """
+    found = failure.diagnostics if isinstance(failure, NoSolution) else []
+    return isinstance(failure, FileProblem) or any(d.code == PLACES for d in found)
 
 
 def _open_sides(problem: Problem, earlier: Mapping[str, Earlier]) -> list[tuple[Relation, Relation]]:
@@ -160,7 +171,7 @@ def _several(problem: Problem, found: list[tuple[PartSolution, tuple[Relation, .
         places.append(f"{', '.join(values) or 'one'} where {_told(order)}")
     hint = f"say which is meant: {_told(found[-1][1])}"
     text = f"several positions of equilibrium: {'; '.join(places)}"
-    return NoSolution([Diagnostic(_said(problem)[0].mark, "PL630", text, hint)])
+    return NoSolution([Diagnostic(_said(problem)[0].mark, PLACES, text, hint)])
 
 
 def _told(order: tuple[Relation, ...]) -> str:

@@ -85,8 +85,11 @@ def off_balance(instant: Instant, trial: Trial) -> OffBalance | None:
         return None
     names, balance = listed(bodies), "balances" if len(bodies) == 1 else "balance"
     text = f"the loads on {names} balance in some positions only, and without mass forces tell no motion"
+    guided = {getattr(j, "body", None) or getattr(j, "point", None) for j in instant.joints if j.kind == "guide"}
+    own = {b: {b, instant.scene.bodies[b].center_name} for b in bodies}
+    guide = "" if all(own[b] & guided for b in bodies) else " a `guide` along the line on which it moves,"
     hint = (
-        f"give {names} a mass, a `guide` along the line on which it moves, or write under `motion` the relation "
+        f"give {names} a mass,{guide} or write under `motion` the relation "
         f"between places in which it {balance}; springs in series are one, 1/k = 1/k_1 + 1/k_2"
     )
     return OffBalance([Diagnostic(_body_mark(instant, bodies[0], NOWHERE), "PL602", text, hint)], bodies)
