@@ -171,6 +171,17 @@ def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) 
     assert line in page(stem)
 
 
+@pytest.mark.parametrize("stem", ["car-on-a-circle-in-letters", "racing-car-from-rest-on-a-circle"])
+def test_no_way_is_told_that_rests_on_letters_or_on_a_place_found_later(stem: str) -> None:
+    assert "the positive root, as it moves in the positive sense there" in page(stem)
+
+
+def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
+    told = page("block-coming-to-rest-by-dry-friction")
+    assert "from stops_2 to end, from end to stop:" not in told
+    assert "from turn_1 to turn_2, from stops to stops_2: a_P = -(μ m g + k x_P)/m stop: t_stop" in told
+
+
 def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
     told = page("ball-leaving-a-dome")
     assert "At 2: (8) v_Px,2 = v_P,2 sin φ_P,2 = 3.719 sin 44.82° = 2.621 m/s" in told

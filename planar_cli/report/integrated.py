@@ -71,6 +71,8 @@ def _shown(
     whole = True
     for laws, spans in sets.items():
         told = [(rate, law) for rate, law in laws if law != 0]
+        if not laws:
+            continue  # What rests there is not integrated.
         rows = [e for rate, law in told if (e := _law(found, phrases, rate, law)) is not None]
         whole = whole and len(rows) == len(told)
         blocks += [Paragraph(line(", ".join(spans) + ":"))] if len(sets) > 1 else []

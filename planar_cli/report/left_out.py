@@ -101,7 +101,7 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
     if kind is Kind.TIME:
         return _later(found, r, others, earlier, told)
     if kind is Kind.SPEED and all(v * r.value < 0 for v in others):
-        return _sense(found, general, stop, r.value > 0)
+        return _sense(found, r, general, stop)
     if kind is Kind.COORDINATE and earlier is not None:
         return _on_the_way(found, r, others, earlier, told)
     return _by_sign(r.value, others)
@@ -148,8 +148,9 @@ def _before(found: MotionTrace, unknown: sp.Symbol, stop: str) -> sp.Symbol | No
     return next((s for s in own if found.value.known(s) is not None), None)
 
 
-def _sense(found: MotionTrace, speed: sp.Symbol, stop: str, positive: bool) -> Line:
+def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
     """In which sense something moves, where what its speed is tells the axis, or the direction of its path does."""
+    positive = r.value > 0
     if speed.name.endswith("_dot"):
         return line(Name(speed.name.removesuffix("_dot")), " grows there" if positive else " decreases there")
     titles = (r.solution.trial.system.titles.get(speed, "") for r in found.regimes)
@@ -159,25 +160,36 @@ def _sense(found: MotionTrace, speed: sp.Symbol, stop: str, positive: bool) -> L
         return line(SENSES[key][0 if positive else 1])
     ending = [r for r in found.regimes if any(b == stop for _, b in r.stretches)]
     here = ending or [r for r in found.regimes if any(a == stop for a, _ in r.stretches)]
-    way = _way(found, here[0].solution.trial.system, speed, stop, positive) if here else ""
+    way = _way(found, here[0].solution.trial.system, r, speed, stop) if here else ""
     sense = "in the positive sense" if positive else "in the negative sense"
     return line(f"it moves {way or sense} there")
 
 
-def _way(found: MotionTrace, system: System, speed: sp.Symbol, stop: str, positive: bool) -> str:
-    """Where a body goes that slides over the ground; "": it does not, or its path has no direction there."""
+def _way(found: MotionTrace, system: System, r: Result, speed: sp.Symbol, stop: str) -> str:
+    """Where a body goes that slides over the ground; "": it does not, or its path has no direction there that is known
+    by now: one that rests on letters, or on a place that is found later, is not told.
+    """
     edge = next((e for e in system.tree.edges if e.slide == speed and e.parent == GROUND), None)
     if edge is None or system.motion is None:
         return ""
     velocity = system.motion.velocity(system.scene.bodies[edge.body].center, edge.body)
     here = {general: own for own, general in found.general.items() if _at(found, own) == stop}
-    parts = [found.value.known(sp.diff(v, speed).xreplace(here)) for v in (velocity.x, velocity.y)]
-    if None in parts:
+    slopes = [sp.diff(v, speed).xreplace(here) for v in (velocity.x, velocity.y)]
+    held = {s for slope in slopes for s in slope.free_symbols}
+    parts = [found.value.known(slope) for slope in slopes]
+    if None in parts or (found.symbolic and held) or held & _found_later(found, r):
         return ""
-    across, up = (0 if p is None or abs(p) < SAME else (1 if p > 0 else -1) * (1 if positive else -1) for p in parts)
+    across, up = (0 if p is None or abs(p) < SAME else (1 if p * r.value > 0 else -1) for p in parts)
     return " ".join(
         filter(None, ({1: "upward", -1: "downward"}.get(up), {1: "to the right", -1: "to the left"}.get(across)))
     )
+
+
+def _found_later(found: MotionTrace, r: Result) -> set[sp.Symbol]:
+    """The letters that the route gives after the step of a result."""
+    steps = found.route.steps
+    own = next((i for i, leg in enumerate(steps) if r in leg.results), len(steps))
+    return {x for leg in steps[own + 1 :] for x in leg.unknowns}
 
 
 def _on_the_way(
