@@ -166,3 +166,9 @@ def test_a_prescribed_motion_that_is_read_off_has_no_law_of_forces(tmp_path: Pat
 def test_a_statement_in_numbers_has_its_unit(stem: str, row: str) -> None:
     path = next(p for p in PROBLEMS if p.stem == stem)
     assert row in " ".join(Terminal(200).render(narrate(worked(path)[0])).split())
+
+
+def test_a_lever_arm_that_is_zero_but_for_rounding_leaves_nothing() -> None:
+    """A weight straight above the pivot: 5 · 9.81 · 0.2 cos 90°."""
+    path = next(p for p in PROBLEMS if p.stem == "exercise-4-35")
+    assert "(3) ↺ ΣM_O: 0 = 0.4667 α in N·m" in " ".join(Terminal(200).render(narrate(worked(path)[0])).split())

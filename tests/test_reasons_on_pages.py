@@ -137,3 +137,10 @@ def test_a_rope_is_called_once(key: str, called: str) -> None:
 def test_a_root_is_ruled_out_by_what_is_false_of_it(stem: str, reason: str) -> None:
     """Not by what is false of a root of another limit."""
     assert reason in _page(stem)
+
+
+def test_a_height_that_stays_is_no_rest() -> None:
+    """The ball slides along the floor meanwhile."""
+    page = _page("momentum/ball-with-backspin-that-rolls-up-a-ramp")
+    assert re.search(r"y_G,2 = R = 0\.11 m +it does not change\n", page)
+    assert "rests meanwhile" not in page

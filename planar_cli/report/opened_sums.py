@@ -28,13 +28,14 @@ MOST_TERMS, MOST_FACTORS = 6, 12
 @record
 class Term:
     """A product: its sign, its numbers with their powers, the length or slope last where there is one (`scaled`: and it
-    is not alone), and what is still unknown.
+    is not alone), what is still unknown, and the size of all its numbers together.
     """
 
     sign: int
     numbers: tuple[tuple[Decimal, int], ...]
     rest: sp.Expr
     scaled: bool
+    size: Decimal
 
     def turned(self) -> tuple[tuple[Decimal, int], ...]:
         """The numbers with the length first."""
@@ -46,7 +47,10 @@ def opened_sides(sides: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phra
     force. Empty: no force has an arm or a slope, they would be too long, or their terms cannot be told.
     """
     found = [_terms(side, frozenset(unknowns), phrases) for side in sides]
-    terms = [t for own in found if own is not None for t in own]
+    # A side may have no other term than the rounding of cos 90°.
+    largest = max((t.size for own in found for t in own or ()), default=Decimal(0))
+    found = [own and [t for t in own if t.size > SMALL * largest] for own in found]
+    terms = [t for own in found for t in own or ()]
     if any(own is None for own in found) or not _tells(terms):
         return ()
     return tuple(_written(own or [], phrases) for own in found)
@@ -108,7 +112,7 @@ def _terms(expr: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> l
         scaled = not plain and bool(numbers)
         if not plain or not (numbers or rest != 1):
             numbers.append((abs(coefficient), 1))
-        terms.append(Term(-1 if coefficient < 0 else 1, tuple(numbers), rest, scaled))
+        terms.append(Term(-1 if coefficient < 0 else 1, tuple(numbers), rest, scaled, sizes[monomial]))
     return terms
 
 

@@ -94,8 +94,10 @@ def resting_equations(regime: Regime, since: Stop, stop: Stop, transfer: Transfe
             words = "the same motion" if letter in stop.speeds else "the same place"
             yield Equation(end - stop.at(transfer[letter]), "handed", words, stop.name, since.name)
             continue
-        residual = end - since.letters[letter] if letter not in stop.speeds else end
-        yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
+        # The body may well move along another coordinate: the ball slides on, and only its height stays.
+        speed = letter in stop.speeds
+        residual, words = (end, "it is zero meanwhile") if speed else (end - since.letters[letter], "it does not change")
+        yield Equation(residual, "link", words, stop.name, since.name)
 
 
 def later_equations(regimes: Sequence[Regime], first: Stop, transfer: Transfer) -> Iterator[Equation]:
