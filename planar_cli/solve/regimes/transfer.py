@@ -96,7 +96,8 @@ def resting_equations(regime: Regime, since: Stop, stop: Stop, transfer: Transfe
             continue
         # The body may well move along another coordinate: the ball slides on, and only its height stays.
         speed = letter in stop.speeds
-        residual, words = (end, "it is zero meanwhile") if speed else (end - since.letters[letter], "it does not change")
+        residual = end if speed else end - since.letters[letter]
+        words = "it is zero meanwhile" if speed else "it does not change"
         yield Equation(residual, "link", words, stop.name, since.name)
 
 
