@@ -11,8 +11,9 @@ from planar_cli.equation.common_factors import together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.product_to_sum import as_sums
-from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.errors import Undecided
 from planar_cli.records import record
+from planar_cli.solve.diagnosis.limits_of_modes import unbounded
 from planar_cli.solve.instant.stationary_point import eliminated, proper, unchanged
 from planar_cli.solve.regimes.equations import COSTS, Equation
 
@@ -54,13 +55,7 @@ def stationary(
     if not related and aim in (letters[0], letters[0] ** 2):
         if "__" in letters[0].name:
             return _by_a_balance(equations, objective, unknowns, kept, like, sought)
-        text = f"{like.words}: no equation bounds it, only inequalities may"
-        hint = "state the limit itself: `friction(C/b).mag = mu*N(C)` where b is about to slip, `N(C) = 0` where it is "
-        hint += "only just pressed on, `v(P).mag = 0` where it just arrives"
-        if like.stop:
-            hint += "; or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is "
-            hint += "smallest]`, and give it in this one: `given: {mu: limit.mu}`"
-        raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
+        raise unbounded(like.words, like.mark, bool(like.stop))
     if reduced := _without_time(related, aim, letters, objective, like, sought):
         return reduced
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]

@@ -18,9 +18,8 @@ from planar_cli.equation.plain import derivative
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
@@ -31,7 +30,9 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality, without_inequalities
 from planar_cli.solve.diagnosis.held_in_blows import what_to_write
+from planar_cli.solve.diagnosis.limits_of_modes import sought_at_start
 from planar_cli.solve.diagnosis.placed import driven_with
+from planar_cli.solve.diagnosis.undated import mode_at_a_time
 from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, listed, unit_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.instant.instant import make_instant, search_modes
@@ -112,26 +113,13 @@ def missing(course: MotionEquations) -> NoSolution | None:
     names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
     mark = first.mark if not sought else _mark_of(course, sought[0])
     text = f"{listed(names)} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
-    hint = _mode_at_a_time(course) or driven_with(course.problem, sought)
+    if (limit := sought_at_start(course.states[0], names)) is not None:
+        return limit
+    hint = mode_at_a_time(course) or driven_with(course.problem, sought)
     if not sought and all(name.startswith("the rate of") for name in names):
         hint = hint or f"say in state {first.name} how it moves: `at rest`, or velocities"
     hint = hint or "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
-
-
-def _mode_at_a_time(course: MotionEquations) -> str:
-    """What to write where a mode was meant to begin at the given time of its state; "": there is no such state."""
-    for state in course.states[1:]:
-        told = fixed_time(state.relations)
-        modes = [r for r in state.relations if isinstance(r, Relation) and _asks_mode(r)]
-        if told is not None and modes:
-            begins = f"where `{modes[0].text}` is to begin at `{told.text}`, write the time since the first state"
-            return f"{begins}: `t - t @ {course.first.name} = …`; at a given time it only says how it is then"
-    return ""
-
-
-def _asks_mode(relation: Relation) -> bool:
-    return any(isinstance(node, Quantity) and node.word == "mode" for node in walk(relation))
 
 
 def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSolution | None:

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.walk import walk
 from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.regimes.mode_sequence import fixed_time
@@ -37,3 +39,18 @@ def undated(course: MotionEquations, branches: Sequence[Branch]) -> NoSolution |
                 hint = "give a relation that holds first in this state; what a later one says of it may stand here"
                 return NoSolution([Diagnostic(state.mark, "PL623", text, hint)])
     return None
+
+
+def mode_at_a_time(course: MotionEquations) -> str:
+    """What to write where a mode was meant to begin at the given time of its state; "": there is no such state."""
+    for state in course.states[1:]:
+        told = fixed_time(state.relations)
+        modes = [r for r in state.relations if isinstance(r, Relation) and _asks_mode(r)]
+        if told is not None and modes:
+            begins = f"where `{modes[0].text}` is to begin at `{told.text}`, write the time since the first state"
+            return f"{begins}: `t - t @ {course.first.name} = …`; at a given time it only says how it is then"
+    return ""
+
+
+def _asks_mode(relation: Relation) -> bool:
+    return any(isinstance(node, Quantity) and node.word == "mode" for node in walk(relation))
