@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
@@ -54,6 +55,7 @@ class AskedTelling:
         self._named: set[str] = set()
         written = [w for s in instant.stages for b in s.blocks for w in b.equations]
         vectors.given = {w.left for w in written if w.given and w.right.is_number}
+        vectors.late = {u for s in instant.stages if s.level != "velocity" for b in s.blocks for u in b.unknowns}
         self.paths = PathTelling(vectors, phrases, self._once)
         self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
         self.places = PlaceTelling(self.scene, phrases)
@@ -247,6 +249,7 @@ class AskedTelling:
         found = self.vectors.sliding(body, at, place, level) if key not in self._told else None
         if found is not None:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
+            yield from self._joined(self.vectors.edges[self.vectors.carrier(self.vectors.edges[body].parent)], level)
             yield from self.vectors.along(body)
             yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
 
@@ -257,14 +260,18 @@ class AskedTelling:
         if found is None:
             return
         edge, sides, arm = found
-        if edge.joining is not None and not self.vectors.rests(edge, level):
-            yield from self.paths.acceleration(body, edge.joining.point, edge.joining.place, level)
-            yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
+        yield from self._joined(edge, level)
         motion = self.vectors.motion
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
         note = self.vectors.arm_once(place, edge, arm)
         told = () if self.phrases.symbolic else components_told(self._turned(body, arm, level), self.phrases.figures)
         yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note)
+
+    def _joined(self, edge: Edge, level: str) -> Iterator[Block]:
+        """The point at which a body is joined, from which its others are reached."""
+        if edge.joining is not None and not self.vectors.rests(edge, level):
+            yield from self.paths.acceleration(edge.body, edge.joining.point, edge.joining.place, level)
+            yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
 
     def _turned(self, body: str, arm: Vec, level: str) -> Turned:
         """What the components of a point of a body are made of, in numbers."""

@@ -34,11 +34,13 @@ Known = tuple[str, Vec]
 
 
 class Told(Protocol):
-    """A telling of vector equations. `given`: unknowns that the file gives as numbers; `valued`: what has its value on
+    """A telling of vector equations. `given`: unknowns that the file gives as numbers; `late`: those that only the
+    equations of accelerations and forces tell, speeds among them; `valued`: what has its value on
     the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components.
     """
 
     given: set[sp.Symbol]
+    late: set[sp.Symbol]
     zero: frozenset[sp.Symbol]
     components: tuple[Decimal, ...]
     valued: set[str]
@@ -54,7 +56,7 @@ def is_known(told: Told, vector: Vec, level: str) -> bool:
     tree, inside = told.system.tree, vector.x.free_symbols | vector.y.free_symbols
     open_yet = set(tree.velocity_unknowns()) if level == "velocity" else set(tree.acceleration_unknowns())
     sure = not told.phrases.symbolic and told.phrases.has_numbers(vector.x + vector.y)
-    return bool(told.given) and sure and not inside & (open_yet - told.given - told.zero)
+    return bool(told.given) and sure and not inside & ((open_yet | told.late) - told.given - told.zero)
 
 
 def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:

@@ -304,6 +304,8 @@ class Telling:
         words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w)))]
         if any(isinstance(b, Equation) for b in words):
             self.numeric.components[id(stage.algebra), w.number] = self.vectors.components
+        if self.vectors.components and w.place in self.scene.points:
+            words = [*self.asked.absolute(w.place, level[0]), *words]
         words = [*vector_before(w, self.vectors, level), *words]
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]

@@ -1,0 +1,24 @@
+"""What a line of kinematics uses stands before it: no number before what it rests on is found."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    ("stem", "first", "then"),
+    [
+        ("bar-driven-by-a-pin-on-a-rolling-wheel", "a_P = -ω_wheel² r_P/G =", "a_P · n ="),
+        ("gripper-on-two-turning-arms", "v_A = ω_OA × r_A/O =", "v_P = v_A +"),
+        ("gripper-on-two-turning-arms", "a_A = α_OA × r_A/O - ω_OA² r_A/O =", "a_P = a_A +"),
+    ],
+)
+def test_a_vector_stands_before_what_uses_it(stem: str, first: str, then: str) -> None:
+    page = page_of_file(stem)
+    assert page.index(first) < page.index(then)
+
+
+def test_a_speed_that_forces_tell_gives_no_number_before() -> None:
+    page = page_of_file("flat-faced-follower-about-to-lift")
+    assert "a_C = -ω_cam² r_C/A r_C/A = [0, 0.01] m" in page
