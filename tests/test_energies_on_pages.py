@@ -176,6 +176,15 @@ def test_no_way_is_told_that_rests_on_letters_or_on_a_place_found_later(stem: st
     assert "the positive root, as it moves in the positive sense there" in page(stem)
 
 
+@pytest.mark.parametrize(("stem", "line"), [
+    ("block-fading-force", "20 - 4 t_fast = 0 (2): t_fast = 20/4 = 5 s"),
+    ("turntable-run", "2 - t_fastest/2 = 0 (4): t_fastest = 2/0.5 = 4 s"),
+    ("there-and-back", "6 t_slowest - 12 = 0 (4): t_slowest = 12/6 = 2 s"),
+])  # fmt: skip
+def test_a_derivative_that_vanishes_is_told_before_its_time(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page("block-coming-to-rest-by-dry-friction")
     assert "from stops_2 to end, from end to stop:" not in told

@@ -32,6 +32,7 @@ from planar_cli.report.motion_phrases import settled_phrases
 from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
+    balanced,
     head,
     inertias_of_blows,
     is_explicit,
@@ -46,7 +47,6 @@ from planar_cli.report.origins import (
     sides_of,
     told_once,
     turning_blocks,
-    without_number,
 )
 from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
@@ -200,7 +200,7 @@ class MotionTelling:
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
-            if single and (says_zero(e, (r := leg.results[0]), route) or is_outright(e, r, route)):
+            if single and (says_zero(e, (r := leg.results[0]), route) or is_outright(e, r, route, self.found.ledger)):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)
@@ -325,13 +325,8 @@ class MotionTelling:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
             right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
             return self.phrases.math(left), self.phrases.math(right)
-        residual = without_number(residual) if e.kind == "given" else residual
-        positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
-        left = sp.Add(*positive)
-        alone = next((a for a in reversed(positive) if a.is_Symbol), None)
-        if left == residual and alone is not None and e.span is None:
-            left = alone
-        return self.phrases.math(left), self.phrases.math(left - residual)
+        left, right = balanced(e, residual)
+        return self.phrases.math(left), self.phrases.math(right)
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:
         return expr if longer(expr, LONGEST) else in_times(simplified(expr), self.found)

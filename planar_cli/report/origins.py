@@ -192,6 +192,19 @@ def without_number(residual: sp.Expr) -> sp.Expr:
     return residual if residual == 0 or not numbers else residual / sp.Mul(*numbers)
 
 
+def balanced(e: Relation, residual: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """What vanishes as two sides without a minus in front; a derivative of one letter stands as it is, 20 - 4 t = 0."""
+    if over_time(e) and len(residual.free_symbols) == 1:
+        return residual, sp.S.Zero
+    residual = without_number(residual) if e.kind == "given" else residual
+    positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
+    left = sp.Add(*positive)
+    alone = next((a for a in reversed(positive) if a.is_Symbol), None)
+    if left == residual and alone is not None and e.span is None:
+        left = alone
+    return left, left - residual
+
+
 def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:
     """Does the one relation of a step itself give its unknown?"""
     result = leg.results[0]
@@ -237,9 +250,13 @@ def inertias_of_blows(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
     return made
 
 
-def is_outright(e: Relation, r: trace.Result, route: RouteTrace) -> bool:
-    """Does a relation say no more than that its letter is a number, as 5 - t = 0?"""
+def is_outright(e: Relation, r: trace.Result, route: RouteTrace, ledger: Ledger) -> bool:
+    """Does a relation say no more than that its letter is a number, as v - 5 = 0? A derivative that vanishes at some
+    time says first what it is, 20 - 4 t = 0.
+    """
     if e.source is not None or e.span is not None or r.formula is None or not r.formula.is_number:
+        return False
+    if over_time(e) and ledger.roles[r.unknown].of == ledger.symbols.get("t"):
         return False
     slope = sp.diff(e.residual.xreplace(dict(route.plain)), r.unknown)
     return bool(slope.is_number) and slope != 0

@@ -62,14 +62,19 @@ def _smallest(
 
 
 def without_factors(equation: Equation, value: Valuation) -> Equation:
-    """A condition whose factors are known not to vanish loses them: of 2 v dv/dt = 0 with v > 0, dv/dt = 0 is left."""
+    """A condition whose factors are known not to vanish loses them: of 2 v dv/dt = 0 with v > 0, dv/dt = 0 is left. A
+    number stays with a polynomial in numbers: of (20 - 4 t)/m = 0, 20 - 4 t = 0 is left.
+    """
     if equation.kind != "extreme":
         return equation
     factors = sp.Mul.make_args(sp.factor_terms(equation.residual))
     kept = [f for f in factors if not _differs_from_zero(f, value)]
     if len(kept) == len(factors) or not kept:
         return equation
-    return replace(equation, residual=sp.Mul(*kept))
+    rest = sp.Mul(*kept)
+    if rest.is_Add and len(rest.free_symbols) == 1 and rest.is_polynomial():
+        rest = sp.expand(rest * sp.Mul(*(f for f in factors if f.is_number)))
+    return replace(equation, residual=rest)
 
 
 def _differs_from_zero(factor: sp.Expr, value: Valuation) -> bool:
