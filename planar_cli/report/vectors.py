@@ -25,10 +25,10 @@ from planar_cli.report.along_path import is_along_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.projected import projected, unit_of, value_of
+from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
-from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
@@ -81,21 +81,23 @@ class VectorTelling:
             return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
         if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
             return [Paragraph(told)]
-        joining = self._closure(w)
+        joining, self.components = self._closure(w), ()
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
             return [*self._reach(joining, level), Paragraph(line(*self._taut(joining, level), ":"))]
-        reach, self.components = self._reach(joining, level), ()
+        reach = self._reach(joining, level)
         known = projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
         """The vector equations of the point of a joint, on both of its bodies."""
         tied = any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes)
-        blocks = [*self.point(joining.mover, joining.point, joining.place, level)]
+        # Accelerations of the points that touch differ: each has the name of its body.
+        apart = joining.rolling is not None and joining.base != GROUND and level != "velocity"
+        blocks = [*self.point(joining.mover, joining.point, joining.place, level, apart)]
         if joining.base != GROUND and not tied:
-            blocks += self.point(joining.base, joining.point, self._beside(joining), level)
+            blocks += self.point(joining.base, joining.point, self._beside(joining), level, apart)
         return blocks
 
     def _taut(self, j: Joining, level: str) -> Line:
@@ -164,17 +166,12 @@ class VectorTelling:
         return any(point.name == place and point.mark != mark for point in problem.points)
 
     def _rolls(self, j: Joining, w: Written, level: str) -> Line:
-        """What touches does not slip; accelerations agree along the contact only."""
-        side = self._component(w)
-        own = Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(j.place)}")
+        """What touches does not slip."""
+        side, own = self._component(w), Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(j.place)}")
         if j.base == GROUND and j.drift is None:
-            if level == "velocity":
-                return line(f"{j.mover} rolls: at {j.place} ", own, " = 0; ", side)
-            return line(f"{j.mover} rolls: ", own, " has no component along the contact")
-        partner = f"{j.mover} rolls on {j.base if j.base != GROUND else 'the belt'}: at {j.place} both have the same "
-        if level == "velocity":
-            return line(f"{partner}velocity; ", side)
-        return line(f"{partner}acceleration along the contact", *(() if w.words == CONTACT else ("; ", *side)))
+            return rolls_on_ground(j, own, level, side)
+        spins = [self._symbol(b, "velocity") if b != GROUND else sp.S.Zero for b in (j.mover, j.base)]
+        return rolls_on_body(j, w, level, side, spins[0] - spins[1], self.phrases)
 
     def _velocity(self, j: Joining) -> tuple[sp.Expr, sp.Expr]:
         v = self.motion.velocity(j.point, j.mover)
@@ -200,8 +197,10 @@ class VectorTelling:
 
     # --- a point -----------------------------------------------------------------------------------------------------
 
-    def point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
-        """The vector equations that lead to a point of a body, from the ground on, those that were not told before."""
+    def point(self, body: str, at: Vec, place: str, level: str, apart: bool = False) -> Iterator[Block]:
+        """The vector equations that lead to a point of a body, from the ground on, those that were not told before.
+        `apart`: the point has the name of its body beside its own.
+        """
         body = self.carrier(body)
         found = self.formula(body, at, place, level)
         if found is None:
@@ -217,7 +216,8 @@ class VectorTelling:
         if key not in self._told:
             self._told.add(key)
             value = () if place.endswith("′") else value_of(self, body, at, level)
-            self.valued |= {f"{level} {place}"} if value else set()
+            self.valued |= {f"{level} {place}"} if value and not apart else set()
+            sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
             yield Equation((*sides, value) if value else sides, None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
