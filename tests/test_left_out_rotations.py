@@ -7,8 +7,6 @@ import math
 import pytest
 from answered import solve
 
-from planar_cli.errors import NoSolution
-
 ON_A_GUIDE = """
 title: A disk between two springs, free to turn
 plane: horizontal
@@ -61,6 +59,6 @@ def test_a_disk_that_turns_freely(text: str, period: float) -> None:
 
 
 def test_a_rotation_that_meets_a_force_is_a_freedom() -> None:
-    with pytest.raises(NoSolution) as raised:
-        solve(TWO_PENDULUMS)
-    assert [d.code for d in raised.value.diagnostics] == ["PL632"]
+    told = solve(TWO_PENDULUMS)["T"].values
+    assert told is not None
+    assert [float(v) for v in told] == pytest.approx([2 * math.pi * math.sqrt(2 * x / (3 * 9.81)) for x in (2, 1)])

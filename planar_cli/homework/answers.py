@@ -75,6 +75,10 @@ class _Comparison:
         sides = stated if isinstance(stated, tuple) else (stated,)
         exprs = tuple(self.evaluator.value(s) for s in sides)
         if self.found.word or len(exprs) != self._count():
+            if self._is_list() and self.found.values is not None:
+                return self._told(
+                    self._shown(tuple(map(self._number, exprs))), self._shown(self.found.values), False, None
+                )
             return self._told(_joined(exprs), self.found.word or self._formulas(), False, None)
         if self.found.values is None:
             return self._symbols(sides, exprs)
@@ -100,11 +104,23 @@ class _Comparison:
         texts = self._shown(stated), self._shown(solved)
         if any(not s.is_finite() for s in (*stated, *solved)):
             return self._told(*texts, stated == solved, None)
+        if self._is_list():
+            return self._one_by_one(stated, solved)
         size = _size(stated)
         off = _size(tuple(self._difference(a, b) for a, b in zip(solved, stated, strict=True)))
         tolerance = self.tolerance()
         agrees = off <= tolerance * size + FLOOR * tolerance * self._scale()
         return self._told(*texts, agrees, off / size if size else None)
+
+    def _is_list(self) -> bool:
+        return self.found.kind == "list"
+
+    def _one_by_one(self, stated: tuple[Decimal, ...], solved: tuple[Decimal, ...]) -> Verdict:
+        """Numbers of a list, each against its own."""
+        tolerance = self.tolerance()
+        errors = [abs(a - b) / abs(b) if b else abs(a - b) for a, b in zip(solved, stated, strict=True)]
+        error = max(errors, default=Decimal(0))
+        return self._told(self._shown(stated), self._shown(solved), error <= tolerance, error)
 
     def _number(self, expr: sp.Expr) -> Decimal:
         return Decimal(str(expr).replace("oo", "Infinity")) if expr.is_infinite else self.value(expr)
@@ -145,8 +161,11 @@ class _Comparison:
         errors = []
         for draw in self._draws((*exprs, *solved)):
             wanted = tuple(draw(e) for e in exprs)
-            off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
-            errors.append(off / max(_size(wanted), *(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT))
+            offs = tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True))
+            # The parts of a vector are judged by its size, the numbers of a list each by its own.
+            pairs = [((w,), (o,)) for w, o in zip(wanted, offs, strict=True)] if self._is_list() else [(wanted, offs)]
+            least = max(*(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT)
+            errors.append(max(_size(o) / max(_size(w), least) for w, o in pairs))
         if not errors:
             return self._told(*texts, False, None)
         return self._told(*texts, max(errors) <= tolerance, max(errors))

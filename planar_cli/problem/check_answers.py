@@ -9,11 +9,12 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.check_formulas import formula_names
 from planar_cli.problem.check_vectors import is_vector
 from planar_cli.problem.dimensions import CURVE, MODE, TRUTH, Kind, check_found, check_side
-from planar_cli.problem.expression import Side, Word
+from planar_cli.problem.expression import Quantity, Side, Word
 from planar_cli.problem.formulas import Formula
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.words import OF_EACH_MODE
 from planar_cli.units import PURE
 
 
@@ -42,7 +43,12 @@ def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
     kind = check_found(find.found, kinds.of, [])
     what = find.found.what
     vector = isinstance(what, Side) and is_vector(what, scope, [])
-    message, hint = _misfit(answer, kind, vector)
+    modes = isinstance(what, Quantity) and what.word in OF_EACH_MODE
+    if isinstance(answer.value, tuple) and len(answer.value) > 2 and not modes:
+        text = f"a vector has two parts, here are {len(answer.value)}"
+        yield Diagnostic(answer.mark, "PL341", text, "write `[3 m, 4 m]`")
+        return
+    message, hint = _misfit(answer, kind, vector, modes)
     if message:
         yield Diagnostic(answer.mark, "PL461", f"the find {answer.name} asks {message}", hint)
         return
@@ -59,8 +65,10 @@ def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
     yield from (Diagnostic(d.mark, d.code, f"{what_answer}: {d.message}", d.hint) for d in report)
 
 
-def _misfit(answer: Answer, kind: Kind, vector: bool) -> tuple[str, str]:
-    """What the find asks for and what to write, where the answer is of another kind; else two empty texts."""
+def _misfit(answer: Answer, kind: Kind, vector: bool, modes: bool) -> tuple[str, str]:
+    """What the find asks for and what to write, where the answer is of another kind; else two empty texts.
+    `vector`: it asks for one; `modes`: for what each of several modes of oscillation has.
+    """
     value = answer.value
     if value == "":
         return "", ""
@@ -78,7 +86,7 @@ def _misfit(answer: Answer, kind: Kind, vector: bool) -> tuple[str, str]:
         return (
             ("", "") if isinstance(value, tuple) else ("for a vector", "answer `[x, y]`, or ask one part: `.x`, `.mag`")
         )
-    if isinstance(value, tuple):
+    if isinstance(value, tuple) and not modes:
         return "for a number", "a pair answers a vector; leave the part out of the find, or answer one number"
     if isinstance(value, bool):
         return "for a number", "true and false answer a relation, such as `mode(C) = stick`"

@@ -94,7 +94,8 @@ _EQUILIBRIA = {
     ),
     "PL632": (
         "Nothing oscillates with one period about this equilibrium: it is unstable, so strongly damped that the "
-        "motion creeps back, or has several freedoms, each with a period of its own. Ask `stable(s)`."
+        "motion creeps back, or has several freedoms, each with a period of its own, which a find by itself lists: "
+        "`T: period(s)`. Else ask `stable(s)`."
     ),
 }
 

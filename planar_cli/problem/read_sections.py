@@ -166,12 +166,13 @@ def _answer(key: Scalar, node: Node, whole: Fields) -> Answer:
     return Answer(key.text, read, fields.side("tolerance"), key.mark)
 
 
-def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, Side] | bool | str:
-    """A pair is a vector; true or false a verdict; what else cannot be read as mathematics is an error."""
+def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, ...] | bool | str:
+    """A pair is a vector, or a list of several modes; true or false a verdict; what else cannot be read as mathematics
+    is an error.
+    """
     if isinstance(node, Sequence):
-        if len(node.items) == 2:
-            x, y = (reading.side(item, f"the answer {key.text}", whole.report) for item in node.items)
-            return x, y
+        if len(node.items) >= 2:
+            return tuple(reading.side(item, f"the answer {key.text}", whole.report) for item in node.items)
         whole.report.add(
             node.mark, "PL341", f"a vector has two parts, here are {len(node.items)}", "write `[3 m, 4 m]`"
         )

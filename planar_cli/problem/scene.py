@@ -303,10 +303,12 @@ class Find:
 
 @record
 class Answer:
-    """What a key says of one find: a side with unit, a pair of sides, a truth value, or words."""
+    """What a key says of one find: a side with unit, a pair of sides (several of a list), a truth value, or
+    words.
+    """
 
     name: str
-    value: Side | tuple[Side, Side] | bool | str
+    value: Side | tuple[Side, ...] | bool | str
     tolerance: Side | None
     mark: Mark
 

@@ -94,7 +94,7 @@ def _sections() -> Schema:
 
 def _own() -> Schema:
     """The sections that only a file has."""
-    value = {"anyOf": [ref("side"), {"type": "boolean"}, listing(ref("side"), 2, 2)]}
+    value = {"anyOf": [ref("side"), {"type": "boolean"}, listing(ref("side"), 2)]}
     variant = {
         "anyOf": [
             listing(ref("side"), 1),

@@ -119,7 +119,7 @@ class AskedTelling:
         elsewhere = {*self.found.passing, *told_at_states(self.found), *periods_told(self.found).values()}
         elsewhere |= {p.request.find.name for p in equilibrium_places(self.found)}
         for asked in self.found.requests if self.wanted is None or self.wanted else ():
-            if asked.find.name not in elsewhere and asked.unit is not None:
+            if asked.find.name not in elsewhere and asked.unit is not None and asked.parts:
                 yield asked
 
     def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:

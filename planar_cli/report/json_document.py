@@ -122,14 +122,14 @@ def _value(found: Found, us: bool) -> Any:
     if found.values is None:
         return None
     numbers = [display(v, found.unit, us) if v.is_finite() else None for v in found.values]
-    return numbers if found.kind == "vector" else numbers[0]
+    return numbers if found.kind in ("vector", "list") else numbers[0]
 
 
 def _expression(found: Found) -> Any:
     if not found.expressions or any(longer(e, PRINTABLE) for e in found.expressions):
         return None
     texts = [text_of(e) for e in found.expressions]
-    return texts if found.kind == "vector" else texts[0]
+    return texts if found.kind in ("vector", "list") else texts[0]
 
 
 def text_of(expr: Any) -> str:

@@ -14,6 +14,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
 from planar_cli.report.formula import is_negative
 from planar_cli.report.linearised import DEVIATION, near_equilibrium
+from planar_cli.report.modes import mode_blocks
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
@@ -94,7 +95,10 @@ def oscillation_blocks(
     if len(found.motion) == 1:
         yield from _single(found, value, phrases, symbolic, period, general)
     else:
-        yield from _several(found)
+        if found.modes is None or not found.modes.matrix:
+            yield from _several(found)
+        if found.modes is not None:
+            yield from mode_blocks(found, found.modes, value, phrases, symbolic)
     yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
 
 

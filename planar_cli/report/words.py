@@ -261,6 +261,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         if not place and not any(numbers):
             return (Text("0"),)
         return _vector_line(numbers, unit, phrases.figures, place)
+    if found.kind == "list":
+        return tuple(x for n in numbers for x in (Text(", "), Value(n, unit, phrases.figures)))[1:]
     words = direction_words(found, numbers[0], phrases.ledger, phrases.value)
     shown = abs(numbers[0]) if words else numbers[0]
     steep = "" if words else steepness_words(found, numbers[0])

@@ -360,7 +360,7 @@ def units_of(answers: Sequence[Answer]) -> dict[str, str]:
     return {a.name: unit for a in answers if (unit := _unit(a.value)) is not None}
 
 
-def _unit(value: Side | tuple[Side, Side] | bool | str) -> str | None:
+def _unit(value: Side | tuple[Side, ...] | bool | str) -> str | None:
     from planar_cli.problem.walk import walk
 
     sides = value if isinstance(value, tuple) else (value,)

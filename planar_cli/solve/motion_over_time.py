@@ -113,7 +113,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     assumed = presumed(found, (route, begun))
     found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
     found = integrated(found, asked_letters(found.finds).union(*(s.derivation.needs for s in route.steps)))
-    answering = Answering(course, route, found.value, found.spans, throughout)
+    answering = Answering(course, route, found.value, found.spans, throughout, found.oscillations)
     answers = _answers(answering, found.finds)
     demand_cancelled(course.scene, [a.found.find for a in answers], [a.found for a in answers])
     instants = _instants(course)

@@ -164,9 +164,9 @@ def _several(problem: Problem, found: list[tuple[PartSolution, tuple[Relation, .
     places = []
     for part, order in found:
         values = [
-            f"{f.name} = {in_unit(f.values[0], f.unit, problem.us)}"
+            f"{f.name} = {', '.join(in_unit(v, f.unit, problem.us) for v in f.values)}"
             for f in part.found
-            if f.kind == "number" and f.values
+            if f.kind in ("number", "list") and f.values
         ]
         places.append(f"{', '.join(values) or 'one'} where {_told(order)}")
     hint = f"say which is meant: {_told(found[-1][1])}"

@@ -391,7 +391,7 @@ def _seek(
 
 def _answer_unit(value: Any) -> str | None:
     if isinstance(value, tuple):
-        return _answer_unit(value[0]) or _answer_unit(value[1])
+        return next((u for u in map(_answer_unit, value) if u is not None), None)
     if isinstance(value, bool | str):
         return None
     return first_unit(value)

@@ -5,6 +5,7 @@
     answers:
       alpha: 6.186 rad/s^2 cw                   a number with its unit; cw is minus
       v: [3 m/s, -4 m/s]                        a vector
+      periods: [1.23 s, 0.45 s]                 of several modes of oscillation, the slowest first
       T: m*g*(1 + 2*h/l)                        a formula, in files with symbols
       stays: true                               a relation: true or false
       state: slip                               a mode

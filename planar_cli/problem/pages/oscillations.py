@@ -25,8 +25,11 @@ Small oscillations about it
   `period(hang) is smallest`; `frequency(hang) = 0` is critical damping. A record of an oscillation that dies away
   tells stiffness and damping: `[equilibrium, x = 0, period(rest) = T, decrement(rest) = log(x_1/x_2)]`.
 
-  A period exists for one free coordinate; of several only `stable(s)` is asked. Where the motion creeps back without
-  oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small oscillations.
+  With several freedoms each mode has its period: `T: period(hang)` is answered by all of them, the longest first, and
+  `frequency(hang)` by all frequencies, the lowest first; a key says `T: [1.23 s, 0.45 s]`. Inside a formula, or stated,
+  a period has to be the only one. In letters there are formulas for two modes without damping. Where the motion creeps
+  back without oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small
+  oscillations.
 
 The whole motion
   The equation of motion is a find without an instant: `ddot(x)`. A motion from given initial conditions is one over

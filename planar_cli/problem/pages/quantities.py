@@ -33,7 +33,7 @@ point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins t
 
   of a state, in files with `states` (planar explain states, planar explain oscillations):
   reached(s)                    does the state occur?
-  period(s) frequency(s)        of small oscillations about an equilibrium state
+  period(s) frequency(s)        of small oscillations about an equilibrium state; of several modes a list, slowest first
   decrement(s) damping_ratio(s) logarithmic decrement, and damping as a part of the critical one, likewise
   stable(s)                     is that equilibrium stable?
 

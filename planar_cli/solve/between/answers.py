@@ -27,8 +27,9 @@ from planar_cli.records import record
 from planar_cli.solve.between.asked_finds import TRUTHS, AskedFind
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.given_times import endless_times, without_end
+from planar_cli.solve.between.modes_of_oscillation import has_formula, mode_sizes, of_modes
 from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.oscillation import stability
+from planar_cli.solve.between.oscillation import Oscillation, stability
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.between.trace import SpanIntegral
@@ -70,6 +71,8 @@ class Answering:
     """Quantities over spans, worked out."""
     throughout: Throughout
     """What holds throughout the motion."""
+    oscillations: tuple[Oscillation, ...] = ()
+    """About equilibrium states that are asked about, their places put in."""
 
     def answer(self, asked: AskedFind) -> AnsweredFind:
         """One find."""
@@ -82,6 +85,8 @@ class Answering:
         if isinstance(what, Quantity) and what.word in TRUTHS:
             word = "true" if _is_true(self.course, what, value) else "false"
             return AnsweredFind(Found(find.name, "truth", pure, None, None, word, find))
+        if of_modes(what, self.course.swings):
+            return AnsweredFind(self._of_modes(asked))
         if is_curve(what):
             known = self.throughout.start
             starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
@@ -111,6 +116,19 @@ class Answering:
         formulas = closed if symbolic or short else None
         found = Found(find.name, kind, asked.unit, values, formulas, "", find, energy, tuple(parts))
         return AnsweredFind(found, passing)
+
+    def _of_modes(self, asked: AskedFind) -> Found:
+        """The periods or frequencies of several modes."""
+        find, unit = asked.find, asked.unit
+        what = find.found.what
+        assert isinstance(what, Quantity)
+        assert unit is not None
+        about = next(o for o in self.oscillations if o.stop.name == what.things[0])
+        sizes = tuple(asked.factor * e for e in mode_sizes(about, what.word, self.value))
+        symbolic = any(self.course.parameters() & e.free_symbols for e in sizes)
+        values = None if symbolic else tuple(self.value.settled(e, e) for e in sizes)
+        told = symbolic or (has_formula(about) and not any(longer(e, CLOSED_OPS) for e in sizes))
+        return Found(find.name, "list", unit, values, sizes if told else None, "", find)
 
     def _demand_state(self, asked: AskedFind, closed: tuple[sp.Expr, ...]) -> None:
         """FileProblem: what is asked without a state varies, and nothing is told of it but its own name.

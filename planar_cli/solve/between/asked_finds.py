@@ -44,17 +44,16 @@ class AskedFind:
 
     def parts(self, kept: KeptLetters = NONE_KEPT) -> tuple[sp.Expr, ...]:
         """It in symbols of states, or of the general position where it holds throughout, and in unknowns kept."""
-        factor = 2 * sp.pi if self._circular else 1
         if self.at is not None:
-            return tuple(factor * self.reader.at(self.at, part, kept) for part in self.raw)
-        return tuple(factor * self.reader.closed(part, kept) for part in self.raw)
+            return tuple(self.factor * self.reader.at(self.at, part, kept) for part in self.raw)
+        return tuple(self.factor * self.reader.closed(part, kept) for part in self.raw)
 
     @property
-    def _circular(self) -> bool:
-        """Is a frequency asked for in a unit of angular velocity?"""
+    def factor(self) -> sp.Expr:
+        """2 π of a frequency that is asked for in a unit of angular velocity."""
         what = self.find.found.what
         of_swings = isinstance(what, Quantity) and what.word == "frequency"
-        return of_swings and self.unit is not None and self.unit.angle
+        return 2 * sp.pi if of_swings and self.unit is not None and self.unit.angle else sp.S.One
 
 
 def asked_finds(motion: RegimeSequence, units: Mapping[str, str]) -> tuple[AskedFind, ...]:

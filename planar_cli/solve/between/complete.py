@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.modes_of_oscillation import demand_modes, of_modes
 from planar_cli.solve.between.oscillation import check_oscillations, placed
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.span_integrals import solve_spans
@@ -42,7 +43,13 @@ def completed(found: SolvedMotion) -> SolvedMotion:
     spans = tuple(replace(s, formula=course.told.get(s.symbol, s.formula)) for s in spans)
     value = value.extended({s.symbol: s.number for s in spans})
     oscillations = tuple(placed(course, found) for found in course.swings.values())
-    return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations)
+    about = {o.stop.name: o for o in oscillations}
+    for what in (f.find.found.what for f in found.finds):
+        if of_modes(what, course.swings):
+            demand_modes(about[what.things[0]], what, value)
+    # No one symbol stands for what each mode has of its own.
+    finds = (replace(f, raw=()) if of_modes(f.find.found.what, course.swings) else f for f in found.finds)
+    return replace(found, finds=tuple(finds), branch=branch, value=value, spans=spans, oscillations=oscillations)
 
 
 def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:

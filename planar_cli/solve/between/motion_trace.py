@@ -14,6 +14,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
+from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
@@ -21,6 +22,7 @@ from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.linear_parts import energies_near, linear_parts
+from planar_cli.solve.between.modes_of_oscillation import modes_told
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -89,7 +91,7 @@ def motion_trace(
         requests=requests,
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=tuple(_span(s, level) for s in found.spans),
-        oscillations=tuple(_oscillation(course, o, found.value) for o in found.oscillations),
+        oscillations=tuple(_oscillation(course, o, found.value, found.finds) for o in found.oscillations),
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
         stretches=tuple(
             (a.name, b.name, course.laws[k].laws)
@@ -145,7 +147,9 @@ def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
     return tuple(turnings)
 
 
-def _oscillation(course: StatedMotion, found: Oscillation, value: Valuation) -> OscillationTrace:
+def _oscillation(
+    course: StatedMotion, found: Oscillation, value: Valuation, finds: Sequence[AskedFind]
+) -> OscillationTrace:
     rates = (found.regime.general.rate_of(u) for u in found.speeds)
     return OscillationTrace(
         state=found.stop.name,
@@ -157,6 +161,7 @@ def _oscillation(course: StatedMotion, found: Oscillation, value: Valuation) -> 
         roots=() if found.single else tuple(roots_of(found, value)),
         verdict=stability(found, value),
         linear=linear_parts(course, found, value),
+        modes=modes_told(found, finds, value),
         energies=energies_near(course, found),
     )
 

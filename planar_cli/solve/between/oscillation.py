@@ -24,8 +24,9 @@ from planar_cli.equation.ledger import at_state
 from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.problem.expression import Quantity, Statement
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
-from planar_cli.problem.words import OF_SWINGS
+from planar_cli.problem.words import OF_EACH_MODE, OF_SWINGS
 from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import Verdict
 from planar_cli.solve.regimes.regime import Regime
@@ -245,17 +246,29 @@ def placed(course: RegimeSequence, found: Oscillation) -> Oscillation:
 
 
 def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation], value: Valuation) -> None:
-    """NoSolution: a period that is asked for does not exist, or is not the only one. Undecided: letters leave open
-    whether the equilibrium is stable.
+    """NoSolution: a period that is asked for does not exist, or has to be the only one and is not. Undecided: letters
+    leave open whether the equilibrium is stable.
     """
     # What a state says of it may be that it just ceases to oscillate: frequency(s) = 0.
     stated = {n for state in course.problem.states for r in state.relations for n in walk(r)}
     for q in _asked(course):
         found = swings[q.things[0]]
-        if isinstance(value, Sample) and (q.word == "stable" or not _swings(found, value)):
+        modes = asked_of_modes(course.problem, found, q)
+        if isinstance(value, Sample) and (q.word == "stable" or modes or not _swings(found, value)):
             demand_everywhere(placed(course, found), q, value, course.scene.everywhere())
-        if q.word in OF_SWINGS and not (q in stated and value.is_zero(found.square)):
+        if q.word in OF_SWINGS and not modes and not (q in stated and value.is_zero(found.square)):
             _demand_period(swings[q.things[0]], q, value)
+
+
+def asked_of_modes(problem: Problem, found: Oscillation, q: Quantity) -> bool:
+    """Is a period or frequency about an equilibrium with several freedoms asked for by itself, so that each mode
+    answers? Inside a formula it would have to be one number.
+    """
+    if found.single or q.word not in OF_EACH_MODE:
+        return False
+    asked = (f.found.what for f in problem.find)
+    inside = (n for what in asked for n in walk(what) if n is not what and isinstance(n, Quantity))
+    return all((n.word, n.things) != (q.word, q.things) for n in inside)
 
 
 def periods_asked(course: RegimeSequence) -> set[str]:
@@ -277,10 +290,14 @@ def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
     state = found.stop.name
     if not found.single:
         text = f"{len(found.speeds)} freedoms have no single period about {state}"
+        alone = q.word in OF_EACH_MODE
+        hint = (
+            f"ask `{q.word}({state})` by itself: then each mode has its answer" if alone else "ask `stable(…)` instead"
+        )
         if isinstance(value, Sample):
-            raise _no_period(q.mark, text, "give numbers for the letters: then each period is named here")
+            raise _no_period(q.mark, text, hint)
         periods = [f"{mpmath.nstr(2 * mpmath.pi / abs(r.imag), 6)} s" for r in roots_of(found, value) if r.imag > SLOW]
-        raise _no_period(q.mark, f"{text}: {', '.join(dict.fromkeys(periods)) or 'none'}")
+        raise _no_period(q.mark, f"{text}: {', '.join(dict.fromkeys(periods)) or 'none'}", hint)
     if not stability(found, value).stable:
         raise _no_period(q.mark, f"the equilibrium {state} is not stable, so nothing oscillates about it")
     square = value(found.square)

@@ -34,6 +34,22 @@ class LinearPart:
 
 
 @record
+class Modes:
+    """Several freedoms that swing: s̈ + A s = 0 without damping, s = a cos ωt, det(A - ω² I) = 0."""
+
+    matrix: tuple[tuple[sp.Expr, ...], ...]
+    """A, row by row, 1/s²; empty with damping."""
+    polynomial: tuple[sp.Expr, ...]
+    """p and q of ω⁴ - p ω² + q = 0 of two freedoms; empty: no formula."""
+    squares: tuple[sp.Expr, ...]
+    """Its roots ω²; empty: no formula."""
+    frequencies: tuple[sp.Expr, ...]
+    """ω of every mode, rad/s, the lowest first."""
+    words: frozenset[str]
+    """What is asked of them: period, frequency; with `circular` in rad/s alone."""
+
+
+@record
 class OscillationTrace:
     """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
 
@@ -55,5 +71,7 @@ class OscillationTrace:
     """Is it stable?"""
     linear: tuple[LinearPart, ...] = ()
     """Of its forces and sums of forces, where they are long in a general position."""
+    modes: Modes | None = None
+    """The modes of several freedoms, where their periods or frequencies are asked."""
     energies: tuple[sp.Expr, sp.Expr] | None = None
     """M and K of the energies T = M δ̇²/2 and V = K δ²/2 of one freedom, in base units; None: not told."""

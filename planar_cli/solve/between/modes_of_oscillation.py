@@ -1,0 +1,122 @@
+"""Several freedoms that swing about one equilibrium: modes of small oscillation, each with a period of its own.
+
+With s the small deviations, s̈ + A s = 0 with A = M⁻¹ K, and s = a cos ωt:
+
+    det(A - ω² I) = 0        of two freedoms    ω² = (tr A ∓ √(tr² A - 4 det A))/2        T = 2π/ω
+
+With damping ω is the imaginary part of a root λ of the characteristic equation. SI units; the longest period first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TypeGuard
+
+import mpmath
+import sympy as sp
+
+from planar_cli.equation.exact import DIGITS, Sample, Valuation
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.words import OF_EACH_MODE
+from planar_cli.solve.between.asked_finds import AskedFind
+from planar_cli.solve.between.oscillation import SLOW, Oscillation, roots_of, stability
+from planar_cli.solve.between.oscillation_trace import Modes
+
+LONGEST = 60
+"""Of entries with more operations there is no formula that anybody reads."""
+
+
+def of_modes(what: object, swings: Mapping[str, Oscillation]) -> TypeGuard[Quantity]:
+    """Is a find a period or frequency about an equilibrium with several freedoms? Each mode answers it."""
+    if not isinstance(what, Quantity) or what.word not in OF_EACH_MODE or what.things[0] not in swings:
+        return False
+    return not swings[what.things[0]].single
+
+
+def demand_modes(found: Oscillation, q: Quantity, value: Valuation) -> None:
+    """NoSolution: about this equilibrium not every mode oscillates, or letters leave the periods open."""
+    state, count = found.stop.name, len(found.speeds)
+    verdict = stability(found, value)
+    if verdict.stable and has_formula(found):
+        return
+    entries = [e for rows in (found.stiffness, found.damping) for row in rows for e in row]
+    open_ = isinstance(value, Sample) and value.drawn & set().union(*(e.free_symbols for e in entries))
+    if verdict.stable and open_:
+        text = f"the {count} freedoms about {state} have periods for which there is no short formula in letters"
+        raise _none(q, text, "give numbers for the letters")
+    told = () if open_ or verdict.kind == "unstable" else _from_roots(found, value)
+    if not verdict.stable or len(told) < count:
+        why = "the damping is too strong" if verdict.stable else f"it is {verdict.kind}"
+        text = f"not every one of the {count} freedoms oscillates about {state}: {why}"
+        periods = ", ".join(f"{mpmath.nstr(2 * mpmath.pi / mpmath.mpf(str(w)), 6)} s" for w in map(value, told))
+        raise _none(q, text + (f"; the periods are: {periods}" if periods else ""))
+
+
+def _none(q: Quantity, text: str, hint: str = "ask `stable(…)` instead") -> NoSolution:
+    return NoSolution([Diagnostic(q.mark, "PL632", text, hint)])
+
+
+def circular_frequencies(found: Oscillation, value: Valuation) -> tuple[sp.Expr, ...]:
+    """ω of every mode [rad/s], the lowest first: formulas of two freedoms without damping, else numbers."""
+    if has_formula(found):
+        return tuple(sp.sqrt(square) for square in squares_of_two(found))
+    return _from_roots(found, value)
+
+
+def _from_roots(found: Oscillation, value: Valuation) -> tuple[sp.Expr, ...]:
+    """The same as numbers, of the modes that oscillate."""
+    roots = roots_of(found, value)
+    size = max(abs(r) for r in roots)
+    with mpmath.workdps(DIGITS):
+        return tuple(sp.Rational(str(r.imag)) for r in roots if r.imag > SLOW * size)
+
+
+def has_formula(found: Oscillation) -> bool:
+    """Is there a formula of the roots?"""
+    entries = sp.Add(*(e for row in found.stiffness for e in row), evaluate=False)
+    return len(found.speeds) == 2 and undamped(found) and not longer(entries, LONGEST)
+
+
+def undamped(found: Oscillation) -> bool:
+    return all(c == 0 for row in found.damping for c in row)
+
+
+def coefficients_of_two(found: Oscillation) -> tuple[sp.Expr, sp.Expr]:
+    """p and q of the characteristic equation ω⁴ - p ω² + q = 0."""
+    (a, b), (c, d) = found.stiffness
+    return sp.factor(simplified(a + d)), sp.factor(simplified(a * d - b * c))
+
+
+def squares_of_two(found: Oscillation) -> tuple[sp.Expr, sp.Expr]:
+    """The roots ω² of that, the smaller one first."""
+    p, q = coefficients_of_two(found)
+    root = sp.sqrt(sp.factor(simplified(p**2 - 4 * q)))
+    low, high = (sp.factor_terms(sp.together(sp.expand((p + sign * root) / 2))) for sign in (-1, 1))
+    return low, high
+
+
+def mode_sizes(found: Oscillation, word: str, value: Valuation) -> tuple[sp.Expr, ...]:
+    """The periods [s], the longest first, or the frequencies [Hz], the lowest first."""
+    omegas = circular_frequencies(found, value)
+    return tuple(2 * sp.pi / w if word == "period" else w / (2 * sp.pi) for w in omegas)
+
+
+def modes_told(found: Oscillation, finds: Iterable[AskedFind], value: Valuation) -> Modes | None:
+    """The modes for the page; None: their periods or frequencies are not asked. `found`: its place put in."""
+    words = set()
+    for find in finds:
+        what = find.find.found.what
+        if of_modes(what, {found.stop.name: found}):
+            words.add(what.word if find.factor == 1 else "circular")
+    if not words:
+        return None
+    formula = has_formula(found)
+    return Modes(
+        matrix=found.stiffness if undamped(found) else (),
+        polynomial=coefficients_of_two(found) if formula else (),
+        squares=squares_of_two(found) if formula else (),
+        frequencies=circular_frequencies(found, value),
+        words=frozenset(words),
+    )
