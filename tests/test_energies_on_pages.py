@@ -28,7 +28,7 @@ def page(stem: str) -> str:
     ("box-that-tips-over", "m g (y_G,2 - y_G,3) = 40 · 9.81 (0.5 - 0.5831) = -32.61 J"),
     ("box-that-tips-over", "T_2 = 1/2 I_C ω_2² = 9.067 ω_2²"),
     ("ex-4-10", "v_G,2 = 1/2 l ω_2 B is the instantaneous centre of AB"),
-    ("two-hinged-bars-that-collapse", "v_G,BC,2 = -1/2 l θ̇_2 C is the instantaneous centre of BC"),
+    ("two-hinged-bars-that-collapse", "v_G,BC,2 = 1/2 l θ̇_2 C is the instantaneous centre of BC"),
     ("toppling-pole-that-stops-pressing", "T_2 = 1/2 m v_G,2² + 1/2 I ω_2² = 1/6 m l² ω_2²"),
     ("collar-with-a-slanting-spring", "stretch of the spring coil, δ_2 = √(d² + s_2²) - l_0 = "),
 ])  # fmt: skip
@@ -195,3 +195,16 @@ def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
     told = page("ball-leaving-a-dome")
     assert "At 2: (8) v_Px,2 = v_P,2 sin φ_P,2 = 3.719 sin 44.82° = 2.621 m/s" in told
     assert "the same motion" not in told
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    (
+        "ball-rolling-round-a-loop",
+        "v_G,2 = (R - r) φ̇_2 ω_ball,2 = -(R - r) φ̇_2 / r ball rolls without slipping",
+    ),
+    ("disk-rolling-in-a-trough", "v_G,2 = (R - r) φ̇_2 ω_disk,2 = -(R - r) φ̇_2 / r disk rolls without slipping"),
+    ("simple-pendulum", "v_P,2 = l θ̇_2 E_k,2"),
+])  # fmt: skip
+def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: str, line: str) -> None:
+    """A mass centre with a coordinate of its own moves as that tells, whether its body rolls or not."""
+    assert line in page(stem)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.led import led
+from planar_cli.equation.led import led, rolls
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Moving, Position
@@ -22,7 +22,9 @@ def moving_of(system: System, motion: Motion, bodies: Iterable[str]) -> Iterator
     for name in bodies:
         body, center = system.scene.bodies[name], system.scene.center_name(name)
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
-        yield Moving(name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name))
+        yield Moving(
+            name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name), rolls=rolls(system, name)
+        )
 
 
 def joined(position: Position) -> list[tuple[str, ...]]:

@@ -142,6 +142,8 @@ class Moving:
     """The name of the mass centre."""
     why: str = ""
     """How the body is led, so that its mass centre has this velocity."""
+    rolls: bool = False
+    """Is that by rolling? Where a coordinate tells the place of its mass centre, this is why it turns as it does."""
 
 
 @record

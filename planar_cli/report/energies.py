@@ -11,6 +11,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import together
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import NAMED
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving, Storage
@@ -90,12 +92,14 @@ class EnergyTelling(EnergyPieces):
             return
         told = [(Math(own), *self._speed(expr, kind, made)) for kind, own, expr in speeds if own != expr]
         why = line(made.why) if speeds[0][0] == "v" and made.why else ()
+        # A ball's mass centre goes round a trough whether it rolls or not; that it rolls says how it turns.
+        reason = 1 if len(told) > 1 and made.rolls else 0
         if len(told) > 1 and fits(tuple(side for sides in told for side in sides)):
             (one, *first), (two, *second) = told
             yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))), None, note=why)
         else:
             # The speed of the last state may be a letter that has been told: a package that goes with its belt.
-            yield from (Equation(sides, None, note=why if i == 0 else ()) for i, sides in enumerate(told))
+            yield from (Equation(sides, None, note=why if i == reason else ()) for i, sides in enumerate(told))
         masses, texts = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}, {}
         for kind, dimension in (("v", MASS), ("omega", INERTIA)):
             if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
@@ -120,10 +124,14 @@ class EnergyTelling(EnergyPieces):
             return
         for made, speeds in told:
             why = line(made.why) if made.why else ()
-            for kind, own, expr in speeds:
-                if own != expr and (kind == "v" or not (expr**2).args[:1][0].is_Symbol):
-                    sides = (Math(own), self.phrases.math(self._signed(expr)))
-                    yield Equation(sides, None, note=why if kind == "v" else ())
+            shown = [
+                (kind, own, self._signed(expr))
+                for kind, own, expr in speeds
+                if own != expr and (kind == "v" or not (expr**2).args[:1][0].is_Symbol)
+            ]
+            reason = "omega" if made.rolls and any(kind == "omega" for kind, _, _ in shown) else "v"
+            for kind, own, expr in shown:
+                yield Equation((Math(own), self.phrases.math(expr)), None, note=why if kind == reason else ())
         made, speeds = told[0]
         masses = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}
         formula = sp.Add(*(masses[kind] * own**2 / 2 for kind, own, _ in speeds), evaluate=False)
@@ -142,11 +150,11 @@ class EnergyTelling(EnergyPieces):
         v = sp.sqrt(square if longer(square, SHORT * 4) else simplified(square))
         for kind, mass, name, expr in (
             ("v", made.mass, f"v_{self._centre(made)}", v),
-            ("omega", made.inertia, f"omega_{made.body}", self._put(made.omega)),
+            ("omega", made.inertia, f"omega_{made.body}", _collected(self._put(made.omega))),
         ):
             if mass != 0 and not self._vanishes(expr):
                 own = expr if expr.is_Symbol else sp.Symbol(f"{name}{STATE}{stop}", real=True)
-                yield kind, *self._named(own, expr, made.body)
+                yield kind, *self._named(own, expr, made)
 
     def _centre(self, made: Moving) -> str:
         """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
@@ -155,16 +163,21 @@ class EnergyTelling(EnergyPieces):
         moving = self.balance.parts.moving if self.balance.parts is not None else ()
         return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
-    def _named(self, own: sp.Symbol, expr: sp.Expr, body: str) -> tuple[sp.Symbol, sp.Expr]:
-        """A speed with the sign of the letter that the motion has for it; where that letter is something else, another
-        name.
+    def _named(self, own: sp.Symbol, expr: sp.Expr, made: Moving) -> tuple[sp.Symbol, sp.Expr]:
+        """A speed with the sign of the letter that the motion has for it, or of the rate that it is found by; where that
+        letter is something else, another name.
         """
         known = self.phrases.value.known(own)
         if known is None:
-            return own, expr
+            if made.rolls and not made.omega.is_Add and (made.omega**2).args[:1][0].is_Symbol:
+                return own, expr
+            # v = l θ̇, whichever way it swings: as the kinematics have it.
+            return own, expr.replace(
+                lambda x: isinstance(x, sp.Abs) and x.args[0] in self.unknowns, lambda x: x.args[0]
+            )
         size = self.phrases.value(expr)
         if abs(abs(known) - abs(size)) > abs(size) * SMALL:
-            return sp.Symbol(f"{own.name[0]}_G_{body}{STATE}{self.balance.stop}", real=True), expr
+            return sp.Symbol(f"{own.name[0]}_G_{made.body}{STATE}{self.balance.stop}", real=True), expr
         return own, expr if known * size >= 0 else -expr
 
     def _speed(self, expr: sp.Expr, kind: str, made: Moving) -> tuple[Any, ...]:
@@ -331,6 +344,13 @@ class EnergyTelling(EnergyPieces):
         mixed = isinstance(sides[-1], Math) and sides[-1].values
         unit = coherent_unit(dimension, us=self.phrases.ledger.us)
         return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
+
+
+def _collected(omega: sp.Expr) -> sp.Expr:
+    """-(R - r) φ̇/r rather than φ̇ - R φ̇/r."""
+    if not omega.is_Add or not sp.fraction(together(omega))[1].free_symbols:
+        return omega
+    return factored(omega)
 
 
 def has_root(expr: sp.Expr) -> bool:

@@ -64,7 +64,7 @@ def _stored(course: StatedMotion, regime: Regime, b: StateBalance, words: str) -
 
 def _at(m: Moving, place: Callable[[sp.Expr], sp.Expr]) -> Moving:
     mass, inertia, vx, vy, omega = (place(e) for e in (m.mass, m.inertia, m.vx, m.vy, m.omega))
-    return Moving(m.body, mass, inertia, vx, vy, omega, m.center, m.why)
+    return replace(m, mass=mass, inertia=inertia, vx=vx, vy=vy, omega=omega)
 
 
 def _storage(
