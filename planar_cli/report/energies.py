@@ -164,7 +164,7 @@ class EnergyTelling(EnergyPieces):
         return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
     def _named(self, own: sp.Symbol, expr: sp.Expr, made: Moving) -> tuple[sp.Symbol, sp.Expr]:
-        """A speed with the sign of the letter that the motion has for it, or of the rate that it is found by; where that
+        """A speed with the sign of the letter that the motion has for it, or of the rate that it is found by; where the
         letter is something else, another name.
         """
         known = self.phrases.value.known(own)
