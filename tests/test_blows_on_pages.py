@@ -154,3 +154,12 @@ def test_a_velocity_that_stays_zero_and_is_in_no_equation_is_not_drawn() -> None
     assert "m_C v_Cy" not in told
     assert "m_AB v_Gy" not in told
     assert "m_ball v_ball,y,2 ↑" in page("ball-hits-a-hanging-rod")
+
+
+def test_an_impulse_that_the_file_says_is_zero_is_not_drawn() -> None:
+    """The hinge of a bar that is struck where it feels nothing; with a kick it is drawn."""
+    told = page("bullet-that-does-not-jerk-the-hinge")
+    assert "J_Ox = 0" in told
+    assert "J_Ox →" not in told
+    assert "J_Oy ↑ at O" in told
+    assert page("ball-hits-a-hanging-rod").count("J_Ax → at A") == 1

@@ -61,6 +61,8 @@ class BetweenTelling:
 
     used: Collection[sp.Symbol] = ()
     """The letters in all equations of blows, and in what is asked."""
+    nil: Collection[tuple[sp.Symbol, str]] = ()
+    """Impulses that the file says are zero, each with the state before its blow."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies."""
 
@@ -236,7 +238,8 @@ class BetweenTelling:
         speeds = dict.fromkeys(s for parts in stage.accelerations.values() for _, c in parts for s in c.free_symbols)
         idle = [s for s in speeds if s not in self.used and self.phrases.value.vanishes(s)]
         stage = replace(stage, zero=(*stage.zero, *idle))
-        yield from force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True)
+        nil = {symbol for symbol, since in self.nil if since == impact.since}
+        yield from force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

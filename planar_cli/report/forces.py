@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from decimal import Decimal
 from itertools import product
@@ -54,10 +55,15 @@ given by its name or its number.
 
 
 def force_rows(
-    instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool, impulsive: bool = False
+    instant: InstantSolution,
+    stage: Stage,
+    phrases: Phrases,
+    inertia_as_force: bool,
+    impulsive: bool = False,
+    nil: Collection[sp.Symbol] = (),
 ) -> list[Forces]:
     """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the
-    forces. `impulsive`: impulses and momenta.
+    forces. `impulsive`: impulses and momenta; `nil`: those of which the page says that they are zero.
     """
     kinds = (MOMENTUM, ANGULAR_MOMENTUM) if impulsive else (FORCE, ENERGY)
     bodies: list[str] = []
@@ -67,7 +73,7 @@ def force_rows(
     order = [b for b in instant.instant.scene.bodies if b in bodies]
     rows = []
     for body in order:
-        acting = _acting(instant, stage, body, phrases)
+        acting = _acting(instant, stage, body, phrases, nil)
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
             rows.append(Forces(body, (*acting, Text(",  "), *inertia) if inertia else acting, (Text("0"),)))
@@ -76,7 +82,7 @@ def force_rows(
     return rows
 
 
-def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> Line:
+def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, nil: Collection[sp.Symbol]) -> Line:
     """What acts on a body; on a rigid one with where it acts. Couples of guides only where an equation has them, or
     where what they guide turns.
     """
@@ -105,7 +111,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     absent = _absent(instant, stage)
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
-        if push.name in absent or (idle and (push.kind == "friction" or guides_nothing(system, push))):
+        if push.name in absent or expr in nil or (idle and (push.kind == "friction" or guides_nothing(system, push))):
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)

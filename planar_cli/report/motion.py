@@ -29,7 +29,7 @@ from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
-from planar_cli.report.nil_impulses import in_blow, nil_impulses
+from planar_cli.report.nil_impulses import in_blow, nil_impulses, said_nil
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     balanced,
@@ -89,8 +89,8 @@ class MotionTelling:
         self._laws = LawTelling(phrases, found.varying)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
-        used, axes = letters_of_blows(found), inertias_of_blows(found)
-        self.between = BetweenTelling(phrases, {}, self.numeric, used=used, axes=axes)
+        used, axes, nil = letters_of_blows(found), inertias_of_blows(found), {(s, a) for s, a, _ in said_nil(found)}
+        self.between = BetweenTelling(phrases, {}, self.numeric, used=used, axes=axes, nil=nil)
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""

@@ -26,10 +26,16 @@ def nil_of_blow(found: SpanIntegral) -> sp.Symbol | None:
 
 def nil_impulses(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """What the file says of a blow: the hands feel none, so that the impulse at the grip is zero."""
+    for impulse, since, until in said_nil(found):
+        lead = line(f"no impulse in the blow from {since} to {until}, as given:")
+        yield Equation((phrases.math(impulse), line("0")), None, lead)
+
+
+def said_nil(found: MotionTrace) -> Iterator[tuple[sp.Symbol, str, str]]:
+    """The impulses that the file says are zero, with the states before and after their blow."""
     asked = {p for r in found.requests for p in r.parts}
     # An impulse that follows from the laws of the blow was not given.
     derived = {s for leg in found.route.steps if not leg.is_datum for s in leg.unknowns}
     for span in found.spans:
         if (impulse := nil_of_blow(span)) is not None and span.symbol not in asked and impulse not in derived:
-            lead = line(f"no impulse in the blow from {span.pieces[0].since} to {span.pieces[0].until}, as given:")
-            yield Equation((phrases.math(impulse), line("0")), None, lead)
+            yield impulse, span.pieces[0].since, span.pieces[0].until
