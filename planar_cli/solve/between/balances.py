@@ -16,7 +16,8 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Balance, Source
 from planar_cli.records import record
-from planar_cli.solve.regimes.equations import NO_MASS, Equation
+from planar_cli.solve.regimes.costs import NO_MASS
+from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.potential import potential
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence

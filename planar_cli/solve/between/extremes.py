@@ -15,7 +15,8 @@ from planar_cli.errors import Undecided
 from planar_cli.records import record
 from planar_cli.solve.diagnosis.limits_of_modes import unbounded
 from planar_cli.solve.instant.stationary_point import eliminated, proper, unchanged
-from planar_cli.solve.regimes.equations import COSTS, Equation
+from planar_cli.solve.regimes.costs import COSTS
+from planar_cli.solve.regimes.equations import Equation
 
 PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "handed", "blow", "q(t)", "v(t)")
 

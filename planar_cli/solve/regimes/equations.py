@@ -24,18 +24,12 @@ from planar_cli.problem.expression import Name
 from planar_cli.records import record
 from planar_cli.solve.law import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of
+from planar_cli.solve.regimes.costs import BESIDE, COSTS, LAST
 from planar_cli.solve.regimes.effort import effort
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
-COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3}
-NO_MASS = 0.5
-"""What a law of energy or momentum costs where the file gives no mass."""
-COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}
-LAST = 10.0
-"""What a law costs that needs an integrating factor: more than energy and momentum together, whatever these need."""
 LONGEST = 150
 """A law with more operations has no closed integral, and stays as it is."""
 
@@ -70,9 +64,11 @@ class Equation:
 
     @property
     def cost(self) -> float:
-        words = self.span.words if self.span is not None else ""
-        extra = LAST if words == BY_FACTOR else 1.0 if self.span is not None and self.span.unevaluated else 0.0
-        extra += self.law.effort if self.law is not None else 0.0
+        extra = 0.0
+        if self.span is not None:
+            extra = LAST if self.span.words == BY_FACTOR else 1.0 if self.span.unevaluated else 0.0
+        if self.law is not None:
+            extra += self.law.effort + (BESIDE if (self.kind, self.law.order) == ("t(q)", 1) else 0.0)
         return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
 
@@ -268,8 +264,6 @@ def _renamed(span: Span, names: Mapping[sp.Symbol, sp.Expr]) -> Span:
     def put(expr: Any) -> Any:
         return expr.xreplace(dict(names)) if isinstance(expr, sp.Basic) else expr
 
-    if not names:
-        return span
     return replace(
         span,
         left=put(span.left),
