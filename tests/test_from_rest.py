@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from answered import assert_close, solve
+
+from planar_cli.problem.structure import load_text
 
 TRACK = """
 title: Car that starts
@@ -42,3 +46,38 @@ def test_what_moves_keeps_its_way() -> None:
     answers = solve(TRACK.replace("ALONG", "circle").replace("LAW", "a(car).t").replace("START", "v(car).y = -1 m/s"))
     assert_close(answers["v"], 9)
     assert (answers["up"].values or [0])[0] < 0
+
+
+@pytest.mark.parametrize("law", ["a(car).t", "dot(v(car).mag)"])
+@pytest.mark.parametrize(
+    ("along", "sense", "up"),
+    [
+        ("circle", "a(car).y < 0", -300 * math.sin(16 / 300)),
+        ("circle", "0 m/s^2 > a(S).across(car/O)", -300 * math.sin(16 / 300)),
+        ("circle", "a(car).y > 0", 300 * math.sin(16 / 300)),
+        ("street", "a(car).x < 0", -8 * 3**0.5),
+        ("240 deg", "a(car).along(60 deg) > 0", 8 * 3**0.5),
+    ],
+)
+def test_an_inequality_of_the_start_says_which_way(law: str, along: str, sense: str, up: float) -> None:
+    text = TRACK.replace("ALONG", along).replace("LAW", law).replace("START", f"at rest, {sense}")
+    answers = solve(text)
+    assert_close(answers["v"], 8)
+    assert_close(answers["s"], 16)
+    assert_close(answers["up"], up)
+
+
+def test_a_negative_rate_goes_against_the_positive_way_by_itself() -> None:
+    text = TRACK.replace("ALONG", "circle").replace("LAW = 2", "a(car).t = -2")
+    answers = solve(text.replace("START", "at rest, a(car).y < 0"))
+    assert (answers["up"].values or [0])[0] < 0
+
+
+def test_a_chain_of_names_is_refused_as_anywhere() -> None:
+    """Nothing is worked out of it while the file is read."""
+    chain = "".join(f", c{i}: c{i - 1} + 1" for i in range(1, 3000))
+    text = TRACK.replace("ALONG", "circle").replace("LAW = 2 m/s^2", "a(car).t = c2999 * 1 m/s^2")
+    text = text.replace("points:", f"given: {{c0: 1{chain}}}\npoints:", 1).replace("START", "at rest, a(car).y < 0")
+    problem, wrong = load_text(text)
+    assert problem is None
+    assert [d.code for d in wrong] == ["PL207"]

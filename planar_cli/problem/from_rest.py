@@ -1,17 +1,22 @@
 """The rate of a speed, `a(car).t = 7 ft/s^2`, of what starts from rest on a track that is fixed.
 
 At rest nothing has a direction along its velocity, and both ways along the track are alike. The positive one is taken:
-counterclockwise round a circle, along the angle of a line. From then on the velocity has that direction.
+counterclockwise round a circle, along the angle of a line; the other one where an inequality of the first state says
+so, `a(car).y < 0`, as a particle at rest is accelerated the way it goes. From then on the velocity has that direction.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
-from planar_cli.problem.expression import AtRest, Number, Part, PointPair, Quantity, Relation, Side, Statement
+from planar_cli.problem.drawn_directions import DrawnDirections
+from planar_cli.problem.expression import AtRest, Negate, Number, Part, PointPair, Quantity, Relation, Side, Statement
 from planar_cli.problem.scene import Circle, Line, Particle, Problem
 
 Parts = tuple[Part, ...]
+LEVEL = 1e-9
+"""A component below this part of a direction is the rounding of zero."""
 
 
 def with_ways_from_rest(problem: Problem) -> Problem:
@@ -28,7 +33,11 @@ def with_ways_from_rest(problem: Problem) -> Problem:
         way = _way(problem, names, point)
         if way is not None and any(_rests(s, names) for s in first.relations):
             assert isinstance(law.statement, Relation)
-            motion[i] = replace(law, statement=_along(law.statement, point, way))
+            drawn = DrawnDirections(problem)
+            # A rate below zero already says that it goes against the positive way.
+            grows = all((drawn.number(s) or 0) >= 0 for s in (law.statement.left, law.statement.right))
+            against = grows and any(_against(drawn, s, names, way) for s in first.relations)
+            motion[i] = replace(law, statement=_along(law.statement, point, way, against))
     return replace(problem, motion=tuple(motion))
 
 
@@ -84,8 +93,28 @@ def _rests(statement: Statement, names: frozenset[str]) -> bool:
     return False
 
 
-def _along(statement: Relation, point: str, way: Parts) -> Relation:
+def _against(drawn: DrawnDirections, statement: Statement, names: frozenset[str], way: Parts) -> bool:
+    """Does an inequality say that it is accelerated against the positive way?"""
+    match statement:
+        case Relation(left=Quantity(word="a", things=(point,), parts=(part,)), right=Number(value=0)):
+            below = statement.operator in ("<", "<=")
+        case Relation(left=Number(value=0), right=Quantity(word="a", things=(point,), parts=(part,))):
+            below = statement.operator in (">", ">=")
+        case _:
+            return False
+    asked, ahead = drawn.direction(part), drawn.direction(way[0])
+    if statement.operator == "=" or point not in names or asked is None or ahead is None:
+        return False
+    along = asked[0] * ahead[0] + asked[1] * ahead[1]
+    if abs(along) <= LEVEL * math.hypot(*asked) * math.hypot(*ahead):
+        return False
+    return (along > 0) is below
+
+
+def _along(statement: Relation, point: str, way: Parts, against: bool) -> Relation:
     def read(side: Side) -> Side:
-        return Quantity("a", (point,), None, way, None, statement.mark) if _point(side) is not None else side
+        if _point(side) is not None:
+            return Quantity("a", (point,), None, way, None, statement.mark)
+        return Negate(side, statement.mark) if against else side
 
     return replace(statement, left=read(statement.left), right=read(statement.right))
