@@ -22,3 +22,8 @@ def test_a_vector_stands_before_what_uses_it(stem: str, first: str, then: str) -
 def test_a_speed_that_forces_tell_gives_no_number_before() -> None:
     page = page_of_file("flat-faced-follower-about-to-lift")
     assert "a_C = -ω_cam² r_C/A r_C/A = [0, 0.01] m" in page
+
+
+def test_what_a_component_does_without_is_named() -> None:
+    page = page_of_file("disk-on-fixed-disk")
+    assert "along y, where α_arm and α_disk do not enter" in page

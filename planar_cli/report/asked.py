@@ -20,7 +20,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
-from planar_cli.report.axes_asked import along_radius, axis_of, noted
+from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import Turned, components_told
@@ -108,8 +108,8 @@ class AskedTelling:
         if axis and what.word in ("v", "a") and len(what.things) == 1 and what.things[0] in self.scene.points:
             point, level = what.things[0], "velocity" if what.word == "v" else "acceleration"
             told = list(self.vectors.point(self.scene.owner(point), self.scene.point(point), point, level))
-        yield from told
-        yield from noted(self._formula(answer), axis if told else "")
+        aside = without(what, self.system, self.vectors.zero, self.phrases) if told else ()
+        yield from (*told, *noted(self._formula(answer), axis if told else "", aside))
 
     def _plain(self, answer: Found) -> bool:
         """Is it an unknown up to its sign or a simple factor, which says more than a vector would?"""

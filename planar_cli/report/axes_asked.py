@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, line
@@ -26,10 +27,26 @@ def axis_of(what: Any) -> str:
     return kind if kind in ("x", "y") else ""
 
 
-def noted(blocks: Iterable[Block], axis: str) -> Iterator[Block]:
-    """Lines of one component, the axis beside them."""
+def noted(blocks: Iterable[Block], axis: str, aside: Line = ()) -> Iterator[Block]:
+    """Lines of one component, the axis beside them, and what there is to say of it."""
     for block in blocks:
-        yield replace(block, note=line(f"along {axis}")) if axis and isinstance(block, Equation) else block
+        yield replace(block, note=line(f"along {axis}", *aside)) if axis and isinstance(block, Equation) else block
+
+
+def without(what: Any, system: System, zero: Collection[sp.Symbol], phrases: Phrases) -> Line:
+    """`, where α_arm does not enter`: angular accelerations in the vector equations of a point, on which the component
+    that is asked does not rest. `zero`: those that the equations do without.
+    """
+    axis, motion = axis_of(what), system.motion
+    vector = system.quantities().any(replace(what, parts=())) if axis and what.word == "a" else None
+    if motion is None or not isinstance(vector, Vec):
+        return ()
+    parts = {name: sp.sympify(p.value) for name, p in (("x", vector.x), ("y", vector.y))}
+    inside = parts["x"].free_symbols | parts["y"].free_symbols
+    turning = dict.fromkeys(s for twist in motion.accelerations.values() if (s := twist.angular) in inside)
+    names = [phrases.math(s) for s in turning if s not in zero and simplified(sp.diff(parts[axis], s)) == 0]
+    listed = [piece for i, name in enumerate(names) for piece in ((", " if i < len(names) - 1 else " and ", name))]
+    return line(", where ", *listed[1:], " do not enter" if len(names) > 1 else " does not enter") if names else ()
 
 
 def along_radius(answer: Found, quantities: Quantities, phrases: Phrases) -> Line:
