@@ -163,3 +163,9 @@ def test_an_impulse_that_the_file_says_is_zero_is_not_drawn() -> None:
     assert "J_Ox →" not in told
     assert "J_Oy ↑ at O" in told
     assert page("ball-hits-a-hanging-rod").count("J_Ax → at A") == 1
+
+
+def test_a_number_keeps_its_formula_where_its_equation_has_only_numbers() -> None:
+    told = page("weight-on-a-heavy-pulley-that-lands")
+    assert "J_N,thud = 1/5 · 12 · 8.404 = 20.17 N·s" in told
+    assert "v_By = 0.2 · 8.404 = 1.681 m/s" in told

@@ -219,7 +219,7 @@ class MotionTelling:
                 yield Equation((sides[0], sides[-1], *self.phrases.converted(r.unknown, r.value)))
             else:
                 if len(sides) == 2:
-                    sides = (sides[0], *self._solved(leg, r, route), sides[1])
+                    sides = (sides[0], *(self._solved(leg, r, route) or self._short(r)), sides[1])
                 sides = (*(named or sides), *self.phrases.converted(r.unknown, r.value))
                 yield Equation(sides, None, lead if i == 0 else (), by_trial(leg, r, len(sides)) if i == 0 else ())
             if i == 0:
@@ -248,6 +248,10 @@ class MotionTelling:
             return []
         found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, self.numeric)
         return [] if found is None else [found]
+
+    def _short(self, r: Result) -> list[Math]:
+        """A short formula whose numbers hide units, with its numbers."""
+        return [] if r.formula is None or longer(r.formula, PLAIN) else self._in_known(r, PLAIN, explicit=False)
 
     def _by_function(self, leg: RouteStep, r: Result, numbers: list[int], route: RouteTrace) -> tuple[Any, ...]:
         """The sine of an angle, from its equation in numbers where it stands so."""
