@@ -185,6 +185,14 @@ def test_a_derivative_that_vanishes_is_told_before_its_time(stem: str, line: str
     assert line in page(stem)
 
 
+@pytest.mark.parametrize(("stem", "line"), [
+    ("block-runs-into-a-spring", "From meets to leaves, simple harmonic motion, x of P:"),
+    ("disk-held-by-a-spring", "From 1 on, simple harmonic motion:"),
+])  # fmt: skip
+def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page("block-coming-to-rest-by-dry-friction")
     assert "from stops_2 to end, from end to stop:" not in told

@@ -6,7 +6,7 @@ From 1 on, under-damped, ζ < 1:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
@@ -16,19 +16,23 @@ from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.origins import calculus
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Relation, RouteTrace
+from planar_cli.solve.between.trace import RegimeTrace, Relation, RouteTrace
 
 RATES = {"q(t)": "", "v(t)": "_dot"}
 
 
-def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases) -> Iterator[Block]:
-    """The place and, where a state rests on it, the velocity of the vibration of which a relation is."""
+def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases, regimes: Sequence[RegimeTrace]) -> Iterator[Block]:
+    """The place and, where a state rests on it, the velocity of the vibration of which a relation is, up to the state
+    at which its regime ends.
+    """
     law = e.law
     if law is None or law.vibration is None:
         return
     time, names = sp.Symbol("t", real=True), phrases.ledger.symbols
     words = with_coefficients(calculus(e), law, names["t"])
-    yield Paragraph(line(f"From {e.since} on, " if e.since else "", *words, ":"))
+    end = _end(e.since, regimes)
+    reach = f"From {e.since} to {end}" if end else f"From {e.since} on"
+    yield Paragraph(line(f"{reach}, " if e.since else "", *words, ":"))
     every = [r for leg in route.steps for r in leg.relations if _is_same(r, e)]
     for kind, dots in RATES.items():
         told = next((r for r in every if r.kind == kind), None)
@@ -39,6 +43,15 @@ def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases) -> Iterator[
         ends = [s for s, role in roles.items() if role.of == names["t"] and role.at == told.stop]
         formula = simplified(formula.xreplace(dict.fromkeys(ends, time)))
         yield Equation((line(Name(f"{law.coordinate.symbol.name}{dots}")), phrases.math(formula)))
+
+
+def _end(since: str, regimes: Sequence[RegimeTrace]) -> str:
+    """The state at which the regime that begins in a state gives way to another one; "": none does."""
+    every = [(r, a, b) for r in regimes for a, b in r.stretches if a != b]
+    own, stop = next(((r, b) for r, a, b in every if a == since), (None, ""))
+    while (after := next(((r, b) for r, a, b in every if a == stop), None)) is not None and after[0] is own:
+        stop = after[1]
+    return stop if after is not None else ""
 
 
 def _is_same(r: Relation, e: Relation) -> bool:

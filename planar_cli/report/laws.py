@@ -19,7 +19,7 @@ from planar_cli.report.origins import is_vibration
 from planar_cli.report.put_in import partly
 from planar_cli.report.vibrations import free_blocks, vibration_blocks
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Relation, RouteTrace
+from planar_cli.solve.between.trace import RegimeTrace, Relation, RouteTrace
 from planar_cli.solve.law import Law
 
 FEW, SWINGING, INTEGRATED = 12, 36, 24
@@ -63,8 +63,8 @@ def counted(words: str) -> str:
 class LawTelling:
     """Tells each law of a motion once, and the letters of its vibration before they are used."""
 
-    def __init__(self, phrases: Phrases, varying: Collection[sp.Symbol]) -> None:
-        self.phrases, self.varying = phrases, varying
+    def __init__(self, phrases: Phrases, varying: Collection[sp.Symbol], regimes: Sequence[RegimeTrace]) -> None:
+        self.phrases, self.varying, self.regimes = phrases, varying, regimes
         self._told: set[tuple[sp.Symbol, sp.Expr]] = set()
         self.natural: set[sp.Symbol] = set()
         """The natural frequencies that were told."""
@@ -89,7 +89,7 @@ class LawTelling:
             yield from free_blocks(own, law, self.phrases, e.since)
         if own is not None and not own.begun and is_vibration(e) and (own.natural, e.since) not in self._moved:
             self._moved.add((own.natural, e.since))
-            yield from motion_blocks(e, route, self.phrases)
+            yield from motion_blocks(e, route, self.phrases, self.regimes)
 
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:

@@ -86,7 +86,7 @@ class MotionTelling:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
-        self._laws = LawTelling(phrases, found.varying)
+        self._laws = LawTelling(phrases, found.varying, found.regimes)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
         used, axes, nil = letters_of_blows(found), inertias_of_blows(found), {(s, a) for s, a, _ in said_nil(found)}
