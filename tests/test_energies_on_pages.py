@@ -154,6 +154,15 @@ def test_an_acceleration_that_speeds_tell_comes_before_its_force(stem: str, line
 
 
 @pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-09", "α_2 = θ̈ = 0.6667 rad/s²"),
+    ("hoist-driven-by-a-belt", "t_2 = ω_motor,disk,2/θ̈_motor,disk = 40/10 = 4 s"),
+    ("hoist-driven-by-a-belt", "α_drum,2 = r_1 θ̈_motor,disk/r_2 = 0.1 · 10 / 0.4 = 2.5 rad/s²"),
+])  # fmt: skip
+def test_an_acceleration_that_was_told_is_used_by_its_letter(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+@pytest.mark.parametrize(("stem", "line"), [
     ("rod-falling-on-a-smooth-floor", "From 1 to 3, rod: conservation of momentum: (8) → 0 = m "),
     ("ladder-leaving-the-wall", "From 2 to 3, ladder: conservation of momentum"),
 ])  # fmt: skip

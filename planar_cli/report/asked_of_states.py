@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
@@ -24,6 +24,7 @@ from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.nil_impulses import nil_of_blow
 from planar_cli.report.oscillation import by_damping, by_frequency, periods_told
 from planar_cli.report.put_in import in_known
+from planar_cli.report.rate_first import ToldRate, by_told_rate
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
@@ -49,7 +50,8 @@ class Part:
 @record
 class AskedTelling:
     """Tells the finds of one motion that are more than a letter. `numeric`: in which is told what rests on no letter
-    without a number; `wanted`: names of letters whose derivation is told (None: all).
+    without a number; `wanted`: names of letters whose derivation is told (None: all); `rates`: constant accelerations
+    that were told.
     """
 
     found: MotionTrace
@@ -57,6 +59,7 @@ class AskedTelling:
     numeric: Phrases
     wanted: frozenset[str] | None
     spans: SpanTelling
+    rates: Sequence[ToldRate]
 
     def blocks(self) -> Iterator[Block]:
         """A heading, and a line for each component; a quantity over a span by its integral."""
@@ -92,6 +95,10 @@ class AskedTelling:
         formula = self._signed(_without(formula, self._zeros))
         numbers = self.numeric.has_numbers(formula)
         values = [self.phrases.shown(letter, self.found.value(letter))] if numbers else []
+        if values and (by_rate := by_told_rate(formula, self.rates)) is not None:
+            told, own = by_rate
+            put = told.numbers(own, self.numeric)
+            return Equation((self.phrases.math(letter), self.phrases.math(own), *put, *values))
         sides = self._shown(formula, None, self.phrases.ledger.units[letter], values, self.numeric)
         return Equation((self.phrases.math(letter), *sides, *values))
 

@@ -51,7 +51,7 @@ from planar_cli.report.origins import (
 from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
-from planar_cli.report.rate_first import rate_first
+from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.results import numbered
 from planar_cli.report.roots_of_squares import rooted
 from planar_cli.report.span_integrals import SpanTelling
@@ -86,6 +86,7 @@ class MotionTelling:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
+        self.rates: list[ToldRate] = []
         self._laws = LawTelling(phrases, found.varying, found.regimes)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
@@ -128,7 +129,7 @@ class MotionTelling:
         yield from self._route(self.found.route)
         yield from swings(self.found, self.phrases, self._one)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
-        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
+        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
         routes = {n: r for n, r in self.found.passing.items() if any(not leg.is_datum for leg in r.steps)}
         for i, (name, route) in enumerate(routes.items()):
             yield heading(name, self.found, route)
@@ -189,7 +190,7 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self.number())
                 return
-            if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next))):
+            if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next, self.rates))):
                 self.next += 1
                 yield from self._law(e)
                 return (yield from by_rate)
