@@ -15,7 +15,8 @@
 Components
   v(P).t a(P).t a(P).n         along the velocity, and towards the centre of curvature: a.n = v^2/rho. Where the speed
                                is zero they mean nothing; on a circle use .across(P/O).
-                               A law `a(P).t = …` from rest goes the positive way along a guide
+                               A law `a(P).t = …` from rest goes the positive way along a guide, or as the first
+                               state says: `a(P).y < 0`
                                A free particle of which these and rho(P) alone are told needs no direction:
                                `instant: [v(P).mag = 15 m/s, a(P).t = 3 m/s^2, rho(P) = 50 m]`
   r(P).mag v(P).r v(P).theta   polar, along r and 90 deg counterclockwise of it: a.r = ddot(r) - r*dot(theta)^2
