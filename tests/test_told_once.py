@@ -21,3 +21,10 @@ def test_a_relation_is_its_own_solution() -> None:
 
 def test_a_rope_keeps_its_length() -> None:
     assert "At 2, the cable keeps its length:" in page("pulley-pulled-against-a-spring")
+
+
+def test_an_equation_whose_numbers_hide_units_leaves_its_heading() -> None:
+    """The load hangs at -6 m, a number of the file, and the angle of the drum is nil there."""
+    told = page("load-wound-up-against-axle-friction")
+    assert "At 3, the rope keeps its length:\n    (11)  θ_3 = 0 rad\n" in told
+    assert "atan2" not in told

@@ -171,7 +171,7 @@ class MotionTelling:
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)
-        equations = leg.relations
+        equations, ledger = leg.relations, self.found.ledger
         numbers = []
         single = len(equations) == 1
         if by_phase := self._swings.place(leg, self.next):
@@ -184,7 +184,7 @@ class MotionTelling:
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
                 return (yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words)))
-            if single and is_explicit(e, leg, self.found.ledger):
+            if single and is_explicit(e, leg, ledger):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
@@ -201,7 +201,7 @@ class MotionTelling:
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
                 return
-            if single and (says_zero(e, (r := leg.results[0]), route) or is_outright(e, r, route, self.found.ledger)):
+            if single and (says_zero(e, (r := leg.results[0]), route, ledger) or is_outright(e, r, route, ledger)):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return
             yield from self._relation(e, leg, route)

@@ -15,6 +15,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
 from planar_cli.report.characteristic import with_coefficients
+from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.turning_values import DERIVATIVE, over_time
@@ -222,11 +223,13 @@ def is_handed_on(r: trace.Result) -> bool:
     return r.formula is not None and (r.formula.is_Symbol or r.formula.is_number)
 
 
-def says_zero(e: Relation, r: trace.Result, route: RouteTrace) -> bool:
-    """Does a relation that is no balance say at sight that a letter is zero, without others that have to vanish?"""
+def says_zero(e: Relation, r: trace.Result, route: RouteTrace, ledger: Ledger) -> bool:
+    """Does a relation that is no balance say at sight that a letter is zero, without others that have to vanish? Of
+    what a joint keeps its heading says it, where numbers of the file hide units in the equation.
+    """
     if r.formula != 0 or isinstance(e.source, BalanceTrace):
         return False
-    if isinstance(e.source, ImpactEquation):
+    if isinstance(e.source, ImpactEquation) or (e.kind == "loop" and not is_clean(ledger, *sides_of(e, route))):
         return True
     return r.unknown not in simplified(e.residual.xreplace(dict(route.plain)) / r.unknown).free_symbols
 
