@@ -94,4 +94,5 @@ def test_the_impulse_of_a_force_in_numbers_is_an_integral() -> None:
 
 
 def test_a_relation_that_says_a_number_stands_once() -> None:
-    assert "where its derivative is zero: (2) t_fast = 5 s From" in page_of_file("block-fading-force")
+    page = page_of_file("block-fading-force")
+    assert "where its derivative is zero: (2) 20 - 4 t_fast = 0 (2): t_fast = 20/4 = 5 s" in page

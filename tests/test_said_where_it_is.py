@@ -133,7 +133,7 @@ find: {v_T: v(stone).along(-90 deg) @ end, t_low: t @ low}
 SLOTTED = """\
 title: A pin in the slot of a rod
 {known}
-points: {{B: [0, 0], O: [-2*R, 0], P: {{from: B, distance: R, angle: 150 deg}}}}
+points: {{B: [0, 0], E: [0, 0], O: [-2*R, 0], P: {{from: B, distance: R, angle: 150 deg}}}}
 bodies: {{D: {{disk: B, radius: R, points: [P]}}, S: {{rod: [O, {end}]}}}}
 joints:
   - pin: {{at: B, between: [ground, D]}}
@@ -147,9 +147,9 @@ find: {{w_S: omega(S)}}
 @pytest.mark.parametrize(
     ("known", "end", "said"),
     [
-        ("given: {R: 50 mm}", "B", "slot of S through P parallel to its line, 0.025 m beside it"),
-        ("given: {R: 2 ft}", "B", "slot of S through P parallel to its line, 1 ft beside it"),
-        ("symbols: {R: m}", "B", "slot of S through P parallel to its line"),
+        ("given: {R: 50 mm}", "E", "slot of S through P parallel to its line, 0.025 m beside it"),
+        ("given: {R: 2 ft}", "E", "slot of S through P parallel to its line, 1 ft beside it"),
+        ("symbols: {R: m}", "E", "slot of S through P parallel to its line"),
         ("given: {R: 50 mm}", "P", ""),
         ("symbols: {R: m}", "P", ""),
     ],

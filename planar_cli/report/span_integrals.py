@@ -81,8 +81,8 @@ class SpanTelling:
         whole = None if turns or any(p.how == "blow" for p in pieces) else self._whole(found, shown)
         first = () if whole is None else (whole,)
         told = any(isinstance(side, Math) and not side.values for side in rest)
-        if told and len(last) > 1 and all(map(self._is_steady, pieces)):
-            # A constant force times the way, a constant rate times the time.
+        if told and len(last) > 1 and len(pieces) == 1 and self._is_steady(pieces[0]):
+            # A constant force times the way, a constant rate times the time; several parts are told by their integrals.
             first = ()
         elif whole is None and len(pieces) > 1:
             for piece, math in zip(pieces, shown, strict=True):
