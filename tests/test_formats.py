@@ -283,6 +283,15 @@ def test_a_value_continues_under_its_sign() -> None:
     assert rows[0].index("= ") > 25
 
 
+def test_a_long_lead_stays_on_the_line_of_what_fits_beside_it() -> None:
+    lead = doc.line("moment of inertia about A, parallel axes:")
+    equation = doc.Equation((doc.line("I_A"), value("0.1172", "kg*m^2")), lead=lead)
+    wide, narrow = (Terminal(width).render(doc.Document("", (equation,))).strip().splitlines() for width in (72, 50))
+    assert len(wide) == 1
+    assert len(narrow) == 2
+    assert narrow[0].endswith("axes:")
+
+
 def test_a_formula_breaks_between_factors_before_it_breaks_in_brackets() -> None:
     a, b, c = symbols("alpha_1 beta_1 gamma_1", positive=True)
     long = doc.Math(Mul(a + b * c, a + 2 * b, 3 * a + c, evaluate=False) / (b + c))

@@ -123,7 +123,8 @@ class Terminal(Format[Row]):
         sign = row_cells(head) + row_cells(left) + 1
         below = others and (sign <= self.width // 2 or all(row_cells(s) + 2 <= self.width - sign for s in others))
         hang = sign if below else min(columns.start + _BODY, self.width // 2)
-        if row_cells(head) > self.width // 2:
+        whole = row_cells(head) + row_cells(left) + sum(row_cells(side) + 3 for side in others)
+        if row_cells(head) > self.width // 2 and whole > self.width:
             rows, hang = [settled(head)], columns.start + 2 * _BODY
             head = indent(hang)
         else:
