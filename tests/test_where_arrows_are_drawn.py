@@ -19,7 +19,7 @@ surfaces: {floor: {through: A, angle: 0 deg}}
 bodies: {rod: {rod: [A, B], mass: m}}
 joints: [contact: {between: [rod, floor], at: A, mu: 0}]
 states: {1: [at rest, x = 0, theta = 0], 2: [theta = 90 deg]}
-find: {omega: abs(omega(rod) @ 2)}
+find: {omega: abs(omega(rod) @ 2), pressed: N(A) @ 2}
 """
 BOWL = """
 title: A bar in a bowl
