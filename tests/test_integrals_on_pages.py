@@ -96,3 +96,16 @@ def test_the_impulse_of_a_force_in_numbers_is_an_integral() -> None:
 def test_a_relation_that_says_a_number_stands_once() -> None:
     page = page_of_file("block-fading-force")
     assert "where its derivative is zero: (2) 20 - 4 t_fast = 0 (2): t_fast = 20/4 = 5 s" in page
+
+
+def test_the_impulse_of_a_tabulated_force_is_an_integral_of_its_letter() -> None:
+    page = page_of_file("block-force-table")
+    assert "impulse = ∫[0 → t_1] F_carriage dt = 50 N·s" in page
+    assert "impulse = ∫[0 → t_fast] F_carriage dt = 50 t_fast - 50 in N·s" in page
+    assert "solved numerically" not in page
+
+
+def test_a_line_does_not_say_its_last_side_twice() -> None:
+    page = page_of_file("rod-hung-off-its-centre")
+    assert page.count("I_O = m d² + I = m (d² + l²/12)") == 2
+    assert "= m (d² + l²/12) = m (d² + l²/12)" not in page

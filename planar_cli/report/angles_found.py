@@ -12,6 +12,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Line, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import solved_for
+from planar_cli.report.pieces import met
 from planar_cli.report.put_in import in_known
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Result, RouteStep
@@ -66,14 +67,15 @@ def by_tangent(residual: sp.Expr, r: Result, phrases: Phrases) -> tuple[Any, ...
     return phrases.math(sp.tan(sine.args[0])), phrases.math(ratio), Value(phrases.value(ratio), "", phrases.figures)
 
 
-def by_trial(leg: RouteStep, r: Result, sides: int) -> Line:
+def by_trial(leg: RouteStep, r: Result, sides: int, phrases: Phrases) -> Line:
     """That a root was found in numbers, beside a value (`sides` with its letter: two) without a formula, where its
     equation has more than powers of the unknowns.
     """
     if r.formula is not None or sides != 2 or any(e.span is not None for e in leg.relations):
         return ()
     unknowns = set(leg.unknowns)
-    waves = [f for e in leg.relations for f in e.residual.atoms(sp.Function) if f.free_symbols & unknowns]
+    equations = [met(e.residual, phrases.value) for e in leg.relations]
+    waves = [f for e in equations for f in e.atoms(sp.Function) if f.free_symbols & unknowns]
     return line("solved numerically") if waves else ()
 
 

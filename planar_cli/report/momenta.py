@@ -97,9 +97,9 @@ class MomentumTelling:
         dimension = ANGULAR_MOMENTUM if self.balance.law.about else IMPULSE
         put = integral.xreplace(dict(self.plain))
         clean = is_clean(self.phrases.ledger, gain, dimension=dimension)
-        if longer(gain, SHORT) or longer(put.args[0], SHORT):
+        if longer(put.args[0], SHORT):
             return
-        if not clean:
+        if not clean or longer(gain, SHORT):
             yield from self._in_numbers(line(about), put, gain, dimension)
             return
         sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
@@ -107,14 +107,16 @@ class MomentumTelling:
             value = self.phrases.value.known(gain)
             shown = [] if value is None else [self.phrases.of_dimension(value, dimension)]
             usual = bool(self.balance.law.about) and not self.phrases.ledger.us
+            # A number is not written twice, bare and with its unit.
+            sides = sides[:2] if gain.is_number and shown else sides
             sides += [replace(v, unit=ANGULAR_IMPULSE) if usual else v for v in shown]
         yield Equation(tuple(sides))
 
     def _in_numbers(self, about: Line, put: sp.Expr, gain: sp.Expr, dimension: Dimension) -> Iterator[Block]:
         """Of a law in numbers with the time alone: ∫[0 → t_2] (20 - 4 t) dt = 20 t_2 - 2 t_2², in N·s."""
         varies, (time, *_) = put.args[0].free_symbols, put.args[1]
-        letters = gain.free_symbols - set(self.unknowns)
-        if self.phrases.symbolic or varies - {time} or letters & self.phrases.ledger.values.keys():
+        letters, data = gain.free_symbols - set(self.unknowns), self.phrases.ledger.values.keys() - {time}
+        if self.phrases.symbolic or varies & data or letters & data:
             return
         if gain.free_symbols & set(self.unknowns):
             found = put_in(sp.expand(gain), sp.S.Zero, self.unknowns, self.phrases, dimension)

@@ -129,7 +129,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))
+    told_blocks = (_said_once(b) for b in blocks if not _says_nothing(b))
+    return Document(problem.title or problem.file, (*texts, *opening, *told_blocks))
 
 
 def _says_nothing(block: Block) -> bool:
@@ -138,6 +139,15 @@ def _says_nothing(block: Block) -> bool:
         return False
     one, other = (_letter_of(side) for side in block.sides)
     return one != "" and one == other
+
+
+def _said_once(block: Block) -> Block:
+    """An equation without a side that only repeats the one before it."""
+    if not isinstance(block, Equation):
+        return block
+    said = _said(block)
+    kept = tuple(side for i, side in enumerate(block.sides) if i == 0 or said[i] != said[i - 1])
+    return block if len(kept) == len(block.sides) else replace(block, sides=kept)
 
 
 def _said(equation: Equation) -> list[Any]:

@@ -22,8 +22,7 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
     """The parts of a balance of energies; None: of another amount. `value`: numbers of everything."""
     if not b.law.moving:
         return None
-    names = [s.name for s in course.states]
-    acting = course.regimes[names.index(b.since.name) : names.index(b.stop.name)]
+    acting = _acting(course, b)
     own = (m if m.why else replace(m, why=_centre(m, acting[-1], b.stop, value)) for m in b.law.moving)
     moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in own)
     found = []
@@ -35,6 +34,12 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
                 found += _storage(words, brought, stored, regime, b, value)
                 break
     return EnergyParts(moving, tuple(found))
+
+
+def _acting(course: StatedMotion, b: StateBalance) -> tuple[Regime, ...]:
+    """The regimes between the states of a balance."""
+    names = [s.name for s in course.states]
+    return tuple(course.regimes[names.index(b.since.name) : names.index(b.stop.name)])
 
 
 def _centre(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
@@ -85,6 +90,10 @@ def impulse_integral(course: StatedMotion, b: StateBalance) -> sp.Expr | None:
     """∫ΣF dt or ∫ΣM dt between two states, where what acts varies with time alone."""
     t = course.ledger.symbols["t"]
     rate = sp.Add(*(s.rate for s in b.law.sources))
-    if b.law.letter or t not in rate.free_symbols or any(s in rate.free_symbols for s in b.stop.letters if s != t):
+    letters = set(rate.free_symbols)
+    if t not in letters and not b.law.letter:
+        # A letter of its own may stand for a law of time: a table.
+        letters = {s for r in _acting(course, b) for s in r.closed(rate).free_symbols}
+    if b.law.letter or t not in letters or any(s in letters for s in b.stop.letters if s != t):
         return None
     return sp.Integral(rate, (t, b.since.t, b.stop.t))
