@@ -222,9 +222,7 @@ class MotionTelling:
                 if len(sides) == 2:
                     sides = (sides[0], *(self._solved(leg, r, route) or self._short(r)), sides[1])
                 sides = (*(named or sides), *self.phrases.converted(r.unknown, r.value))
-                yield Equation(
-                    sides, None, lead if i == 0 else (), by_trial(leg, r, len(sides), self.phrases) if i == 0 else ()
-                )
+                yield Equation(sides, None, *((lead, by_trial(leg, r, len(sides), self.phrases)) if i == 0 else ()))
             if i == 0:
                 yield from self._others(r)
 
