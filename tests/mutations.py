@@ -21,10 +21,12 @@ cancels stands in the equations). It may have the very same page for a reason:
 What is none of it ("unchanged"), ends in a fault, or is refused or left undecided without a place is an offender and
 is listed.
 
-A file is worked out once, in a process of its own. Most mutants are refused as they are read, there; each of the others
-is worked out in a child of that process, which remembers what it knows of the file and has a limit of processor time.
-The page is written where the answers are the same. With `--results` each outcome is added to a file at once (a line of
-JSON); a run that was broken off goes on from there, and judges the offenders among them anew.
+First all mutants are read: most are refused there. Then each file is worked out once, in a process of its own, and the
+mutants that are left in a child of it, which remembers what it knows of the file and has a limit of processor time for
+each. What offends is judged again in a fresh child. A mutant is worked out part by part, as far as the first whose
+numbers differ; the page is written where all answers are the same. With `--results` each outcome is added to a file at
+once (a line of JSON); a run that was broken off goes on from there, and judges the offenders among them anew, and what
+was not decided within a smaller limit. The files come in an order that is drawn: part of a run is a sample.
 """
 
 from __future__ import annotations
@@ -35,50 +37,25 @@ import hashlib
 import importlib
 import json
 import os
-import pickle
 import pkgutil
 import random
-import resource
-import select
-import signal
 import tempfile
 import time
+import traceback
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from mutants import KINDS, Mutant, mutants, mutated
+from mutant_outcomes import FAULT, SOLVED, UNCHANGED, UNDECIDED, Outcome, judged, read, solved
+from mutants import KINDS, Mutant, mutants
+from mutation_child import Child
 
 import planar_cli
-from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
-from planar_cli.homework.checking import solve_and_compare
 from planar_cli.problem import nodes
-from planar_cli.problem.checks import check
-from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.structure import read_problem
-from planar_cli.registry import members
-from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import Voice, narrate
-from planar_cli.solve.where_asked import has_place
 
-GROUPS = {"statement": 0, "number": 0, "sign": 0, "name": 1, "unit": 2, "key": 2}
-"""Those of which most is learnt come first."""
-SOLVED, UNCHANGED, FAULT, UNDECIDED = "solved", "unchanged", "fault", "undecided"
-WAITING = 20
-"""A child that gets little of the processor has so many times its limit."""
-MEMORY = 2 * 1024**3
-
-
-@dataclass(frozen=True, slots=True)
-class Outcome:
-    """What came of a file or mutant. `answers`: to all digits, by name; `page`: all that is told."""
-
-    kind: str
-    detail: str = ""
-    answers: str = ""
-    page: str = ""
+TOO_LONG = "not decided within "
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,51 +80,10 @@ class Judged:
         """Is it a fault, a change that nothing notices, or a refusal without a place?"""
         return self.outcome in (UNCHANGED, FAULT) or self.detail.startswith("no place")
 
-
-# --- one mutant -------------------------------------------------------------------------------------------------------
-
-
-def read(file: str, root: nodes.Node, mutant: Mutant | None) -> Problem | Outcome:
-    """The problem of a file as it stands, or with one change; or the refusal."""
-    tree = root if mutant is None else mutated(root, mutant.at, mutant)
-    assert tree is not None
-    report = Report()
-    problem = read_problem(file, tree, report)
-    for diagnostic in check(problem):
-        report.take(diagnostic)
-    found = report.sorted()
-    return _failed("refused", found) if found else problem
-
-
-def _failed(kind: str, diagnostics: Sequence[Diagnostic]) -> Outcome:
-    place = "" if diagnostics and diagnostics[0].mark.line else "no place: "
-    return Outcome(kind, place + ", ".join(sorted({d.code for d in diagnostics})))
-
-
-def solved(problem: Problem, other_than: str | None = None) -> Outcome:
-    """A problem worked out; its page only where the answers are not `other_than` these."""
-    try:
-        solution, verdicts = solve_and_compare(problem)
-    except (FileProblem, NoSolution) as error:
-        return _failed("refused" if isinstance(error, FileProblem) else "no solution", error.diagnostics)
-    except Undecided as error:
-        return Outcome(UNDECIDED, ("" if has_place(error, problem.file) else "no place: ") + str(error))
-    answers = json.dumps(solution_data(solution, verdicts, 12, None)["answers"], default=str, sort_keys=True)
-    if other_than is not None and answers != other_than:
-        return Outcome(SOLVED, "", answers)
-    page = members("formats")["markdown"]().render(narrate(solution, Voice(12)))
-    return Outcome(SOLVED, "", answers, page)
-
-
-def judged(mutant: Mutant, base: Outcome, outcome: Outcome) -> tuple[str, str]:
-    """The outcome of a mutant in a word or two, and what more there is to say."""
-    if outcome.kind != SOLVED:
-        return outcome.kind, outcome.detail
-    if outcome.answers != base.answers:
-        return "another answer", ""
-    if outcome.page != base.page:
-        return "told", ""
-    return mutant.reason or UNCHANGED, ""
+    def is_done(self, limit: float) -> bool:
+        """Need it not be judged anew?"""
+        stopped = self.detail.removeprefix(TOO_LONG) if self.detail.startswith(TOO_LONG) else ""
+        return not self.offends and not (stopped and float(stopped.split()[0]) < limit)
 
 
 # --- one file ---------------------------------------------------------------------------------------------------------
@@ -164,6 +100,15 @@ class FileRun:
         self.seconds = 0.0
         """Processor time of all children."""
         self._base: Outcome | None = None
+        self._child: Child | None = None
+
+    def refusal(self, mutant: Mutant) -> tuple[str, str] | None:
+        """What came of a mutant that is refused as it is read, or is a fault there; None: it is not."""
+        try:
+            problem = read(self.file, self.root, mutant)
+        except Exception as error:
+            return FAULT, told_of(error)
+        return judged(mutant, problem, problem) if isinstance(problem, Outcome) else None
 
     def judged(self, mutant: Mutant) -> tuple[str, str]:
         """What came of a mutant; `undecided` also where the file itself has no solution."""
@@ -176,15 +121,17 @@ class FileRun:
         return (other, detail) if other in (UNCHANGED, FAULT) else (excuse, detail)
 
     def _judged(self, mutant: Mutant) -> tuple[str, str]:
-        try:
-            problem = read(self.file, self.root, mutant)
-        except Exception as error:
-            return FAULT, f"{type(error).__name__}: {error}"
-        if isinstance(problem, Outcome):
-            return judged(mutant, problem, problem)
+        if (refusal := self.refusal(mutant)) is not None:
+            return refusal
         if self.base.kind != SOLVED:
             return UNDECIDED, f"the file itself: {self.base.kind} {self.base.detail}"
-        return self._in_a_child(mutant, problem)
+        fresh = self._child is None
+        found = self._in_a_child(mutant)
+        if found[0] in (FAULT, UNCHANGED) and not fresh:
+            # What was worked out before must not be why.
+            self.end()
+            found = self._in_a_child(mutant)
+        return found
 
     @property
     def base(self) -> Outcome:
@@ -196,50 +143,43 @@ class FileRun:
             gc.freeze()
         return self._base
 
-    def _in_a_child(self, mutant: Mutant, problem: Problem) -> tuple[str, str]:
-        ours, theirs = os.pipe()
-        child = os.fork()
-        if child == 0:
-            os.close(ours)
-            _serve(theirs, problem, mutant, self.base, self.limit)
-        os.close(theirs)
-        told = b""
-        end = time.monotonic() + WAITING * self.limit
-        while select.select([ours], [], [], max(0.0, end - time.monotonic()))[0]:
-            part = os.read(ours, 1 << 16)
-            if not part:
-                break
-            told += part
-        else:
-            os.kill(child, signal.SIGKILL)
-        os.close(ours)
-        _, status, used = os.wait4(child, 0)
-        self.seconds += used.ru_utime + used.ru_stime
-        if told and not status:
-            outcome: tuple[str, str] = pickle.loads(told)
+    def _in_a_child(self, mutant: Mutant) -> tuple[str, str]:
+        if self._child is None:
+            self._child = Child(self._work, self.limit)
+        told = self._child.ask(mutant)
+        self.seconds += told.seconds
+        if told.ended:
+            self._child = None
+        if told.answer is not None:
+            outcome: tuple[str, str] = told.answer
             return outcome
-        if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
-            return UNDECIDED, f"not decided within {self.limit:g} s"
-        return FAULT, f"the process ended with status {status}"
+        if told.too_long:
+            return UNDECIDED, f"{TOO_LONG}{self.limit:g} s"
+        return FAULT, f"the process ended with status {told.status}"
 
-
-def _serve(pipe: int, problem: Problem, mutant: Mutant, base: Outcome, limit: float) -> None:
-    """The life of a child: one mutant, within its limits."""
-    status = 1
-    try:
-        _, most = resource.getrlimit(resource.RLIMIT_AS)
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY if most == resource.RLIM_INFINITY else min(MEMORY, most), most))
-        resource.setrlimit(resource.RLIMIT_CPU, (max(1, round(limit)), resource.RLIM_INFINITY))
+    def _work(self, mutant: Mutant) -> tuple[tuple[str, str], bool]:
+        """What a child does with a mutant, and is it fit for another?"""
         try:
-            found = judged(mutant, base, solved(problem, base.answers))
+            problem = read(self.file, self.root, mutant)
+            assert isinstance(problem, Problem)
+            return judged(mutant, self.base, solved(problem, self.base)), True
         except MemoryError:
-            found = UNDECIDED, "more than 2 GB of memory"
+            return (UNDECIDED, "more than 2 GB of memory"), False
         except Exception as error:
-            found = FAULT, f"{type(error).__name__}: {error}"
-        os.write(pipe, pickle.dumps((found[0], found[1][:4000])))
-        status = 0
-    finally:
-        os._exit(status)
+            return (FAULT, told_of(error)[:4000]), False
+
+    def end(self) -> None:
+        """Its child goes."""
+        if self._child is not None:
+            self._child.end()
+            self._child = None
+
+
+def told_of(error: Exception) -> str:
+    """A fault with the place in the code."""
+    frames = traceback.extract_tb(error.__traceback__)
+    where = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
+    return f"{type(error).__name__}: {error}{where}"
 
 
 # --- all files --------------------------------------------------------------------------------------------------------
@@ -258,22 +198,26 @@ def run(
     """Every mutant of a sample with its outcome. `results`: the file of outcomes, to which those that lack go."""
     known = [m for file in files for m in mutants(file) if m.kind in kinds]
     if sample is not None and sample < len(known):
-        known = sorted(random.Random(seed).sample(known, sample), key=known.index)
+        known = [known[i] for i in sorted(random.Random(seed).sample(range(len(known)), sample))]
     digests = {file: hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12] for file in files}
     wanted = {(m.file, digests[m.file], m.kind, m.place, m.what): m for m in known}
-    done = {j.key for j in judged_before(results) if not j.offends}
-    left = [m for key, m in wanted.items() if key not in done]
     _import_all()
-    running: set[int] = set()
-    for own in _tasks(left):
-        if len(running) == jobs:
+    for serve in (_refusals, _judgements):
+        done = {j.key for j in judged_before(results) if j.is_done(limit)}
+        left: dict[str, list[Mutant]] = {}
+        for key, m in wanted.items():
+            if key not in done:
+                left.setdefault(m.file, []).append(m)
+        running: set[int] = set()
+        for file in random.Random(seed).sample(sorted(left), len(left)):
+            if len(running) == jobs:
+                running.discard(os.wait()[0])
+            child = os.fork()
+            if child == 0:
+                _serve_file(serve(FileRun(file, limit), left[file]), digests[file], results)
+            running.add(child)
+        while running:
             running.discard(os.wait()[0])
-        child = os.fork()
-        if child == 0:
-            _serve_file(own, digests[own[0].file], limit, results)
-        running.add(child)
-    while running:
-        running.discard(os.wait()[0])
     return [j for j in judged_before(results) if j.key in wanted]
 
 
@@ -284,24 +228,33 @@ def judged_before(results: Path) -> list[Judged]:
     return list(found.values())
 
 
-def _tasks(left: Iterable[Mutant]) -> Iterator[list[Mutant]]:
-    """The mutants of one file and one kind after the other."""
-    groups: dict[tuple[int, str], list[Mutant]] = {}
-    for m in left:
-        groups.setdefault((GROUPS[m.kind], m.file), []).append(m)
-    yield from (groups[key] for key in sorted(groups))
+Line = tuple[Mutant, tuple[str, str], float]
+"""A mutant, what came of it, and the processor time [s]."""
 
 
-def _serve_file(own: Sequence[Mutant], digest: str, limit: float, results: Path) -> None:
+def _refusals(task: FileRun, own: Sequence[Mutant]) -> Iterator[Line]:
+    """Those mutants of a file that are refused as they are read."""
+    for m in own:
+        before = time.process_time()
+        if (found := task.refusal(m)) is not None:
+            yield m, found, time.process_time() - before
+
+
+def _judgements(task: FileRun, own: Sequence[Mutant]) -> Iterator[Line]:
+    """All mutants of a file."""
+    for m in own:
+        before = task.seconds + time.process_time()
+        found = task.judged(m)
+        yield m, found, task.seconds + time.process_time() - before
+    task.end()
+
+
+def _serve_file(lines: Iterator[Line], digest: str, results: Path) -> None:
     """The life of the process of a file."""
     try:
-        task = FileRun(own[0].file, limit)
         with results.open("a", encoding="utf-8") as out:
-            for m in own:
-                before = task.seconds + time.process_time()
-                outcome, detail = task.judged(m)
-                seconds = round(task.seconds + time.process_time() - before, 3)
-                line = Judged(m.file, digest, m.kind, m.place, m.what, outcome, detail, seconds)
+            for m, (outcome, detail), seconds in lines:
+                line = Judged(m.file, digest, m.kind, m.place, m.what, outcome, detail, round(seconds, 3))
                 out.write(json.dumps(asdict(line)) + "\n")
                 out.flush()
     finally:

@@ -84,16 +84,17 @@ def load(path: str) -> tuple[Problem | None, list[Diagnostic], str]:
     of the file for messages. The problem is fit for use only when nothing is wrong.
     """
     source, node, wrong = read_file(path)
-    return (*_problem(path, node, wrong), source)
+    return (*problem_of(path, node, wrong), source)
 
 
 def load_text(text: str, file: str = "<text>") -> tuple[Problem | None, list[Diagnostic]]:
     """As `load`, from a text already at hand."""
     node, wrong = read_text(text, file)
-    return _problem(file, node, wrong)
+    return problem_of(file, node, wrong)
 
 
-def _problem(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[Problem | None, list[Diagnostic]]:
+def problem_of(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[Problem | None, list[Diagnostic]]:
+    """As `load`, from the nodes of a file, of which something may be `wrong` already."""
     report = Report()
     for diagnostic in wrong:
         report.take(diagnostic)

@@ -41,9 +41,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "schema_version": 1,
         "problem": solution.problem.title or solution.problem.file,
         "outcome": "solved",
-        "answers": {
-            f.name: _answer(f, part, figures, solution.problem.us) for part in solution.parts for f in part.found
-        },
+        "answers": answers_data(solution, figures),
         "unconfirmed": sum(bool(unconfirmed(f, part)) for part in solution.parts for f in part.found),
         "plan": _plan(solution, method),
         "steps": [
@@ -62,6 +60,11 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "rejected": [entry for case, instant in instants for entry in _rejected(case, instant)],
         "seconds": dict(solution.seconds),
     }
+
+
+def answers_data(solution: Solution, figures: int) -> dict[str, Any]:
+    """All answers by their names."""
+    return {f.name: _answer(f, part, figures, solution.problem.us) for part in solution.parts for f in part.found}
 
 
 def _motion(part: PartSolution) -> list[dict[str, Any]]:
