@@ -44,3 +44,9 @@ def test_what_turns_about_a_pin_parts_elsewhere(change: tuple[str, str]) -> None
 def test_what_strikes_a_body_may_be_drawn_where_it_does() -> None:
     text = (ROOT / "problems/impact/level-rod-caught-by-an-edge.yaml").read_text(encoding="utf-8")
     assert "omega" in solve(text)
+
+
+def test_a_pin_whose_bodies_could_not_be_read_holds_none() -> None:
+    with pytest.raises(FileProblem) as error:
+        solve(PARALLELOGRAM.replace("pin: {at: C, between:", "pin: {at: C, betweenn:"))
+    assert [d.code for d in error.value.diagnostics] == ["PL311", "PL310"]

@@ -25,7 +25,8 @@ def shared_points_are_held(scope: Scope) -> Iterator[Diagnostic]:
             members.setdefault(point, []).append(body.name)
     # What slides through a point along another body is drawn there, and may belong to both.
     sliding = {getattr(joint, "point", None) for joint in problem.joints}
-    held = [j for j in problem.joints if j.kind in HOLDING]
+    # One whose members could not be read holds nobody knows what.
+    held = [j for j in problem.joints if j.kind in HOLDING and set(getattr(j, "between", ()))]
     # What touches or strikes another body may be drawn where it does.
     meeting = [j for j in problem.joints if j.touches or j.strikes]
     for point, bodies in members.items():
