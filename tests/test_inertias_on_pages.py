@@ -79,3 +79,24 @@ def test_what_turns_with_its_guide_is_turned_by_a_couple_of_it() -> None:
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert re.search(r"one: N_one \S+ at A, M_one ↺ =", page)
     assert "M_rails" not in _page("gun-on-rails")
+
+
+TWO_WEIGHTS = """
+plane: vertical
+given: {m: 6 kg, b: 0.6 m, c: 0.5 kg}
+points: {O: [0, 0], A: [0.2 m, 0], B: [-0.2 m, 0]}
+bodies:
+  plate:
+    parts: [{plate: O, width: b, height: b, mass: m}, {disk: A, radius: 0.1 m, mass: c}, {particle: B, mass: c}]
+find: {m_all: mass(plate), I_G: I(plate)}
+"""
+
+
+def test_what_is_asked_of_a_mass_is_derived() -> None:
+    """The mass centre, which the weights leave in the middle, needs no line."""
+    problem, wrong = load_text(TWO_WEIGHTS)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "mass of plate: m′ = m + 2 c = 6 + 2 · 0.5 = 7 kg" in page
+    assert "I_plate,2 = 1/2 c r² = 1/2 · 0.5 · 0.1² = 0.0025 kg·m²" in page
+    assert "mass centre of plate:" not in page

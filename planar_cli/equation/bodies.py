@@ -259,15 +259,18 @@ class MassReader:
 
     def _own_centre(self, body: Body, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]]) -> str:
         """The point of the file that is the mass centre of a body of several parts; empty: none is."""
-        known = {**self.ledger.values, **self.ledger.definitions}
         for name in body.points:
             arms = [(mass, u.center - self.points(name)) for (mass, _), u in parts]
-            gaps = [sp.Add(*(mass * getattr(arm, axis) for mass, arm in arms)) for axis in ("x", "y")]
-            while any(gap.free_symbols & known.keys() for gap in gaps):
-                gaps = [gap.xreplace(known) for gap in gaps]
-            if all(simplified(gap) == 0 for gap in gaps):
+            if all(self._vanishes(sp.Add(*(mass * getattr(arm, axis) for mass, arm in arms))) for axis in ("x", "y")):
                 return name
         return ""
+
+    def _vanishes(self, gap: sp.Expr) -> bool:
+        """Is it zero with all that is known of its letters?"""
+        known = {**self.ledger.values, **self.ledger.definitions}
+        while gap.free_symbols & known.keys():
+            gap = gap.xreplace(known)
+        return bool(simplified(gap) == 0)
 
     def _about(self, center: Vec, number: int, part: tuple[tuple[sp.Expr, sp.Expr], Uniform], body: Body) -> sp.Expr:
         """Moment of inertia of a part about the mass centre of the whole; of numbers by named steps."""
@@ -287,7 +290,7 @@ class MassReader:
         self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body
     ) -> sp.Expr:
         moment = sp.Add(*(m * getattr(u.center, axis) for (m, _), u in parts))
-        if moment == 0:
+        if self._vanishes(moment):
             return ZERO
         return self.ledger.define(name, moment / mass, "m", f"{axis} of the mass centre of {body.name}")
 

@@ -11,7 +11,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import are_zero, longer, simplified
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.scene import Body, Rod, Round
+from planar_cli.problem.scene import Body, Composite, Piece, Rod, Round
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Text, Value, line
 from planar_cli.report.clean import is_clean
@@ -130,7 +130,7 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
     """m l²/12, I + m AG² and the like of a body whose sizes are numbers of the file, with the numbers where it is
     `settled`; empty where its formula already has letters for them.
     """
-    made = _of_body(symbol, scene) or _shifted(symbol, scene)
+    made = _of_body(symbol, scene) or _of_part(symbol, scene) or _shifted(symbol, scene)
     if made is None or not made.mass.is_Symbol or made.square == 0:
         return []
     if not made.square.is_number:
@@ -215,6 +215,22 @@ def _of_body(symbol: sp.Symbol, scene: Scene) -> _Made | None:
     return _Made(sp.S.Zero, factor, mass, letter, scene.ledger.definitions[symbol] / mass / factor)
 
 
+def _of_part(symbol: sp.Symbol, scene: Scene) -> _Made | None:
+    """The same of a part about its own mass centre."""
+    ledger = scene.ledger
+    which, _, rest = ledger.titles[symbol].removeprefix(OF_BODY).partition(" about its centre")
+    whole = ((b.name, b.shape) for b in scene.problem.bodies if isinstance(b.shape, Composite))
+    parts = ((f"part {i} of {name}", p) for name, shape in whole for i, p in enumerate(shape.pieces, 1))
+    piece = next((p for name, p in parts if name == which and not rest), None)
+    size = None if piece is None or piece.inertia is not None else _size(piece)
+    # Its mass is a letter of the file, or has one of its own; a length in letters needs no other word.
+    letters = ledger.definitions[symbol].free_symbols
+    if size is None or len(letters) != 1:
+        return None
+    (factor, letter), (mass,) = size, letters
+    return _Made(sp.S.Zero, factor, mass, letter, ledger.definitions[symbol] / mass / factor)
+
+
 def _shifted(symbol: sp.Symbol, scene: Scene) -> _Made | None:
     """One about another point, by that about the mass centre and the distance of both."""
     title = scene.ledger.titles[symbol].removesuffix(", parallel axes")
@@ -227,7 +243,7 @@ def _shifted(symbol: sp.Symbol, scene: Scene) -> _Made | None:
     return None
 
 
-def _size(body: Body) -> tuple[sp.Expr, str] | None:
+def _size(body: Body | Piece) -> tuple[sp.Expr, str] | None:
     """The factor and the length of a moment of inertia m l²/12, m r²/2 or m k²."""
     shape = body.shape
     if body.gyration is not None:

@@ -250,7 +250,7 @@ def _instant_blocks(
         told = [_said(b) for b in blocks if isinstance(b, Equation)]
         told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
         asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
-        return [*blocks, *asked], telling.steps, telling.count
+        return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count
     blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
     if why is None:
         blocks = with_asked(blocks, telling, part.motion)

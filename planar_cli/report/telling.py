@@ -9,19 +9,17 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
-from planar_cli.equation.plain import longer
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import said_at_rest
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, Value, line
-from planar_cli.report.damper_rates import rate_of_length
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.data import DataTelling
+from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.forces import force_rows
-from planar_cli.report.geometry import constructed, measured, places
+from planar_cli.report.geometry import constructed, places
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
-from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, level_of, vanishing
 from planar_cli.report.polar import polar_blocks
@@ -82,6 +80,8 @@ class Telling:
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
         self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
+        long = LONG_FORMULA if audience != "lesson" and not phrases.symbolic else None
+        self.definitions = DefinitionTelling(self.system, self.solving, self.vectors, self._constructed, long)
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""
@@ -100,7 +100,7 @@ class Telling:
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
         kinematics = [
             *places(self.scene, self._constructed, self.phrases),
-            *self._definitions("m"),
+            *self.definitions.lines(self._used(), "m"),
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
@@ -114,7 +114,7 @@ class Telling:
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = [row.body for row in rows]
             blocks += [*(() if kinematics else legend), *rows, *sentences(self.system, bodies)]
-            blocks += self._definitions("kg")
+            blocks += self.definitions.lines(self._used(), "kg")
             written = [w for b in last.blocks for w in b.equations]
             blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)
             blocks += self._equations([w for w in written if w.law != "relation"], last)
@@ -152,39 +152,6 @@ class Telling:
         return Heading(f"STEP {self.steps}", title, aside)
 
     # --- step 1 ------------------------------------------------------------------------------------------------------
-
-    def _definitions(self, kind: str) -> list[Equation]:
-        """Named intermediates that the equations use: coordinates (kind "m"), masses and moments of inertia ("kg")."""
-        ledger = self.scene.ledger
-        wanted = self._used()
-        for symbol in reversed(list(ledger.definitions)):
-            if symbol in wanted:
-                wanted |= ledger.definitions[symbol].free_symbols
-        blocks: list[Equation] = []
-        for symbol, expr in ledger.definitions.items():
-            is_length = ledger.units[symbol].text == "m"
-            if (
-                symbol in wanted
-                and is_length == (kind == "m")
-                and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
-            ):
-                self.vectors.named.add(symbol)
-                value = self.phrases.shown(symbol)
-                hidden = longer(expr, LONG_FORMULA) and self.audience != "lesson" and not self.phrases.symbolic
-                if hidden and any(symbol in symbols for symbols in self._constructed.values()):
-                    continue
-                sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
-                if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
-                    valued = self.phrases.symbolic and any(isinstance(side, Value) for side in sides)
-                    rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))
-                    sides = (sides[0], sized[0], *rest)
-                if root := measured(expr, self.phrases):
-                    sides = (sides[0], root, value)
-                if not is_length and is_sought(symbol, ledger):
-                    sides = sides[:2]
-                blocks += rate_of_length(symbol, expr, self.system, self.phrases)
-                blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
-        return alike_together(blocks)
 
     def _used(self) -> set[sp.Symbol]:
         """Every symbol that stands in an equation or line that is told."""

@@ -1,0 +1,96 @@
+"""Named intermediates with the lines that show how they were found: places, masses and moments of inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.equation.system import System
+from planar_cli.problem.expression import Quantity
+from planar_cli.report.blocks import Block, Equation, Value, line
+from planar_cli.report.damper_rates import rate_of_length
+from planar_cli.report.geometry import measured
+from planar_cli.report.inertias import alike_together, by_size, is_sought
+from planar_cli.report.solving import SolvingTelling
+from planar_cli.report.vectors import VectorTelling
+from planar_cli.solve.solution import Found
+
+OF_ASKED = 60
+"""What is itself asked is told by its formula up to this number of operations."""
+
+
+class DefinitionTelling:
+    """Lines of what the scene names on the way, each told once.
+
+    `constructed`: the letters of each point that is told by its construction; `long`: what has a formula of more
+    operations is given by its value alone; None: by its formula all the same.
+    """
+
+    def __init__(
+        self,
+        system: System,
+        solving: SolvingTelling,
+        vectors: VectorTelling,
+        constructed: Mapping[str, Collection[sp.Symbol]],
+        long: int | None,
+    ) -> None:
+        self.system, self.scene, self.phrases = system, system.scene, solving.phrases
+        self.solving, self.vectors = solving, vectors
+        self.constructed, self.long = constructed, long
+
+    def lines(self, used: Iterable[sp.Symbol], kind: str) -> list[Equation]:
+        """Those on which the letters `used` rest: coordinates (kind "m"), masses and moments of inertia ("kg")."""
+        ledger = self.scene.ledger
+        wanted = self._behind(used)
+        blocks: list[Equation] = []
+        for symbol, expr in ledger.definitions.items():
+            is_length = ledger.units[symbol].text == "m"
+            if (
+                symbol in wanted
+                and is_length == (kind == "m")
+                and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
+            ):
+                blocks += self._line(symbol, expr, is_length)
+        return alike_together(blocks)
+
+    def of_asked(self, found: Iterable[Found]) -> list[Block]:
+        """Masses, mass centres and moments of inertia that are asked and stand in no equation."""
+        ledger = self.scene.ledger
+        inside: set[sp.Symbol] = set()
+        for one in found:
+            what = one.find.found.what if one.find is not None else None
+            if not (isinstance(what, Quantity) and what.word == "KE"):
+                inside |= {s for e in one.asked for s in e.free_symbols if not is_sought(s, ledger)}
+        inside = {s for s in self._behind(inside) & set(ledger.definitions) if s not in self.vectors.named}
+        self.long = None if self.long is None else max(self.long, OF_ASKED)
+        return [*self.lines(inside, "m"), *self.lines(inside, "kg")]
+
+    def _behind(self, used: Iterable[sp.Symbol]) -> set[sp.Symbol]:
+        wanted, definitions = set(used), self.scene.ledger.definitions
+        for symbol in reversed(list(definitions)):
+            if symbol in wanted:
+                wanted |= definitions[symbol].free_symbols
+        return wanted
+
+    def _line(self, symbol: sp.Symbol, expr: sp.Expr, is_length: bool) -> list[Equation]:
+        ledger = self.scene.ledger
+        self.vectors.named.add(symbol)
+        value = self.phrases.shown(symbol)
+        hidden = self.long is not None and longer(expr, self.long)
+        if hidden and any(symbol in symbols for symbols in self.constructed.values()):
+            return []
+        sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
+        if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
+            valued = self.phrases.symbolic and any(isinstance(side, Value) for side in sides)
+            rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))
+            sides = (sides[0], sized[0], *rest)
+        if root := measured(expr, self.phrases):
+            sides = (sides[0], root, value)
+        if not is_length and is_sought(symbol, ledger):
+            sides = sides[:2]
+        return [
+            *rate_of_length(symbol, expr, self.system, self.phrases),
+            Equation(sides, None, line(ledger.titles[symbol] + ":")),
+        ]
