@@ -104,6 +104,7 @@ def _plain(words: str, names: Collection[str]) -> Line:
 
 
 def _signs(text: str) -> str:
+    text = text.replace("<=", "≤").replace(">=", "≥")
     return re.sub(r"\s*\*\s*", " ", re.sub(r"\^([23])\b", lambda m: m[1].translate(_POWER), text))
 
 

@@ -84,7 +84,8 @@ def example(instant: Instant, place: sp.Symbol) -> str:
 def _no_extreme(instant: Instant, trial: Trial, names: list[str]) -> Diagnostic:
     """Why nothing is largest or smallest. `names`: what no equation determines."""
     extreme, problem = instant.statements.extremes[0], instant.scene.problem
-    wanted = extreme.text.split(" is ")[0]
+    wanted, most = extreme.text.split(" is ")
+    strict = next((r for r in instant.statements.inequalities if r.operator in ("<", ">")), None)
     light = [b for b in dict.fromkeys(w.body for w in trial.system.wrenches) if _driven_by_forces(trial, b)]
     if light:
         text = (
@@ -97,6 +98,9 @@ def _no_extreme(instant: Instant, trial: Trial, names: list[str]) -> Diagnostic:
     elif not problem.unknowns and not problem.coordinates:
         text = f"{wanted} is what the places as drawn make it: nothing is open that could make it more or less"
         hint = "write the points with an angle or a length under `coordinates`, or ask for it in a state on the way"
+    elif strict is not None:
+        text = f"`{strict.text}` leaves its own limit out, so that no {wanted} is the {most} one"
+        hint = f"let it be reached: write `{strict.text.replace(strict.operator, strict.operator + '=')}`"
     else:
         text = (
             f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"

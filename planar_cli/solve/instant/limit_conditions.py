@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.problem.expression import Extreme, Name
+from planar_cli.equation.system import Statements
+from planar_cli.problem.expression import Extreme, Name, Side
 from planar_cli.problem.facts import Test
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem
@@ -33,6 +34,18 @@ def limit_of(test: Test, values: dict[str, sp.Expr]) -> Condition:
     words = f"at the limit: {at_the_limit(test.words)}"
     residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
     return Condition("limit", words, sp.sympify(residual))
+
+
+def stated_limits(statements: Statements, read: Callable[[Side], sp.Expr]) -> Iterator[Condition]:
+    """Inequalities of the file that allow their sides to be equal, where they are: of something that is to be largest
+    they may be all that bounds it.
+    """
+    for relation in statements.inequalities if statements.extremes else ():
+        if relation.operator in ("<=", ">="):
+            residual = read(relation.left) - read(relation.right)
+            if residual.free_symbols:
+                words = f"at the limit: {relation.text} only just holds"
+                yield Condition("limit", words, residual, mark=relation.mark)
 
 
 def least_sizes(extremes: Sequence[Extreme], problem: Problem, sought: Iterable[sp.Symbol]) -> Iterator[Condition]:

@@ -29,7 +29,7 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.branches import Branch, Brancher
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
-from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of
+from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of, stated_limits
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.one_way import along_paths
@@ -312,11 +312,13 @@ class Seeker:
         return {x for s in sides for x in evaluator.value(s).free_symbols if x in self.unknowns}
 
     def limit_conditions(self) -> list[Condition]:
-        """Every assumption that could be at its limit, as an equation."""
+        """Every assumption, and every inequality of the file, that could be at its limit, as an equation."""
         assert self.system.reactions is not None
         values = {p.name: e for p, e in self.system.reactions.pushes}
         tests = [test for mode in self.system.modes.values() for test in mode.tests]
         found = [limit_of(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
+        evaluator = self.system.quantities().evaluator
+        found += stated_limits(self.instant.statements, lambda side: sp.sympify(evaluator.value(side)))
         return [*found, *least_sizes(self.instant.statements.extremes, self.scene.problem, self.ledger.sought)]
 
     def told_limits(self, targets: set[sp.Symbol]) -> list[Condition]:
