@@ -116,7 +116,39 @@ def test_closed_streams(tmp_path: Path) -> None:
 def test_what_steers_becomes_escapes() -> None:
     assert harmless(f"a\nb{STEERING}ü") == "a\nb\\x9b31m\\u202e\\x1b[31mü"
     assert harmless("a\nb", kept="") == "a\\x0ab"
-    assert [spreadsheet_cell(t) for t in ("=1", "+1", "-v", "@x", "v")] == ["'=1", "'+1", "'-v", "'@x", "v"]
+    cells = {"=1": "'=1", "+1": "'+1", "-v": "'-v", "@x": "'@x", "v-w": "v-w", "\uff1d1": "'\uff1d1", "a; =b": "a; '=b"}
+    assert {text: spreadsheet_cell(text) for text in cells} == cells
+
+
+def test_other_ends_of_lines_count_as_in_editors(tmp_path: Path) -> None:
+    path = tmp_path / "lines.yaml"
+    path.write_text("title: a\u2028b\x0bc\r\n\rtext: \x85\n", encoding="utf-8", newline="")
+    assert [(d.mark.line, d.mark.column) for d in load(str(path))[1]] == [(1, 9), (1, 11), (3, 7)]
+
+
+@pytest.mark.parametrize("command", ["simulate --rows 2", "accuracy --tolerance 1e-3", "solve", "list"])
+def test_a_title_is_one_line(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    title = 'title: "Fall\\nAnswer  v = 0\\n\\n::error::no"'
+    path = Path(file_of(tmp_path))
+    path.write_text(path.read_text(encoding="utf-8").replace("title: Fall", title), encoding="utf-8")
+    assert cli.run([*command.split(), str(path)]) == cli.SOLVED
+    assert "Fall Answer v = 0 ::error::no" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["solve", "simulate --rows 2", "check", "list", "validate --format text"])
+def test_no_commands_in_logs(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    title = 'title: "::error::no ##[group]no"'
+    right = Path(file_of(tmp_path)).read_text(encoding="utf-8").replace("title: Fall", title)
+    for name, text in {"right": right, "::error::bad": "foo: 3\n"}.items():
+        Path(f"{name}.yaml").write_text(text, encoding="utf-8")
+        cli.run([*command.split(), f"{name}.yaml"])
+    told = capsys.readouterr()
+    assert "##[" not in told.out + told.err
+    assert not any(line.lstrip().startswith("::") for line in (told.out + told.err).split("\n"))
 
 
 COMMANDS = (
@@ -207,6 +239,15 @@ def test_values_are_real_and_finite(mass: str, tmp_path: Path) -> None:
     assert complaints(file_of(tmp_path, mass)) == [("PL217", f"the mass of the body b: {NO_NUMBERS[mass]}")]
     named = file_of(tmp_path, "k", more=f"given: {{k: {mass}}}\n")
     assert complaints(named) == [("PL217", f"the value of k: {NO_NUMBERS[mass]}")]
+
+
+@pytest.mark.parametrize("angle", ["exp(100)*1 deg", "1e12 deg", "-3e9 rad", "atan(sin(3e9))"])
+def test_angles_have_a_direction(angle: str, tmp_path: Path) -> None:
+    loads = f"loads:\n  - force: {{body: b, magnitude: 3 N, angle: {angle}}}\n"
+    ((code, said),) = complaints(file_of(tmp_path, more=loads))
+    assert code == "PL207"
+    assert said.endswith("rad leaves no digits for its direction")
+    assert complaints(file_of(tmp_path, more=loads.replace(angle, "1e9 deg"))) == []
 
 
 @pytest.mark.parametrize("mass", ["sqrt(0.3 - 0.1 - 0.2)*1 kg + 2 kg", "(1e20 + 1)/1e20*1 kg", "acos(cos(0.3))*1 kg"])

@@ -50,3 +50,19 @@ def test_a_pin_whose_bodies_could_not_be_read_holds_none() -> None:
     with pytest.raises(FileProblem) as error:
         solve(PARALLELOGRAM.replace("pin: {at: C, between:", "pin: {at: C, betweenn:"))
     assert [d.code for d in error.value.diagnostics] == ["PL311", "PL310"]
+
+
+THREE_RODS = """
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0], C: [0, 1 m], D: [-1 m, 0]}
+bodies: {a: {rod: [A, B], mass: 2 kg}, b: {rod: [A, C], mass: 2 kg}, c: {rod: [A, D], mass: 1 kg}}
+joints:
+  - pin: {at: A, between: [ground, c]}
+  - contact: {at: A, between: [a, b], mu: 0}
+instant: [at rest]
+find: {x: alpha(c)}
+"""
+
+
+def test_what_touches_is_held_by_no_pin() -> None:
+    assert refused(THREE_RODS) == "A is a point of a too, which no joint holds there"

@@ -7,7 +7,7 @@ from collections.abc import Container, Iterator, Mapping
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.expression import Binary, Extreme, Function, Name, Negate, Quantity, Relation, Side
 from planar_cli.problem.formulas import Formula, formulas
-from planar_cli.problem.known_values import Known, KnownValues, NoNumber, Rough, order
+from planar_cli.problem.known_values import Known, KnownValues, NoNumber, Rough, demand_direction, order
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, children, rational
@@ -100,6 +100,8 @@ def _is_infinity(side: Side) -> bool:
 def _of_side(side: Side, formula: Formula, values: KnownValues) -> Iterator[Diagnostic]:
     try:
         value = values.value(side)
+        if value is not None and formula.angle:
+            demand_direction(value, side.mark)
     except NoNumber as wrong:
         yield Diagnostic(wrong.mark, wrong.code, f"{formula.what}: {wrong.text}", wrong.hint)
         return

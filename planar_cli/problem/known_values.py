@@ -20,6 +20,8 @@ from planar_cli.units import UnitError, parse_unit
 BITS = 20_000
 """So long may a numerator or denominator become on the way."""
 LARGEST = 1e300
+LARGEST_ANGLE = 1e9
+"""rad; of a larger one hardly a digit of its direction is left in the numbers of a machine."""
 ROUNDING = 4 * 2.0**-52
 
 
@@ -219,9 +221,19 @@ def _called(side: Function, argument: Known | None) -> Known | None:
         raise _too_large(side.mark) from None
     if abs(x.value) > LARGEST or (side.name == "exp" and x.value > MAX_EXP):
         raise _too_large(side.mark)
+    if side.name in ("sin", "cos", "tan"):
+        demand_direction(x, side.mark)
     _demand_real(side, x, exact=isinstance(argument, Fraction))
     value, slope = _value_and_slope(side.name, x)
     return None if value is None else Rough(value, slope * x.doubt + ROUNDING * abs(value))
+
+
+def demand_direction(angle: Known, mark: Mark) -> None:
+    """NoNumber for an angle so large that nobody can say which way it points."""
+    size = abs(angle.value) if isinstance(angle, Rough) else abs(angle)
+    if size > LARGEST_ANGLE:
+        text = f"an angle of about 10^{order(angle)} rad leaves no digits for its direction"
+        raise NoNumber(mark, "PL207", text, f"angles lie within 10^{round(math.log10(LARGEST_ANGLE))} rad")
 
 
 def _demand_real(side: Function, x: Rough, exact: bool) -> None:

@@ -17,6 +17,7 @@ from typing import Protocol
 import yaml
 
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.show import lines_of
 from planar_cli.problem.words import CALL_HABITS, QUANTITIES
 from planar_cli.problem.yaml_errors import explain_error
 from planar_cli.records import changing, record
@@ -176,7 +177,7 @@ def _character_words(character: str) -> tuple[str, str]:
 
 def _mark_behind(before: str, file: str) -> Mark:
     """The place just behind the text `before`."""
-    lines = (before + "|").splitlines()
+    lines = lines_of(before + "|")
     return Mark(file, len(lines), len(lines[-1]))
 
 

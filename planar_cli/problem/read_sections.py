@@ -16,12 +16,14 @@ PLANES = ("vertical", "horizontal")
 ANSWER_KEYS = ("value", "tolerance")
 RANGE_KEYS = ("from", "to", "step")
 FIGURE_KEYS = ("hide",)
+ONE_LINE = ("title", "source")
 
 
 def words(whole: Fields, key: str) -> str:
-    """The words at `title`, `text`, `source` or `note`; "" where there are none."""
+    """The words at `title`, `text`, `source` or `note`, of the first and third as one line; "" where there are none."""
     node = whole.node(key)
-    return "" if node is None else reading.text(node, key, whole.report)
+    said = "" if node is None else reading.text(node, key, whole.report)
+    return " ".join(said.split()) if key in ONE_LINE else said
 
 
 def one_of(whole: Fields, key: str, allowed: tuple[str, ...]) -> str | None:

@@ -36,7 +36,7 @@ def shared_points_are_held(scope: Scope) -> Iterator[Diagnostic]:
         met = [j for j in meeting if len({*getattr(j, "between", ())} & {*bodies}) > 1]
         groups = _joined(bodies, (*here, *met))
         if len(groups) > 1:
-            yield from list(_not_held(point, groups, here)) or _turned_apart(point, groups, held, scope)
+            yield from list(_not_held(point, bodies, groups, here)) or _turned_apart(point, groups, held, scope)
 
 
 def _joined(bodies: Iterable[str], joints: Iterable[Joint]) -> list[set[str]]:
@@ -50,12 +50,13 @@ def _joined(bodies: Iterable[str], joints: Iterable[Joint]) -> list[set[str]]:
     return groups
 
 
-def _not_held(point: str, groups: list[set[str]], here: list[Joint]) -> Iterator[Diagnostic]:
+def _not_held(point: str, bodies: Iterable[str], groups: list[set[str]], here: list[Joint]) -> Iterator[Diagnostic]:
     """Bodies that a joint at their point leaves out."""
     for joint in here[:1]:
         for group in groups:
             if not any(group & set(getattr(j, "between", ())) for j in here):
-                (body,) = group
+                # Several bodies are in a group where they touch each other.
+                body = next(b for b in bodies if b in group)
                 text = f"{point} is a point of {body} too, which no joint holds there"
                 hint = f"name {body} in `between` of the {joint.kind}, or give it a point of its own"
                 yield Diagnostic(joint.mark, "PL467", text, hint)

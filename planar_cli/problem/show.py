@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 from planar_cli.errors import Diagnostic
 
 WIDTH = 110
 MAX_TEXT = 600
+FORMULA = re.compile(r"(^|;\s*)(?=[-=+@\uff0d\uff1d\uff0b\uff20])")
+"""Where a cell begins with one of these, or their wide forms, some spreadsheet takes it for a formula; a semicolon
+begins one too in countries with a decimal comma."""
 
 
 def show_diagnostic(diagnostic: Diagnostic, source_text: str) -> str:
@@ -16,12 +21,17 @@ def show_diagnostic(diagnostic: Diagnostic, source_text: str) -> str:
     mark = diagnostic.mark
     place = f"{visible(mark.file)}:{mark.line}:{mark.column}: " if mark.line > 0 else ""
     lines = [f"{place}{diagnostic.code} {visible(diagnostic.message)}"]
-    source = source_text.removeprefix("\ufeff").splitlines()
+    source = lines_of(source_text.removeprefix("\ufeff"))
     if 0 < mark.line <= len(source):
         lines.extend(_excerpt(source[mark.line - 1], mark.column))
     if diagnostic.hint:
         lines.append(f"hint: {visible(diagnostic.hint)}")
     return "\n".join(lines)
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines as editors count them: other characters that end a line for Python are refused at their place."""
+    return re.split(r"\r\n|\r|\n", text)
 
 
 def visible(text: str) -> str:
@@ -38,8 +48,7 @@ def harmless(text: str, kept: str = "\n") -> str:
 
 def spreadsheet_cell(text: str) -> str:
     """A cell of words that no spreadsheet takes for a formula."""
-    shown = harmless(text, kept="")
-    return f"'{shown}" if shown[:1] in ("=", "+", "-", "@") else shown
+    return FORMULA.sub(r"\g<0>'", harmless(text, kept=""))
 
 
 def _visible_character(character: str) -> str:

@@ -183,7 +183,7 @@ def _csv(table: Table) -> Iterator[str]:
 def _quoted(text: str) -> str:
     """A cell of words."""
     safe = spreadsheet_cell(text).replace('"', '""')
-    return f'"{safe}"' if any(c in safe for c in ',"') else safe
+    return f'"{safe}"' if any(c in safe for c in ',;"') else safe
 
 
 def _happened(trajectory: Trajectory) -> Iterator[str]:
