@@ -319,15 +319,19 @@ def _owned(problem: Problem) -> set[str]:
     return owned | {s.name for s in problem.surfaces if s.body is not None}
 
 
-def points_of_joints_are_carried(scope: Scope) -> Iterator[Diagnostic]:
-    """What a joint holds moves with a body, or not at all: a point that only a coordinate moves holds nothing."""
+def points_held_are_carried(scope: Scope) -> Iterator[Diagnostic]:
+    """What joins two things ends on a body or on a fixed point: one that only a coordinate moves holds nothing.
+
+    So does the end of a spring or a damper: whatever moves it takes part in the work, and has a velocity.
+    """
     owned = _owned(scope.problem)
-    for joint in scope.problem.joints:
-        for point in sorted((scope.mentioned(joint) & scope.points.keys()) - owned):
+    ends = [(load, set(getattr(load, "between", None) or ())) for load in scope.problem.loads]
+    for member, named in [*((joint, scope.mentioned(joint)) for joint in scope.problem.joints), *ends]:
+        for point in sorted((named & scope.points.keys()) - owned):
             if _moves_with_coordinate({point}, scope):
-                text = f"{point} is written with a coordinate, but belongs to no body that could hold the {joint.kind}"
+                text = f"{point} is written with a coordinate, but belongs to no body that could hold the {member.kind}"
                 yield Diagnostic(
-                    joint.mark, "PL463", text, f"put one there: `bodies: {{slider: {{particle: {point}}}}}`"
+                    member.mark, "PL463", text, f"put one there: `bodies: {{slider: {{particle: {point}}}}}`"
                 )
 
 

@@ -26,7 +26,7 @@ from planar_cli.problem.check_physics import (
     partners_fit,
     places_on_surfaces,
     plane_is_given,
-    points_of_joints_are_carried,
+    points_held_are_carried,
     sizes_are_positive,
 )
 from planar_cli.problem.check_times import (
@@ -69,7 +69,7 @@ CHECKS: tuple[Check, ...] = (
     pins_hold_particles_where_they_are,
     moments_act_on_bodies_with_size,
     coordinates_move_something,
-    points_of_joints_are_carried,
+    points_held_are_carried,
     shared_points_are_held,
     instant_or_states,
     statements_in_place,

@@ -191,8 +191,9 @@ _PHYSICS = {
         "per cent off."
     ),
     "PL463": (
-        "A joint holds bodies, or points that are fixed. A point that is written with a coordinate and belongs to no "
-        "body would move without anything that moves it: put a particle there, or name it under `points` of its body."
+        "A joint, a spring or a damper holds bodies, or points that are fixed. A point that is written with a "
+        "coordinate and belongs to no body would move without anything that moves it: put a particle there, or name "
+        "it under `points` of its body."
     ),
     "PL464": (
         "A mass that is written with places, `mass: rho*y(end)`, changes as the body moves: matter comes to it or goes "
