@@ -81,3 +81,45 @@ def test_a_chain_of_names_is_refused_as_anywhere() -> None:
     problem, wrong = load_text(text)
     assert problem is None
     assert [d.code for d in wrong] == ["PL207"]
+
+
+@pytest.mark.parametrize("start", ["t = 0", "t = 0, at rest"])
+@pytest.mark.parametrize("law", ["v(car).mag", "v(car).t"])
+def test_a_speed_that_grows_from_zero(law: str, start: str) -> None:
+    """v = k t², s = k t³/3, a_t = 2 k t."""
+    text = TRACK.replace("ALONG", "circle").replace("LAW = 2 m/s^2", f"{law} = 3 m/s^3 * t^2").replace("START", start)
+    answers = solve(text.replace("find: {", "find: {a_t: a(car).t @ end, a_n: a(car).n @ end, "))
+    for name, value in (("v", 48), ("s", 64), ("a_t", 24), ("a_n", 48**2 / 300)):
+        assert_close(answers[name], value)
+
+
+@pytest.mark.parametrize(
+    ("law", "t", "v"), [("2 m/s^2 * t", 4, 8), ("3 m/s^3 * t^2", 16 ** (1 / 3), 3 * 16 ** (2 / 3))]
+)
+def test_a_length_of_path_dates_a_state(law: str, t: float, v: float) -> None:
+    text = TRACK.replace("ALONG", "circle").replace("LAW = 2 m/s^2", f"v(car).mag = {law}").replace("START", "t = 0")
+    text = text.replace("end: [t = 4 s]", "end: [path_length(car) @ start->end = 16 m]")
+    answers = solve(text.replace("find: {", "find: {T: t @ end, a_n: a(car).n @ end, "))
+    for name, value in (("T", t), ("v", v), ("a_n", v**2 / 300)):
+        assert_close(answers[name], value)
+
+
+@pytest.mark.parametrize("law", ["a(car).t = 2 m/s^2", "v(car).mag = 2 m/s^2 * t", "dot(v(car).mag) = 2 m/s^2"])
+def test_along_a_curve_it_goes_the_way_its_variable_grows(law: str) -> None:
+    """s = ∫ √(1 + 4 c² x²) dx = 31.71 m to x = 30 m; v² = 2 a_t s."""
+    text = f"""
+title: Car on a parabola
+surfaces: {{road: {{y: (0.01 1/m)*x^2}}}}
+bodies: {{car: {{particle: [0, 0]}}}}
+joints:
+  - guide: {{point: car, along: road}}
+motion: ["{law}"]
+states:
+  1: [t = 0, at rest]
+  2: [x(car) = 30 m]
+find: {{t: t @ 2, v: v(car).mag @ 2, a_n: a(car).n @ 2}}
+"""
+    s = math.asinh(0.6) / 0.04 + 15 * math.sqrt(1.36)
+    answers = solve(text)
+    for name, value in (("t", math.sqrt(s)), ("v", math.sqrt(4 * s)), ("a_n", 4 * s * 0.02 / 1.36**1.5)):
+        assert_close(answers[name], value)

@@ -1,8 +1,10 @@
-"""The rate of a speed, `a(car).t = 7 ft/s^2`, of what starts from rest on a track that is fixed.
+"""The speed, or its rate, `a(car).t = 7 ft/s^2`, of what starts from rest on a track that is fixed.
 
 At rest nothing has a direction along its velocity, and both ways along the track are alike. The positive one is taken:
-counterclockwise round a circle, along the angle of a line; the other one where an inequality of the first state says
-so, `a(car).y < 0`, as a particle at rest is accelerated the way it goes. From then on the velocity has that direction.
+counterclockwise round a circle, along the angle of a line, along a curve the way in which its variable grows; the other
+one where an inequality of the first state says so, `a(car).y < 0`, as a particle at rest is accelerated the way it
+goes. From then on the velocity has that direction. A law of the speed itself, `v(car).mag = a*t`, is one of a start
+from rest where it is zero then.
 """
 
 from __future__ import annotations
@@ -11,8 +13,23 @@ import math
 from dataclasses import replace
 
 from planar_cli.problem.drawn_directions import DrawnDirections
-from planar_cli.problem.expression import AtRest, Negate, Number, Part, PointPair, Quantity, Relation, Side, Statement
-from planar_cli.problem.scene import Circle, Line, Particle, Problem
+from planar_cli.problem.expression import (
+    AtRest,
+    Binary,
+    Function,
+    Name,
+    Negate,
+    Number,
+    Part,
+    PointPair,
+    Quantity,
+    Relation,
+    Scaled,
+    Side,
+    Statement,
+)
+from planar_cli.problem.scene import Circle, Curve, Line, Particle, Problem, State
+from planar_cli.problem.slopes import put_in, slope
 
 Parts = tuple[Part, ...]
 LEVEL = 1e-9
@@ -26,35 +43,76 @@ def with_ways_from_rest(problem: Problem) -> Problem:
         return problem
     motion = list(problem.motion)
     for i, law in enumerate(problem.motion):
-        point = _rate_of_speed(law.statement)
-        if point is None or not problem.holds_at_first(law.during):
+        told = _speed_told(law.statement)
+        if told is None or not problem.holds_at_first(law.during):
             continue
+        point = told.things[0]
         names = _names(problem, point)
         way = _way(problem, names, point)
-        if way is not None and any(_rests(s, names) for s in first.relations):
-            assert isinstance(law.statement, Relation)
+        assert isinstance(law.statement, Relation)
+        if way is not None and _begins_at_rest(law.statement, told, first, names):
             drawn = DrawnDirections(problem)
             # A rate below zero already says that it goes against the positive way.
             grows = all((drawn.number(s) or 0) >= 0 for s in (law.statement.left, law.statement.right))
             against = grows and any(_against(drawn, s, names, way) for s in first.relations)
-            motion[i] = replace(law, statement=_along(law.statement, point, way, against))
+            motion[i] = replace(law, statement=_along(law.statement, told.word, way, against))
     return replace(problem, motion=tuple(motion))
 
 
-def _rate_of_speed(statement: Statement) -> str | None:
-    """The point of which one side of an equation is the rate of its speed."""
+def _speed_told(statement: Statement) -> Quantity | None:
+    """The speed of a point, or its rate, that is one side of an equation: v(P) or a(P)."""
     if not isinstance(statement, Relation) or statement.operator != "=":
         return None
-    return next((p for side in (statement.left, statement.right) if (p := _point(side)) is not None), None)
+    return next((q for side in (statement.left, statement.right) if (q := _plain(side)) is not None), None)
 
 
-def _point(side: Side) -> str | None:
+def _plain(side: Side) -> Quantity | None:
     match side:
-        case Quantity(word="a", things=(point,), parts=(Part(kind="t"),)):
-            return point
-        case Quantity(word="dot", argument=Quantity(word="v", things=(point,), parts=(Part(kind="mag" | "t"),))):
-            return point
+        case Quantity(word="v", things=(_,), parts=(Part(kind="mag" | "t"),), at=None):
+            return side
+        case Quantity(word="a", things=(_,), parts=(Part(kind="t"),), at=None):
+            return side
+        case Quantity(word="dot", argument=Quantity(word="v", things=(_,), parts=(Part(kind="mag" | "t"),)) as speed):
+            return replace(speed, word="a")
     return None
+
+
+def _begins_at_rest(law: Relation, told: Quantity, first: State, names: frozenset[str]) -> bool:
+    """Does the first state say so, or is the speed that the law tells zero then?"""
+    if any(_rests(s, names) for s in first.relations):
+        return True
+    other = law.left if _plain(law.right) is not None else law.right
+    return told.word == "v" and not any(_later(s) for s in first.relations) and _vanishes(other)
+
+
+def _later(statement: Statement) -> bool:
+    """Does the first state say that its time is not zero?"""
+    match statement:
+        case Relation(left=Name(name="t", at=None), right=other) | Relation(left=other, right=Name(name="t", at=None)):
+            return not (isinstance(other, Number) and other.value == 0)
+    return False
+
+
+def _vanishes(side: Side) -> bool:
+    """Is a formula zero at t = 0, whatever its letters are?"""
+    match side:
+        case Number():
+            return side.value == 0
+        case Name():
+            return side.name == "t" and side.at is None
+        case Negate() | Scaled():
+            return _vanishes(side.operand)
+        case Binary(operator="+" | "-"):
+            return _vanishes(side.left) and _vanishes(side.right)
+        case Binary(operator="*"):
+            return _vanishes(side.left) or _vanishes(side.right)
+        case Binary(operator="/"):
+            return _vanishes(side.left)
+        case Binary(operator="^", right=Number(value=power)):
+            return power > 0 and _vanishes(side.left)
+        case Function(name="sin" | "tan" | "sqrt"):
+            return _vanishes(side.argument)
+    return False
 
 
 def _names(problem: Problem, point: str) -> frozenset[str]:
@@ -68,7 +126,7 @@ def _names(problem: Problem, point: str) -> frozenset[str]:
 
 
 def _way(problem: Problem, names: frozenset[str], point: str) -> Parts | None:
-    """The positive way along the fixed line or circle on which a point is guided; None: on nothing of the kind."""
+    """The positive way along the fixed line or curve on which a point is guided; None: on nothing of the kind."""
     joint = next((j for j in problem.joints if j.guides and getattr(j, "point", None) in names), None)
     along = getattr(joint, "along", None)
     if joint is None or along is None:
@@ -81,6 +139,11 @@ def _way(problem: Problem, names: frozenset[str], point: str) -> Parts | None:
             return (Part("along", angle, joint.mark),)
         case Circle(center=center):
             return (Part("across", PointPair(point, center, joint.mark), joint.mark),)
+        case Curve(kind="y", formula=formula):
+            steep = slope(formula, "x")
+            here = Quantity("x", (point,), None, (), None, joint.mark)
+            if steep is not None:
+                return (Part("along", Function("atan", put_in(steep, "x", here), None, joint.mark), joint.mark),)
     return None
 
 
@@ -111,10 +174,11 @@ def _against(drawn: DrawnDirections, statement: Statement, names: frozenset[str]
     return (along > 0) is below
 
 
-def _along(statement: Relation, point: str, way: Parts, against: bool) -> Relation:
+def _along(statement: Relation, word: str, way: Parts, against: bool) -> Relation:
     def read(side: Side) -> Side:
-        if _point(side) is not None:
-            return Quantity("a", (point,), None, way, None, statement.mark)
+        plain = _plain(side)
+        if plain is not None and plain.word == word:
+            return Quantity(word, plain.things, None, way, None, statement.mark)
         return Negate(side, statement.mark) if against else side
 
     return replace(statement, left=read(statement.left), right=read(statement.right))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -15,6 +16,9 @@ from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
 from planar_cli.solve.regimes.potential import potential, signed_speed
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+
+SOON = Decimal("1e-20")
+"""So long after the first state, in seconds, a speed that is zero there has the sign that it keeps."""
 
 
 @record
@@ -117,4 +121,13 @@ def _sense(course: RegimeSequence, speed: sp.Expr, early: list[sp.Expr]) -> int:
                 number = None if begun is None else course.given().extended({letter: begun}).known(speed)
                 if number is not None:
                     return -1 if number < 0 else 1
-    return 1
+    return _sense_in_time(course, speed)
+
+
+def _sense_in_time(course: RegimeSequence, speed: sp.Expr) -> int:
+    """The same of a speed that is given as a function of time, as it is soon after the first state."""
+    time = course.first.letters.get(course.regimes[0].time, course.regimes[0].time)
+    begun = course.given().known(time)
+    soon = course.given().extended({course.regimes[0].time: (begun or 0) + SOON})
+    number = soon.known(speed)
+    return -1 if number is not None and number < 0 else 1

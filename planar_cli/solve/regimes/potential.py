@@ -79,4 +79,19 @@ def signed_speed(vx: sp.Expr, vy: sp.Expr, regime: Regime) -> tuple[sp.Expr, boo
         rest = simplified(square / u**2)
         if not rest.has(*regime.free):
             return u * sp.sqrt(factored(rest)), True
-    return sp.sqrt(square), False
+    root = None if square.has(*regime.free) else _plain_root(factored(square))
+    return (sp.sqrt(square), False) if root is None else (root, True)
+
+
+def _plain_root(square: sp.Expr) -> sp.Expr | None:
+    """A root that needs no bars, as of k² t⁴, of a driven speed; it may be negative. None: it has none."""
+    root = sp.S.One
+    for factor in sp.Mul.make_args(square):
+        base, power = factor.as_base_exp()
+        if power.is_Integer and power % 2 == 0:
+            root *= base ** (power / 2)
+        elif factor.is_positive:
+            root *= sp.sqrt(factor)
+        else:
+            return None
+    return root
