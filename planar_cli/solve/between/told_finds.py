@@ -73,7 +73,9 @@ class FindTeller:
         if spared < SPARED or any(p.is_Symbol for p in parts):
             return found
         for own, formula in lines:
-            self.numbers[own] = self.value.extended(self.numbers)(formula)
+            # What is left of terms that cancel is zero: at a largest speed nothing accelerates.
+            known = self.value.extended(self.numbers)
+            self.numbers[own] = Decimal(0) if known.is_zero(formula) else known(formula)
         return replace(found, parts=parts, beside=lines)
 
     @staticmethod
