@@ -83,8 +83,8 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
         yield from _relative(uses, page)
     if uses.forces:
         yield DALEMBERT if uses.inertial else "Newton's second law."
-        if uses.streams:
-            yield "Momentum of a stream: its force is the mass per second times its velocity."
+    if uses.streams:
+        yield "Momentum of a stream: its force is the mass per second times its velocity."
     if any("virtual power" in words for words in uses.singles):
         yield "Virtual power, in which no reaction takes part."
     if any(words.startswith("Lagrange") for words in uses.singles):

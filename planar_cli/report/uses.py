@@ -125,12 +125,20 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
         for answer in part.found:
             found.kinetic_energy |= part.motion is None and answer.energy
             what = answer.find.found.what if answer.find is not None else None
-            found.asked |= {n.word for n in walk(what) if isinstance(n, Quantity)} if what is not None else set()
+            quantities = [n for n in walk(what) if isinstance(n, Quantity)] if what is not None else []
+            found.asked |= {n.word for n in quantities}
+            found.streams |= any(_is_stream(n, part) for n in quantities)
             if isinstance(what, Quantity) and what.word in MOVING:
                 base = what.things[1] if len(what.things) == 2 else GROUND
                 found.beside |= base != GROUND and any(_moves(i, base) for i in part.instants)
                 _add(found.frames, base if any(_turns(i, base) for i in part.instants) else None)
     return found
+
+
+def _is_stream(q: Quantity, part: PartSolution) -> bool:
+    """Is it the force or the power of a stream?"""
+    streams = {x.name for i in part.instants for x in i.trial.system.wrenches if x.kind == "stream"}
+    return q.word in ("force", "power") and not streams.isdisjoint(q.things)
 
 
 def _turns(instant: InstantSolution, body: str) -> bool:
