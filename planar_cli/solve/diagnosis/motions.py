@@ -118,6 +118,11 @@ def missing(course: MotionEquations) -> NoSolution | None:
     hint = mode_at_a_time(course) or driven_with(course.problem, sought)
     if not sought and all(name.startswith("the rate of") for name in names):
         hint = hint or f"say in state {first.name} how it moves: `at rest`, or velocities"
+    places = [general.name for general, own in first.letters.items() if own in open_first]
+    if not sought and set(places) <= {c.name for c in course.problem.coordinates}:
+        # A coordinate has no place as drawn.
+        begun = listed([f"`{name} = …`" for name in places])
+        hint = hint or f"points are written with {listed(places)}; say in state {first.name} where it begins: {begun}"
     hint = hint or "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
 
