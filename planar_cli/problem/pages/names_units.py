@@ -5,8 +5,8 @@ Names
   names given to joints and loads. (A particle may share its own point's name, a disk or plate that of its centre;
   states and finds are apart.) Reserved are t, pi, ground, all, infinity, on, off, yes, no, true, false, null, the
   functions below, and the words of the grammar: at, in, is, just, during, equilibrium, largest, smallest, cw, ccw,
-  stick, slip, apart, tip, taut, slack. `r(`, `v(`, `N(` … with a bracket are quantities; `r`, `v`, `N` alone are your own names. `e` is
-  yours too; Euler's number is `exp(1)`.
+  stick, slip, apart, tip, taut, slack. `r(`, `v(`, `N(` … with a bracket are quantities; `r`, `v`, `N` alone are your
+  own names. `e` is yours too; Euler's number is `exp(1)`.
 
 Expressions
   + - * / ^ and brackets. Multiplication is always written `*`. Functions: sin cos tan asin acos atan sqrt exp log
