@@ -66,7 +66,11 @@ class DataTelling:
         return Equation((self.phrases.math(x), self.phrases.math(other)), number, self._unknown(letter))
 
     def _unknown(self, letter: sp.Symbol) -> Line:
-        """The statement is given; which letter of it is sought."""
+        """The statement is given; which letter of it is sought, unless the instant gives that as well."""
+        stated = [r for r in self.scene.problem.instant or () if isinstance(r, Relation) and r.operator == "="]
+        told = (r for r in stated if isinstance(r.left, Letter) and r.left.name == letter.name)
+        if not self.state and any(number_of(r.right) is not None for r in told):
+            return GIVEN
         return line("given, ", self.phrases.math(letter), " unknown:")
 
     def given(self, w: Written, behind: str) -> Line:
