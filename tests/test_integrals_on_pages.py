@@ -109,3 +109,8 @@ def test_a_line_does_not_say_its_last_side_twice() -> None:
     page = page_of_file("rod-hung-off-its-centre")
     assert page.count("I_O = m d² + I = m (d² + l²/12)") == 2
     assert "= m (d² + l²/12) = m (d² + l²/12)" not in page
+
+
+def test_a_long_root_of_a_quadratic_is_left_to_its_equation_in_numbers() -> None:
+    page = page_of_file("weight-dropped-on-nested-springs")
+    assert "(3) in numbers: 860 y_P,3 - 570 - 300 y_P,3² = 0 in lbf·ft (3): y_P,3 = 1.040 ft" in page

@@ -53,7 +53,7 @@ from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.results import numbered
-from planar_cli.report.roots_of_squares import rooted
+from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
@@ -369,20 +369,20 @@ class MotionTelling:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
             return formula
-        most = LONGEST if formula.free_symbols & self._laws.natural else LETTERED
-        return None if longer(formula, most) or not is_clean(self.found.ledger, r.unknown, formula) else formula
+        long = longer(formula, LONGEST if formula.free_symbols & self._laws.natural else LETTERED)
+        return None if long or is_long_root(formula) or not is_clean(self.found.ledger, r.unknown, formula) else formula
 
     def _in_known(self, r: Result, most: int, explicit: bool) -> list[Math]:
-        """The formula with its numbers, or with letters of states and numbers for all else. `explicit`: as `_chain`; a
-        long formula is left out where its equation stands in numbers.
+        """The formula with its numbers, or letters of states and numbers for all else. `explicit`: as `_chain`; else a
+        long formula is left out, as its equation stands in numbers.
         """
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
             return []
-        if divides_by_zero(r.formula, self.numeric) or (not explicit and longer(r.formula, SHORT)):
+        long = not explicit and (longer(r.formula, SHORT) or is_long_root(r.formula))
+        if long or divides_by_zero(r.formula, self.numeric):
             return []
-        return in_known(
-            in_times(r.formula, self.found), set(self.general), self._shown(r), self.phrases, min(most, SHORT)
-        )
+        told = in_times(r.formula, self.found)
+        return in_known(told, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite() or (self.phrases.symbolic and not r.value):

@@ -11,8 +11,8 @@ from planar_cli.report.integrals import in_times
 from planar_cli.report.origins import letter_of
 from planar_cli.solve.between.trace import MotionTrace, RouteStep, RouteTrace
 
-LONGEST = 60
-"""A longer right side is left to the formula that was found."""
+LONGEST, ROOT = 60, 20
+"""A longer right side is left to the formula that was found; a longer root to its equation in numbers."""
 
 
 def rooted(told: tuple[RouteStep, RouteTrace], found: MotionTrace) -> tuple[RouteStep, RouteTrace]:
@@ -32,3 +32,12 @@ def rooted(told: tuple[RouteStep, RouteTrace], found: MotionTrace) -> tuple[Rout
     if longer(root, r.formula.count_ops()):
         return told
     return replace(step, results=(replace(r, formula=-root if r.value < 0 else root),)), route
+
+
+def is_long_root(formula: sp.Expr) -> bool:
+    """Is it (p ± √q)/r with a sum q, the root of a quadratic equation, and longer than that equation in numbers?"""
+    if not longer(formula, ROOT):
+        return False
+    above, _ = sp.fraction(sp.together(formula, deep=False) if formula.is_Add else formula)
+    terms = [t for f in sp.Mul.make_args(above) if f.is_Add for t in f.args]
+    return any(f.is_Pow and f.exp == sp.S.Half and f.base.is_Add for t in terms for f in sp.Mul.make_args(t))
