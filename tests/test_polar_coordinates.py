@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import pytest
 
+from planar_cli.errors import Undecided
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -155,3 +156,30 @@ find: {far: r(sat).mag @ 2, v: v(sat).mag @ 2}
     # 1/far = 2/1.2² - 1
     assert answers(text) == pytest.approx({"far": 1.44 / 0.56, "v": 1.2 * 0.56 / 1.44})
     assert "conservation of angular momentum about O" in page(text)
+
+
+TRANSFER = """\
+plane: horizontal
+symbols: {K: m^3/s^2, r_1: m, r_2: m}
+unknowns: {v_A: m/s}
+assume: [r_2 > r_1]
+points: {O: [0, 0], A: [r_1, 0]}
+bodies: {ship: {particle: A, mass: any}}
+loads:
+  - force: {body: ship, magnitude: mass(ship)*K/r(ship).mag^2, towards: O}
+states:
+  A: [t = 0, v(ship).x = 0, v(ship).y = v_A]
+  B: [r(ship).mag is largest, r(ship).mag = r_2]
+find: {v_A: v_A, v_B: v(ship).mag @ B, t_AB: t @ B}
+"""
+
+
+def test_what_polar_coordinates_leave_open_is_told_where_no_others_leave_less() -> None:
+    """No formula is known for the time on an ellipse; the speeds at its ends have one."""
+    problem, wrong = load_text(TRANSFER)
+    assert problem is not None
+    assert not wrong
+    with pytest.raises(Undecided) as error:
+        solve_problem(problem)
+    assert "found for `t_AB`" in str(error.value)
+    assert str(error.value).endswith("asked for without what is open, `v_A`, `v_B` can be told")

@@ -24,15 +24,27 @@ QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}
 
 
 def best_placed(problem: Problem, solve: Callable[[Problem], Solution]) -> Solution:
-    """The solution in polar coordinates, where there are some and they lead to it; else in those of the file."""
+    """The solution in polar coordinates, where there are some and they lead to it; else in those of the file.
+
+    Undecided: neither leads to it; what polar coordinates leave open is told, as they leave less open.
+    """
     polar = in_polar_coordinates(problem)
-    if polar is not problem:
-        try:
-            return solve(polar)
-        except (Undecided, NoSolution):
-            # The way may lead through the fixed point, where it has no direction.
-            pass
-    return solve(problem)
+    if polar is problem:
+        return solve(problem)
+    open_still: Undecided | None = None
+    try:
+        return solve(polar)
+    except Undecided as undecided:
+        open_still = undecided
+    except NoSolution:
+        # The way may lead through the fixed point, where it has no direction.
+        pass
+    try:
+        return solve(problem)
+    except Undecided:
+        if open_still is not None:
+            raise open_still from None
+        raise
 
 
 def in_polar_coordinates(problem: Problem) -> Problem:
