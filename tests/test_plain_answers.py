@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 import sympy as sp
 
-from planar_cli.report.plain_answers import is_positive
+from planar_cli.equation.exact import Valuation
+from planar_cli.report.notation import plain
+from planar_cli.report.plain_answers import is_positive, plainest
 from planar_cli.report.shorter_angles import shorter
 
-g, mu, beta, d, h, v, phi = sp.symbols("g mu beta d h v phi", positive=True)
+g, mu, beta, d, h, v, phi, theta = sp.symbols("g mu beta d h v phi theta", positive=True)
 half, root = sp.atan(d / h) / 2, sp.sqrt(d**2 + h**2)
-NUMBERS = {g: 9.8, mu: 0.3, beta: 0.7, d: 2.0, h: 1.1, v: 3.0, phi: 0.4}
+SLOPE = sp.sin(theta) - sp.tan(beta) * sp.cos(theta)
+NUMBERS = {g: 9.8, mu: 0.3, beta: 0.7, d: 2.0, h: 1.1, v: 3.0, phi: 0.4, theta: 1.1}
 
 
 @pytest.mark.parametrize(
@@ -28,6 +33,7 @@ NUMBERS = {g: 9.8, mu: 0.3, beta: 0.7, d: 2.0, h: 1.1, v: 3.0, phi: 0.4}
             / sp.cos(phi),
             1 / (2 * (1 + sp.sin(phi))),
         ),
+        (2 * v * SLOPE / g, 2 * v * sp.sin(theta - beta) / (g * sp.cos(beta))),
     ],
 )
 def test_a_formula_of_angles(long: sp.Expr, short: sp.Expr) -> None:
@@ -61,3 +67,17 @@ def test_a_sum_stands_below_rather_than_a_difference() -> None:
 )
 def test_what_is_positive_for_acute_angles(expr: sp.Expr, positive: bool) -> None:
     assert is_positive(expr, {mu, beta, phi, d, h}) is positive
+
+
+@pytest.mark.parametrize(
+    ("steeper", "flatter"), [(theta, beta), (beta, theta)], ids=["as SymPy orders them", "the other way"]
+)
+def test_the_sine_of_a_difference_that_is_assumed_positive(steeper: sp.Expr, flatter: sp.Expr) -> None:
+    """A throw up a slope, in letters that SymPy puts in either order: no bars, and no minus sign."""
+    slope = SLOPE.xreplace({theta: steeper, beta: flatter})
+    expr = 2 * v**2 * sp.Abs(sp.cos(steeper) * slope / sp.cos(flatter)) / g
+    value = Valuation({s: Decimal(str(x)) for s, x in {**NUMBERS, steeper: 1.1, flatter: 0.7}.items()})
+    a, b = steeper.name, flatter.name
+    found = plain(plainest(expr, set(NUMBERS), value, (steeper - flatter,)))
+    assert found.replace("θ", "theta").replace("β", "beta") == f"2 v² sin({a} - {b}) cos {a} / (g cos² {b})"
+    assert plainest(expr, set(NUMBERS), value).has(sp.Abs)

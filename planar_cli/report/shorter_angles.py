@@ -2,6 +2,7 @@
 
 g/(μ sin² β + sin β cos β) - g/tan β  =  g (sin β - μ cos β)/(μ sin β + cos β)
 tan(1/2 arctan(d/h))                  =  (√(d² + h²) - h)/d
+2 v (sin θ - tan β cos θ)/g           =  2 v sin(θ - β)/(g cos β)
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from sympy.simplify.fu import TR8
 from planar_cli.equation.counting import operations
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.trigonometry import put_together
 
 MOST = 70
 """Formulas of more operations stay as they are."""
@@ -31,7 +33,21 @@ def shorter(expr: sp.Expr) -> sp.Expr:
     halved = expr.replace(_is_half_power, _half_power).replace(_is_half, _half)
     found = halved if halved == expr else simplified(halved)
     found = found.replace(_is_root, lambda e: _in_sines(e.base) ** e.exp)
-    return min((expr, found, _in_sines(found), _by_square(found)), key=_effort)
+    found = of_two_angles(found)
+    forms = (expr, found, _in_sines(found), _by_square(found))
+    return min(forms, key=lambda e: (_effort(e), int(e.count(TrigonometricFunction))))
+
+
+def of_two_angles(expr: sp.Expr) -> sp.Expr:
+    """Sums with a tangent that an addition theorem makes one function: sin θ - tan β cos θ as sin(θ - β)/cos β."""
+    sums = [a for a in expr.atoms(sp.Add) if a.has(sp.tan) and not a.has(InverseTrigonometricFunction)]
+    return sp.sympify(expr.xreplace({a: _added(a) for a in sums})) if sums else expr
+
+
+def _added(total: sp.Expr) -> sp.Expr:
+    above, below = sp.fraction(sp.together(total.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))))
+    found = put_together(above)
+    return total if found.is_Add else found / below
 
 
 def _by_square(expr: sp.Expr) -> sp.Expr:
