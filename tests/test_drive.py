@@ -7,7 +7,7 @@ import math
 import motions
 import pytest
 
-from planar_cli.integrators.base import Setting
+from planar_cli.integrators.base import Setting, StepTooSmall
 from planar_cli.motion.crossings import Watch, root
 from planar_cli.motion.drive import drive
 
@@ -210,3 +210,9 @@ def test_an_unstable_equilibrium_is_left_as_fast_as_it_should_be() -> None:
     watch = Watch(lambda t, y: [math.pi - 0.1 - y[0]], [1.0], [False])
     run = drive(motion.rates, 0.0, motion.start, motion.end, setting, watch=watch)
     assert run.t1 == pytest.approx(math.acosh(0.1 / 1e-9) / math.sqrt(G), rel=0.02)
+
+
+def test_what_grows_without_end_is_not_followed_until_it_overflows() -> None:
+    with pytest.raises(StepTooSmall, match="grown") as stopped:
+        drive(lambda t, y: [y[1], y[0]], 0.0, [1.0, 1.0], 1e6, Setting([1.0, 1.0]))
+    assert stopped.value.t == pytest.approx(math.log(1e8), abs=2.0)

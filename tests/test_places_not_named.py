@@ -88,6 +88,22 @@ REACH = 4 * 0.3 / (3 * math.pi)
 SWING = 0.3**2 / 2 - REACH**2 + (0.3 - REACH * math.cos(math.pi / 6)) ** 2 + (REACH / 2) ** 2
 """About the point of contact, by mass: the mass centre lies REACH from the middle, 30 deg beside the vertical."""
 
+UNBALANCED = """
+title: Wheels whose mass centres are not in their middles
+plane: vertical
+given: {m: 20 kg, R: 0.4 m, e: 0.1 m, k: 0.25 m, m_P: 5 kg}
+points: {O: [0, R], G: [e, R], Q: [2 m, R], P: [2 m + e, R]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies:
+  wheel: {disk: O, radius: R, center: G, mass: m, radius_of_gyration: k}
+  laden: {parts: [{disk: Q, radius: R, mass: m}, {particle: P, mass: m_P}]}
+joints:
+  - rolling: {between: [wheel, floor]}
+  - rolling: {between: [laden, floor]}
+instant: [omega(wheel) = -5 rad/s, omega(laden) = 0]
+find: {a: alpha(wheel), b: alpha(laden)}
+"""
+
 
 @pytest.mark.parametrize(
     ("text", "expected"),
@@ -97,8 +113,15 @@ SWING = 0.3**2 / 2 - REACH**2 + (0.3 - REACH * math.cos(math.pi / 6)) ** 2 + (RE
         (GEARS, {"a": 3 / (0.01 + 0.015), "b": -3 / (0.01 + 0.015) / 2}),
         (PLANK, {"N": 2 * 9.81 / 1.25, "a": 10 - 0.5 * 9.81}),
         (ROCKER, {"a": -9.81 * REACH / 2 / SWING}),
+        (
+            UNBALANCED,
+            {
+                "a": -0.1 * (9.81 + 0.4 * 25) / (0.25**2 + 0.1**2 + 0.4**2),
+                "b": -5 * 0.1 * 9.81 / (1.5 * 20 * 0.4**2 + 5 * (0.1**2 + 0.4**2)),
+            },
+        ),
     ],
-    ids=["places", "inside a ring", "side by side", "edge and particle", "arc of a sector"],
+    ids=["places", "inside a ring", "side by side", "edge and particle", "arc of a sector", "mass off the middle"],
 )
 def test_answers(text: str, expected: dict[str, float]) -> None:
     found = solve(text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from answered import assert_close, solve
 
 from planar_cli import cli
 from planar_cli.formats.terminal import Terminal
@@ -39,6 +40,34 @@ bodies: {P: {particle: free}}
 motion: [x(P) = 2 m/s * t, y(P) = 1 m/s^3 * t^3]
 instant: [t = 1 s]
 find: {a_t: a(P).t, a_n: a(P).n, rho: rho(P)}
+"""
+
+RATE_LIKE_TIME = """\
+title: Pin that is drawn out along a line whose angle is t²/2
+coordinates: {s: m, theta: rad}
+points: {O: [0, 0], P: {from: O, distance: s, angle: theta}}
+bodies: {pin: {particle: P}}
+motion: [theta = 0.5 rad/s^2 * t^2, s = 0.05 m/s * t]
+instant: [t = 2 s]
+find: {a: a(P).mag}
+"""
+"""θ̇ is then t itself, which is no rate that is left open."""
+SLOT = """\
+title: Pin in a slot of a disk that gathers speed
+given: {h: 0.1 m}
+coordinates: {s: m, theta: rad}
+points:
+  O: [0, 0]
+  F: {from: O, distance: h, angle: theta + 90 deg}
+  P: {from: F, distance: s, angle: theta}
+bodies: {disk: {disk: O, radius: 0.4 m, points: [F]}, pin: {particle: P}}
+joints:
+  - pin: {at: O, between: [ground, disk]}
+motion: [theta = 0.5 rad/s^2 * t^2, s = 0.05 m/s * t]
+states:
+  0: [t = 0]
+  2: [t = 2 s]
+find: {v: v(P).mag @ 2, a: a(P).mag @ 2, a_cor: coriolis(P/disk).mag @ 2, omega: omega(disk) @ 2}
 """
 
 
@@ -97,3 +126,15 @@ def test_no_state_is_before_the_first(tmp_path: Path, capsys: pytest.CaptureFixt
     )
     assert cli.run([command, str(file)]) == 1
     assert "PL723 state 2 is at t = -10 s, before the motion begins at t = 0 s" in "".join(capsys.readouterr())
+
+
+def test_a_rate_that_is_the_time_itself() -> None:
+    page = _page(RATE_LIKE_TIME)
+    assert "= 0.5 m/s² Answer a = a_P = 0.5 m/s²" in page
+
+
+def test_a_slot_of_a_disk_that_gathers_speed() -> None:
+    """v = (ṡ - ω h, ω s), a = (-α h - ω² s, α s - ω² h + 2 ω ṡ) along the slot and across it."""
+    found = solve(SLOT)
+    for name, truth in {"v": "0.25", "a": "0.50990195135927848", "a_cor": "0.2", "omega": "2"}.items():
+        assert_close(found[name], truth)

@@ -196,7 +196,7 @@ def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) ->
         return None
     v = read(item.vector)
     factors = {c.speed: c.factor for c in scene.displacement.coordinates}
-    factors |= {r: sp.S.One for r, _ in scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
+    factors |= dict.fromkeys(scene.evaluator.speeds, sp.S.One)
     inside = [s for s in v.x.value.free_symbols | v.y.value.free_symbols if s in factors]
     if len(inside) != 1:
         return None

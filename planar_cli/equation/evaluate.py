@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from planar_cli.equation.jets import Jet, constant
-from planar_cli.equation.ledger import Ledger, exact
+from planar_cli.equation.ledger import Kind, Ledger, exact
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.evaluation import evaluated
 from planar_cli.problem.expression import (
@@ -61,6 +61,20 @@ class Evaluator:
     motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]]
     quantity: Callable[[Quantity], Jet] = no_quantity
     at_state: Callable[[str], Callable[[Side], Jet]] | None = None
+
+    @property
+    def speeds(self) -> list[sp.Symbol]:
+        """The rates of coordinates that `motion` leaves open. One that it gives may be a symbol too: t, of θ = t²/2."""
+        return [r for r, _ in self.motions.values() if isinstance(r, sp.Symbol) and self._is_open(r)]
+
+    @property
+    def second_rates(self) -> list[sp.Symbol]:
+        """The rates of these."""
+        return [a for _, a in self.motions.values() if isinstance(a, sp.Symbol) and self._is_open(a)]
+
+    def _is_open(self, rate: sp.Symbol) -> bool:
+        role = self.ledger.roles.get(rate)
+        return role is None or role.kind not in (Kind.TIME, Kind.GIVEN, Kind.LETTER, Kind.SOUGHT, Kind.COORDINATE)
 
     def value(self, side: Side) -> sp.Expr:
         """The value alone."""

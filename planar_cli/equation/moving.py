@@ -99,7 +99,7 @@ class Moving:
         return Vec(*(-p * (size / sp.sqrt(simplified(velocity.dot(velocity)))) for p in (velocity.x, velocity.y)))
 
     def _speeds(self) -> set[sp.Symbol]:
-        rates = (r for r, _ in self._scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        rates = self._scene.evaluator.speeds
         return {*self._motion.tree.velocity_unknowns(), *rates}
 
     def velocity(self, point: Vec, body: str) -> Vec:

@@ -146,8 +146,9 @@ class System:
         pairs: list[tuple[sp.Expr | None, sp.Expr | None]] = []
         for e in self.tree.edges:
             pairs += [(e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate)]
-        pairs += self.scene.evaluator.motions.values()
-        return {v: a for v, a in pairs if isinstance(v, sp.Symbol) and isinstance(a, sp.Symbol)}
+        own = {v: a for v, a in pairs if isinstance(v, sp.Symbol) and isinstance(a, sp.Symbol)}
+        speeds, motions = set(self.scene.evaluator.speeds), self.scene.evaluator.motions.values()
+        return own | {v: a for v, a in motions if v in speeds and isinstance(a, sp.Symbol)}
 
     def idle(self) -> tuple[str, ...]:
         """Loads that do not act in these modes, by the keys of their modes."""
@@ -217,11 +218,11 @@ class System:
         """The second rates of coordinates that move particles without unknowns of their own."""
         parts = [sp.sympify(a) for e in tree.edges if e.components is not None for a in e.components.accelerations]
         inside = set().union(*(a.free_symbols for a in parts))
-        return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol) and a in inside]
+        return [a for a in self.scene.evaluator.second_rates if a in inside]
 
     def _second_rates(self) -> list[sp.Expr]:
         """The second rates of coordinates."""
-        return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+        return self.scene.evaluator.second_rates
 
     def driven(self) -> set[sp.Expr]:
         """The accelerations that joints and `motion` tell."""

@@ -53,6 +53,10 @@ FEW = 4
 """So many times in a row."""
 INVISIBLE = 0.1
 """A displacement below this part of the tolerance is not seen."""
+OUTGROWN = 1e8
+"""A velocity of so many times its scale leaves half the digits of floats to all beside it: a motion that grows as an
+exponential function is not followed to where they overflow.
+"""
 FEWEST = 16
 """No step is longer than this part of the way to the end of the run."""
 
@@ -142,6 +146,7 @@ def drive(
             break
         for step in followed.steps(rates, start, y, end):
             steps.append(step)
+            _demand_bounded(step, setting.scale)
             enough = on_step is not None and bool(on_step(step))
             y = step.y1
             crossings = _seen(step.t0, step.y0, partial(sentinel.within, step)) if sentinel is not None else []
@@ -152,6 +157,14 @@ def drive(
         y = setting.project(crossings[0].t, y)
     end = crossings[0].t if crossings else steps[-1].t1 if enough else t1
     return Run(t0, list(y0), tuple(steps), end, y, tuple(crossings), followed.changed, counts)
+
+
+def _demand_bounded(step: Step, scale: Sequence[float]) -> None:
+    """StepTooSmall: something has outgrown the scene."""
+    half = len(scale) // 2
+    if any(abs(v) > OUTGROWN * size for v, size in zip(step.y1[half:], scale[half:], strict=True)):
+        text = f"velocities have grown to more than {OUTGROWN:.0e} times what is usual here"
+        raise StepTooSmall(text, step.t1, step.y1)
 
 
 def _seen(t: float, y: Vector, look: Callable[[], list[Crossing]]) -> list[Crossing]:

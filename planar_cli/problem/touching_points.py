@@ -18,9 +18,12 @@ from planar_cli.problem.scene import (
     GROUND,
     Body,
     Circle,
+    Composite,
     Foot,
     Line,
+    Outline,
     Particle,
+    Piece,
     Place,
     Plate,
     Point,
@@ -127,12 +130,15 @@ def _place(partners: list[Body | Surface | None]) -> Place | str | None:
 
 def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
     match partner:
+        case Body(shape=Composite(pieces)):
+            rims = [piece.shape for piece in pieces if isinstance(piece.shape, Round)]
+            return _rim(rims[0]) if len(rims) == 1 and not any(map(_has_edges, pieces)) else None
         case Surface(shape=Line(through=through, angle=angle)):
             return _Straight(through, angle, None)
         case Surface(shape=Circle(center=center, radius=radius)):
             return _Rim(center, (radius,))
-        case Body(shape=Round(center=center, radius=radius, hub=hub)):
-            return _Rim(center, (radius,) if hub is None else (radius, hub))
+        case Body(shape=Round() as rim) | Body(shape=Outline(rim=Round() as rim)):
+            return _rim(rim)
         case Body(shape=Sector(apex=apex, radius=radius)):
             return _Rim(apex, (radius,))
         case Body(shape=Plate(center=center)):
@@ -140,3 +146,12 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
         case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:
             return _Straight(start, None if end is not None else angle, end)
     return None
+
+
+def _rim(rim: Round) -> _Rim:
+    return _Rim(rim.center, (rim.radius,) if rim.hub is None else (rim.radius, rim.hub))
+
+
+def _has_edges(piece: Piece) -> bool:
+    """May another body touch this part as well as the rim that stands beside it?"""
+    return not isinstance(piece.shape, Particle | Round)

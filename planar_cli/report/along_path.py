@@ -25,7 +25,7 @@ def is_along_path(w: Written, system: System, level: str) -> bool:
     if own is None or not isinstance(own.residual, Vec):
         return False
     x, y = sp.sympify(own.residual.x), sp.sympify(own.residual.y)
-    rates = [r for pair in system.scene.evaluator.motions.values() for r in pair if isinstance(r, sp.Symbol)]
+    rates = [*system.scene.evaluator.speeds, *system.scene.evaluator.second_rates]
     moving = {*system.tree.velocity_unknowns(), *acceleration_unknowns(system), *rates}
     unknowns = sorted(w.residual.free_symbols & moving, key=lambda s: s.name)
     for letter in unknowns:
@@ -42,7 +42,7 @@ def is_along_path(w: Written, system: System, level: str) -> bool:
 def _with_speeds(across: sp.Expr, system: System) -> sp.Expr:
     """The same with the speeds that the relations of velocities give by others."""
     rows = [sp.sympify(row) for c in system.velocity_conditions() for row in c.rows()]
-    rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+    rates = system.scene.evaluator.speeds
     speeds = [s for s in (*system.tree.velocity_unknowns(), *rates) if any(s in row.free_symbols for row in rows)]
     if len(rows) > MOST or len(speeds) > MOST:
         return across

@@ -45,9 +45,8 @@ def root_words(route: RouteTrace) -> Iterator[Block]:
 def passing_lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """What is asked, in the letters that were just told."""
     for asked in found.requests:
-        (part, *more) = asked.parts
-        if asked.find.name == name and not more and not part.is_Symbol:
-            yield Equation((line(Name(name)), phrases.math(part)))
+        if asked.find.name == name and len(asked.parts) == 1 and not asked.parts[0].is_Symbol:
+            yield Equation((line(Name(name)), phrases.math(asked.parts[0])))
 
 
 def passing_check(found: MotionTrace, phrases: Phrases) -> Line:

@@ -243,7 +243,7 @@ class FormulaReader:
             expr = expr.subs({c.symbol: c.drawn for c in left if c.drawn is not None})
         elif left:
             raise self._open(find, left[0].words)
-        speeds = {r for r, _ in scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
+        speeds = set(scene.evaluator.speeds)
         titles = self.regime.general.trial.system.titles
         if loose := sorted(expr.free_symbols & set(self.regime.free) - speeds, key=str):
             raise self._open(find, titles.get(loose[0], loose[0].name))

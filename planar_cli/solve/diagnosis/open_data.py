@@ -194,7 +194,7 @@ def _with(instant: Instant, trial: Trial, outcome: Outcome, step: Decimal, null:
                 numbers[speed], numbers[rate] = now, values[columns[edge.body, part]]
     for name, symbol in trial.system.symbols.items():
         numbers[symbol] = values[columns[name]] if name in columns else ZERO
-    rates = [a for _, a in trial.system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+    rates = trial.system.scene.evaluator.second_rates
     for symbol in (*trial.system.scene.ledger.sought, *rates):
         if symbol.name in columns:
             numbers[symbol] = values[columns[symbol.name]]

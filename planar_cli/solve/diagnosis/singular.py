@@ -84,8 +84,8 @@ class Joints:
     def moving(self, vector: Vector) -> Valuation:
         """Numbers of everything in this motion, without acceleration."""
         rates = self.system.tree.acceleration_unknowns()
-        still = {r: ZERO for r, _ in self.instant.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
-        still |= {a: ZERO for _, a in self.instant.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)}
+        still = dict.fromkeys(self.instant.scene.evaluator.speeds, ZERO)
+        still |= dict.fromkeys(self.instant.scene.evaluator.second_rates, ZERO)
         return self.value.extended({**still, **dict.fromkeys(rates, ZERO), **self.as_motion(vector)})
 
     def bends(self, vector: Vector) -> list[Decimal]:

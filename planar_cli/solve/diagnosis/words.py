@@ -169,7 +169,7 @@ def _sliding_points(system: System) -> list[tuple[str, str]]:
 
 
 def _rates(instant: Instant, level: int) -> list[sp.Symbol]:
-    return [m[level] for m in instant.scene.evaluator.motions.values() if isinstance(m[level], sp.Symbol)]
+    return instant.scene.evaluator.second_rates if level else instant.scene.evaluator.speeds
 
 
 def _others(instant: Instant, change: Change, level: int) -> list[str]:

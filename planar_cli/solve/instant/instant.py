@@ -270,7 +270,7 @@ class Instant:
     def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal] | None:
         if given is None:
             return None
-        rates = (r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        rates = system.scene.evaluator.speeds
         names = {s.name for s in (*system.tree.velocity_unknowns(), *rates)}
         return {s: v for s, v in given.items() if s.name in names}
 

@@ -108,7 +108,7 @@ class Seeker:
         return any(self.scene.rests_on_sought(e) for e in known)
 
     def _speeds(self) -> list[sp.Symbol]:
-        rates = [r for r, _ in self.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+        rates = self.scene.evaluator.speeds
         return [*self.system.tree.velocity_unknowns(), *rates]
 
     def _unknowns(self, still: list[sp.Symbol]) -> tuple[sp.Symbol, ...]:

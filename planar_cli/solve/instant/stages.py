@@ -69,7 +69,7 @@ class StageMaker:
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
-        rates = [r for r, _ in self.system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+        rates = self.system.scene.evaluator.speeds
         unknowns = [
             s
             for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds())
@@ -206,7 +206,7 @@ def acceleration_unknowns(system: System) -> list[sp.Symbol]:
     """Accelerations along the tree, second rates of coordinates, pushes that follow no law, sought loads."""
     ledger = system.scene.ledger
     followers = {law.push for law in system.laws}
-    seconds = [a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+    seconds = system.scene.evaluator.second_rates
     pushes = [system.symbols[p.name] for p in system.pushes if p.name not in followers]
     found = [*system.tree.acceleration_unknowns(), *seconds, *pushes]
     return [*found, *(s for s in ledger.sought if s not in found)]

@@ -56,7 +56,7 @@ def solve_velocities(
     hangs may sway, though nothing tells that it does.
     """
     ledger = system.scene.ledger
-    rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+    rates = system.scene.evaluator.speeds
     conditions = system.velocity_conditions()
     unknowns = [*system.tree.velocity_unknowns(), *rates]
     sought = [s for s in ledger.sought if any(s in e.free_symbols for c in conditions for e in c.rows())]
@@ -270,7 +270,7 @@ def add_given(
         ):
             if rate is not None and speed is not None:
                 keys[rate], moving[speed] = (edge.body, part), value
-    for symbol in (*sought, *(a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol))):
+    for symbol in (*sought, *system.scene.evaluator.second_rates):
         keys[symbol] = symbol.name
     present = {p.name for p in system.pushes}
     value = assembly.value.extended(moving)

@@ -72,7 +72,7 @@ def unknowns_of(system: System, outcome: Outcome) -> dict[sp.Symbol, Decimal]:
     for name, symbol in system.symbols.items():
         if name in columns:
             found[symbol] = values[columns[name]]
-    rates = [a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+    rates = system.scene.evaluator.second_rates
     found |= {s: values[columns[s.name]] for s in (*system.scene.ledger.sought, *rates) if s.name in columns}
     return found
 

@@ -237,11 +237,10 @@ class Multibody:
             for column, (speed, rate), value, pace in own:
                 if column is not None and speed is not None and rate is not None:
                     columns[rate], speeds[speed], paces[rate] = column, value, pace
-        for _, rate in self.system.scene.evaluator.motions.values():
-            if isinstance(rate, sp.Symbol):
-                columns[rate] = self.count + len(self.ties) + len(columns)
-                if (pace := self.worked.numbers.known(rate)) is not None:
-                    paces[rate] = pace
+        for rate in self.system.scene.evaluator.second_rates:
+            columns[rate] = self.count + len(self.ties) + len(columns)
+            if (pace := self.worked.numbers.known(rate)) is not None:
+                paces[rate] = pace
         pushes = {symbol: self.worked.pushes.get(name, ZERO) for name, symbol in self.system.symbols.items()}
         value = self.value.extended({**pushes, **speeds})
         found = []

@@ -139,7 +139,7 @@ class Regime:
         general = self.general
         tree = general.trial.system.tree
         known = {s.name for s in tree.velocity_unknowns()}
-        rates = (r for r, _ in general.instant.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        rates = general.instant.scene.evaluator.speeds
         known |= {r.name for r in rates}
         if c.speed.name in known:
             return c.rate
