@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from conftest import ROOT
-from worked import worked
+from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
@@ -50,3 +50,8 @@ def test_the_same_assumption_is_not_told_to_fail() -> None:
     page = Terminal(width=240).render(narrate(worked(ROOT / "problems/particles/bead-in-loop.yaml")[0]))
     assert "Fails" not in page
     assert "Assume      ball at P stays in contact" in page
+
+
+def test_energies_that_were_solved_together_with_other_equations_are_put_in() -> None:
+    told = page_of_file("satellite-perigee-apogee")
+    assert "work and energy: T_A + U = 2.631×10¹⁰ - 1.039×10¹⁰ = 1.592×10¹⁰ J = T_B" in told

@@ -19,7 +19,7 @@ from planar_cli.report.blocks import Inline, Line, Name, Value, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import BalanceTrace, MotionTrace
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RouteStep
 from planar_cli.units import ENERGY
 
 MOST = 5
@@ -62,21 +62,28 @@ def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: Mo
 
 
 def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """The first balance of which one of several roots was taken, not of a square alone, with that put in; empty where
-    there is none.
+    """The first balance of which one of several roots was taken, not of a square alone, or which was solved together
+    with other equations, with what was found put in; empty where there is none.
     """
     if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
         return ()
     found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
     for leg in motion.route.steps:
-        (e, *more), (r, *others) = leg.relations, leg.results
-        apart = {abs(x.value) for x in r.roots}
-        if not more and not others and len(apart) > 1 and isinstance(e.source, BalanceTrace) and e.source.law.letter:
-            weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
-            rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
-            if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases):
-                return told
+        if len(leg.relations) == 1 and not _is_of_several_roots(leg):
+            continue
+        for e in leg.relations:
+            if isinstance(e.source, BalanceTrace) and e.source.law.letter:
+                weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
+                rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
+                if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases):
+                    return told
     return ()
+
+
+def _is_of_several_roots(leg: RouteStep) -> bool:
+    """Was one of several values taken that differ by more than their sign?"""
+    (r, *others) = leg.results
+    return not others and len({abs(x.value) for x in r.roots}) > 1
 
 
 def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases) -> Line:
