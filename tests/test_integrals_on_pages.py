@@ -6,7 +6,11 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.report.notation import plain
+from planar_cli.solve.run import solve_problem
 
 A, B, C, G, K, M, R, V = sp.symbols("a b c g k m R v_0", positive=True)
 
@@ -114,3 +118,27 @@ def test_a_line_does_not_say_its_last_side_twice() -> None:
 def test_a_long_root_of_a_quadratic_is_left_to_its_equation_in_numbers() -> None:
     page = page_of_file("weight-dropped-on-nested-springs")
     assert "(3) in numbers: 860 y_P,3 - 570 - 300 y_P,3² = 0 in lbf·ft (3): y_P,3 = 1.040 ft" in page
+
+
+PUSHED_ROUND = """
+title: Drum that a force turns, at a point of it
+plane: vertical
+given: {m: 10 kg, R: 0.3 m, F: 20 N}
+points: {O: [0, 0], A: [0.2 m, 0]}
+bodies: {drum: {disk: O, radius: R, mass: m, points: [A]}}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+loads:
+  - force: {body: drum, at: A, magnitude: F, angle: 90 deg}
+states:
+  1: [at rest]
+  2: [theta(drum) = 60 deg]
+find: {t_2: t @ 2}
+"""
+
+
+def test_an_angle_over_which_is_integrated_has_no_number() -> None:
+    problem, _ = load_text(PUSHED_ROUND)
+    assert problem is not None
+    page = Terminal(200).render(narrate(solve_problem(problem)))
+    assert "= ∫[0 → 1.047] 1/2 · 0.3 √(5 · 10 / (20 sin θ)) dθ" in page

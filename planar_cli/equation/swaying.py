@@ -31,6 +31,8 @@ def sways(scene: Scene, modes: Iterable[Mode], body: str) -> bool:
     ends = _directions(facts, ties, body)
     if not ends or any(not scene.is_zero(d.x.xreplace(drawn)) for d in ends):
         return True
+    if any(_turns_aside(scene, end, at) for end, at in _far_ends(scene, facts, ties, body)):
+        return True
     return sent_aside(scene, body, any(GROUND in (j.mover, j.base) for j in ties))
 
 
@@ -59,6 +61,22 @@ def _directions(facts: list[Facts], ties: list[Joining], body: str) -> list[Vec]
     segments = [s for f in facts for row in f.rows for s in row.segments]
     found = [s.direction for s in segments if body in (s.start.body, s.end.body)]
     return found + [j.path.tangent.turned() for j in ties if j.path is not None]
+
+
+def _far_ends(scene: Scene, facts: list[Facts], ties: list[Joining], body: str) -> Iterator[tuple[str, Vec]]:
+    """What a body hangs from: other bodies, with the place of the point that holds the rope."""
+    for segment in (s for f in facts for row in f.rows for s in row.segments):
+        for near, far in ((segment.start, segment.end), (segment.end, segment.start)):
+            if near.body == body:
+                yield far.body, far.point
+    for tie in ties:
+        yield (tie.mover, tie.point) if tie.base == body else (tie.base, scene.point(tie.far))
+
+
+def _turns_aside(scene: Scene, body: str, at: Vec) -> bool:
+    """Does a point of a body, at `at` in a general position, go sideways as the body turns?"""
+    pose = scene.displacement.poses.get(body) if scene.displacement is not None else None
+    return pose is not None and not pose.turn.free_symbols.isdisjoint(at.x.free_symbols)
 
 
 def sent_aside(scene: Scene, body: str, tied: bool) -> bool:

@@ -22,7 +22,8 @@ def in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
 def turned_angles(expr: sp.Expr, ledger: Ledger) -> tuple[sp.Expr, dict[sp.Symbol, sp.Symbol]]:
     """An angle in radians of which a sine or cosine is taken, by a symbol of its own."""
     functions = [f for f in expr.atoms(TrigonometricFunction) if f.args[0].is_Symbol]
-    angles = {f.args[0] for f in functions if f.args[0] in ledger.units and ledger.units[f.args[0]].text == "rad"}
+    inside = {f.args[0] for f in functions} & expr.free_symbols  # Over which is integrated stays what it is.
+    angles = {s for s in inside if s in ledger.units and ledger.units[s].text == "rad"}
     own = {s: sp.Symbol(f"{s.name} turned", **s.assumptions0) for s in angles}
     found = {f: f.func(own[f.args[0]]) for f in functions if f.args[0] in own}
     return (expr.xreplace(found) if found else expr), own
