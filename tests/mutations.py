@@ -43,7 +43,7 @@ import tempfile
 import time
 import traceback
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
@@ -202,11 +202,11 @@ def run(
     digests = {file: hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12] for file in files}
     wanted = {(m.file, digests[m.file], m.kind, m.place, m.what): m for m in known}
     _import_all()
-    for serve in (_refusals, _judgements):
+    for serve, some in PASSES:
         done = {j.key for j in judged_before(results) if j.is_done(limit)}
         left: dict[str, list[Mutant]] = {}
         for key, m in wanted.items():
-            if key not in done:
+            if m.kind in some and key not in done:
                 left.setdefault(m.file, []).append(m)
         running: set[int] = set()
         for file in random.Random(seed).sample(sorted(left), len(left)):
@@ -214,7 +214,7 @@ def run(
                 running.discard(os.wait()[0])
             child = os.fork()
             if child == 0:
-                _serve_file(serve(FileRun(file, limit), left[file]), digests[file], results)
+                _serve_file(serve, file, limit, left[file], digests[file], results)
             running.add(child)
         while running:
             running.discard(os.wait()[0])
@@ -249,9 +249,19 @@ def _judgements(task: FileRun, own: Sequence[Mutant]) -> Iterator[Line]:
     task.end()
 
 
-def _serve_file(lines: Iterator[Line], digest: str, results: Path) -> None:
+Serve = Callable[[FileRun, Sequence[Mutant]], Iterator[Line]]
+PASSES: tuple[tuple[Serve, tuple[str, ...]], ...] = (
+    (_refusals, KINDS),
+    (_judgements, tuple(kind for kind in KINDS if kind != "number")),
+    (_judgements, ("number",)),
+)
+"""That a number changes the answer tells least, and comes last."""
+
+
+def _serve_file(serve: Serve, file: str, limit: float, own: Sequence[Mutant], digest: str, results: Path) -> None:
     """The life of the process of a file."""
     try:
+        lines = serve(FileRun(file, limit), own)
         with results.open("a", encoding="utf-8") as out:
             for m, (outcome, detail), seconds in lines:
                 line = Judged(m.file, digest, m.kind, m.place, m.what, outcome, detail, round(seconds, 3))
