@@ -104,10 +104,17 @@ FAULTS = {
 """Mutants that once ended in a fault: where, what is changed, and what they are told now."""
 
 
-@pytest.mark.parametrize("where", FAULTS)
-def test_mutants_that_ended_in_a_fault(where: str) -> None:
+LEFT_OPEN = {
+    "energy/yo-yo.yaml:25:11": ("without y(G) = -h", "PL623"),
+    "energy/crate-winched-up-a-slope.yaml:21:7": ("without s = 0", "PL623"),
+}
+"""Mutants that leave something open, of which many values were tried."""
+
+
+@pytest.mark.parametrize("where", FAULTS | LEFT_OPEN)
+def test_mutants_that_have_no_answer(where: str) -> None:
     name, _, place = where.partition(":")
-    file, (what, codes) = str(ROOT / "problems" / name), FAULTS[where]
+    file, (what, codes) = str(ROOT / "problems" / name), (FAULTS | LEFT_OPEN)[where]
     (mutant,) = [m for m in mutants.mutants(file) if m.place == place and what in m.what]
     _, root, _ = nodes.read_file(file)
     assert root is not None

@@ -23,7 +23,7 @@ from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.between.integrals_that_hold import taken_out
 from planar_cli.solve.between.linked import independent, linked_blocks
-from planar_cli.solve.instant.branches import vanishes
+from planar_cli.solve.instant.branches import holds_between, vanishes
 from planar_cli.solve.instant.elimination import Pending, alone, combined, eliminate, in_factors
 from planar_cli.solve.instant.roots import Root, real_roots, turning
 from planar_cli.solve.regimes.equations import Equation
@@ -269,6 +269,8 @@ class Chain:
         if vanishes(residual, x, here):
             raise Undecided("these equations say the same")
         every = [r for r in self._roots(residual, x, here) if self._may_be(r.value, x)]
+        if holds_between(residual, x, [r.value for r in every], here):
+            raise Undecided("these equations say the same over some distance")
         others = [p for i, p in enumerate(pool) if i != index]
         nearest = min((abs(float(r.value) - self.tends[x]) for r in every), default=0.0) if x in self.tends else 0.0
         for taken, root in enumerate(every):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import itertools
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -225,6 +226,17 @@ def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
     """Does an equation hold for every value of its unknown? Then it follows from the others and says nothing of it."""
     tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
     return all(v.vanishes(residual) for v in tried)
+
+
+def holds_between(residual: sp.Expr, x: sp.Symbol, roots: Sequence[Decimal], value: Valuation) -> bool:
+    """Does it hold all the way from one root to the next, as an absolute value may make it do on one side of a place?
+    Then these are no roots, but places at which it was looked for some.
+    """
+    for low, high in itertools.pairwise(sorted(roots)):
+        tried = (value.extended({x: low + (high - low) * Decimal(n)}) for n in ("0.27915", "0.73205"))
+        if low != high and all(v.vanishes(residual) for v in tried):
+            return True
+    return False
 
 
 def copied(algebra: Algebra) -> Algebra:

@@ -207,6 +207,25 @@ def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Ex
     return None if any(s in lead.free_symbols for s in left) else lead
 
 
+def _without(one: sp.Expr, other: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The resultant of two polynomials in x that are multiplied out; of those in x² that of the square, of which it is
+    the square. Their factors stand as letters meanwhile: long ones take all the time.
+    """
+    pace = 2 if all(e.coeff(x, n) == 0 for e in (one, other) for n in range(1, HIGHEST + 1, 2)) else 1
+    factors: dict[sp.Symbol, sp.Expr] = {}
+    forms = []
+    for e in (one, other):
+        form = sp.S.Zero
+        for n in range(0, HIGHEST + 1, pace):
+            factor = e.coeff(x, n)
+            letter = sp.Dummy() if factor.free_symbols else factor
+            if letter != factor:
+                factors[letter] = factor
+            form += letter * x ** (n // pace)
+        forms.append(form)
+    return expanded(sp.resultant(*forms, x).xreplace(factors))
+
+
 def _resultant(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
     """An equation without x from two polynomials in x; both stay, to give x afterwards and to be tested."""
     for i, j in combinations(range(len(pool)), 2):
@@ -220,7 +239,7 @@ def _resultant(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation)
                 continue
             if sp.total_degree(one, x, y) * sp.total_degree(other, x, y) > HIGHEST or longer(one * other, 200):
                 continue
-            found = expanded(sp.resultant(one, other, x))
+            found = _without(one, other, x)
             if found != 0 and y in found.free_symbols and not any(p.residual == found for p in pool):
                 numbers = tuple(dict.fromkeys((*pool[i].numbers, *pool[j].numbers)))
                 return [Pending(found, numbers), *pool]
