@@ -83,6 +83,11 @@ def constant(value: Any) -> Jet:
     return Jet(sp.S(value))
 
 
+def only(value: sp.Expr) -> Jet:
+    """A quantity whose rate one instant does not tell."""
+    return Jet(value, None, None)
+
+
 def _sum(a: sp.Expr | None, b: sp.Expr | None) -> sp.Expr | None:
     return None if a is None or b is None else a + b
 
@@ -116,3 +121,18 @@ def magnitude(v: Vec) -> Jet:
             return one.through(sp.Abs) if not one.value.is_positive else one
     square: Jet = v.x * v.x + v.y * v.y
     return square.power(sp.Rational(1, 2))
+
+
+def direction_angle(v: Vec) -> Jet:
+    """The direction of a Vec of jets; its rate is (x ẏ - y ẋ)/(x² + y²)."""
+    value = sp.atan2(v.y.value, v.x.value)
+    if (v.x.value == 0 and v.y.value == 0) or v.x.rate is None or v.y.rate is None:
+        return only(value)
+    rate: Jet = (v.x * v.y.dotted() - v.y * v.x.dotted()) / v.dot(v)
+    return Jet(value, rate.value, rate.rate)
+
+
+def resolved(v: Vec, unit: Vec, along: bool) -> Jet:
+    """The part of a Vec of jets along a unit vector, or across it (turned by 90 deg counterclockwise)."""
+    found: Jet = v.dot(unit if along else unit.turned())
+    return found

@@ -9,8 +9,9 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.growth import growth
-from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
+from planar_cli.equation.jets import Jet, constant, direction_angle, magnitude, only, resolved, vector_jet
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.of_all import energy_of_load, mass_centre
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.turning import counted_angle
@@ -38,6 +39,7 @@ LATER = {
     "stable",
 }
 
+ALL = "all"
 ALONG = "write `.along` or `.across`"
 
 
@@ -47,29 +49,9 @@ def _short(jet: Jet) -> Jet:
     return Jet(out, jet.rate, jet.second) if out.count_ops() < jet.value.count_ops() else jet
 
 
-def only(value: sp.Expr) -> Jet:
-    """A quantity whose rate one instant does not tell."""
-    return Jet(value, None, None)
-
-
 def parts_of(v: Vec) -> tuple[Jet, Jet]:
     """The components of a Vec of jets."""
     return v.x, v.y
-
-
-def direction_angle(v: Vec) -> Jet:
-    """The direction of a Vec of jets; its rate is (x ẏ - y ẋ)/(x² + y²)."""
-    value = sp.atan2(v.y.value, v.x.value)
-    if (v.x.value == 0 and v.y.value == 0) or v.x.rate is None or v.y.rate is None:
-        return only(value)
-    rate: Jet = (v.x * v.y.dotted() - v.y * v.x.dotted()) / v.dot(v)
-    return Jet(value, rate.value, rate.rate)
-
-
-def resolved(v: Vec, unit: Vec, along: bool) -> Jet:
-    """The part of a Vec of jets along a unit vector, or across it (turned by 90 deg counterclockwise)."""
-    found: Jet = v.dot(unit if along else unit.turned())
-    return found
 
 
 @record
@@ -138,6 +120,8 @@ class Quantities:
     def place(self, name: str) -> Vec:
         """r, v and a of a point (or a body's mass centre), as jets."""
         scene = self.scene
+        if name == ALL:
+            return mass_centre((growth(scene, self.evaluator, b)[0], self.place(b)) for b in scene.bodies)
         body = scene.owner(name) if name not in scene.bodies or name in scene.points else name
         at = scene.bodies[name].center if name in scene.bodies and name not in scene.points else scene.point(name)
         if body == GROUND or is_written(scene, self.motion, name, body):
@@ -221,8 +205,10 @@ class Quantities:
 
     def _q_rho(self, q: Quantity) -> Jet:
         """ρ = |v|³ / |v × a|."""
+        body = self.frame_body(q)
         jets = self._relative(q)
-        v, a = Vec(jets.x.rate, jets.y.rate), Vec(jets.x.second, jets.y.second)
+        seen = Vec(jets.x.rate, jets.y.rate), Vec(jets.x.second, jets.y.second)
+        v, a = seen if body is None else self.seen_from(q.things[0], body)
         return only(v.dot(v) ** sp.Rational(3, 2) / sp.Abs(v.cross(a)))
 
     def _q_ic(self, q: Quantity) -> Vec:
@@ -236,7 +222,7 @@ class Quantities:
     # --- mass and energy ---------------------------------------------------------------------------------------------
 
     def _bodies(self, q: Quantity) -> list[str]:
-        return list(self.scene.bodies) if q.things[0] == "all" else [q.things[0]]
+        return list(self.scene.bodies) if q.things[0] == ALL else [q.things[0]]
 
     def _q_mass(self, q: Quantity) -> Jet:
         return sum((growth(self.scene, self.evaluator, b)[0] for b in self._bodies(q)), constant(sp.S.Zero))
@@ -245,10 +231,12 @@ class Quantities:
         found = constant(sp.S.Zero)
         for name in self._bodies(q):
             body = self.scene.bodies[name]
-            about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
-            arm = body.center - about
             mass, inertia = growth(self.scene, self.evaluator, name)
-            found = found + inertia + mass * constant(arm.dot(arm))
+            found = found + inertia
+            if q.things != (name,):
+                about = self.place(q.things[-1])
+                arm = body.center - Vec(about.x.value, about.y.value)
+                found = found + mass * constant(arm.dot(arm))
         return found
 
     def _q_ke(self, q: Quantity) -> Jet:
@@ -266,14 +254,15 @@ class Quantities:
 
     def _q_pe(self, q: Quantity) -> Jet:
         """m g y_G, from y = 0; of the whole system also what every other load has, k s²/2 of a spring."""
-        parts = [
-            self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y for n in self._bodies(q)
-        ]
-        if q.things[0] == "all" and self.reactions is not None:
-            acting = {(w.kind, w.name) for w in self.reactions.wrenches}
-            stored = (x.potential(self.scene) for x in self.scene.problem.loads if (x.kind, x.name) in acting)
-            parts += [energy for energy in stored if energy is not None]
-        return only(sp.Add(*parts))
+        name, scene = q.things[0], self.scene
+        found = constant(sp.S.Zero)
+        for body in self._bodies(q) if name in scene.bodies or name == ALL else ():
+            mass = growth(scene, self.evaluator, body)[0]
+            found = found + mass * constant(scene.gravity) * self.place(body).y
+        for load in (x for x in scene.problem.loads if name in (ALL, x.name) and name not in scene.bodies):
+            stored = energy_of_load(load, scene, self.reactions, self.motion.velocity)
+            found = found if stored is None else found + stored
+        return found
 
     def _q_momentum(self, q: Quantity) -> Vec:
         """Σ m v_G, with its rate."""

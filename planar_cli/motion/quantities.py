@@ -18,6 +18,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
 OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
+ALL = "all"
 
 
 @record
@@ -25,8 +26,8 @@ class Quantities:
     """Quantities of one scene."""
 
     scene: Carried
-    stored: Callable[[], Term]
-    """The potential energy of all loads."""
+    stored: Callable[[str], Term]
+    """The potential energy of the loads of a name, of all of them for "" [J]."""
     accelerations: Mapping[Term, Term]
     """The second derivative behind each rate of the state; empty where they are not known yet."""
     reactions: Reactions | None = None
@@ -94,19 +95,32 @@ class Quantities:
 
     # --- motion ------------------------------------------------------------------------------------------------------
 
+    def point(self, name: str) -> Vec:
+        """The place of a point or of a body; of `all`, of the mass centre Σ m r / Σ m."""
+        if name != ALL:
+            return self.scene.point(name)
+        graph, heavy = self.scene.graph, [p for p in self.scene.places.values() if not self.scene.vanishes(p.mass)]
+        total = graph.number(0.0)
+        for place in heavy:
+            total = total + place.mass
+        parts = [place.center * (place.mass / total) for place in heavy]
+        return sum(parts[1:], parts[0])
+
     def carrier(self, name: str) -> str:
         """The body with which a point goes."""
         scene = self.scene
+        if name == ALL:
+            return GROUND
         return name if name in scene.places and name not in scene.owners else scene.owner(name)
 
     def velocity(self, name: str) -> Vec:
         """Of the body's material point that is now there; of a point of no body, the rate of its place."""
-        place, body = self.scene.point(name), self.carrier(name)
+        place, body = self.point(name), self.carrier(name)
         return self._rate(place) if body == GROUND else self.scene.velocity(place, body)
 
     def acceleration(self, name: str) -> Vec:
         """The same."""
-        place, body = self.scene.point(name), self.carrier(name)
+        place, body = self.point(name), self.carrier(name)
         return self._rate(self._rate(place)) if body == GROUND else self.of_body(place, body)
 
     def of_body(self, point: Vec, body: str) -> Vec:
@@ -133,14 +147,14 @@ class Quantities:
 
     def place(self, q: Quantity) -> Vec:
         """r(P), r(B/A), r(P/b)."""
-        return self.less(q, self.scene.point)
+        return self.less(q, self.point)
 
     def speed(self, q: Quantity) -> Vec:
         """v(P), v(B/A), and as seen from a body v - v'."""
         body = self.frame(q)
         if body is None:
             return self.less(q, self.velocity)
-        return self.velocity(q.things[0]) - self.scene.velocity(self.scene.point(q.things[0]), body)
+        return self.velocity(q.things[0]) - self.scene.velocity(self.point(q.things[0]), body)
 
     def coriolis(self, q: Quantity) -> Vec:
         """2 ω k × v_rel."""
@@ -155,7 +169,7 @@ class Quantities:
         body = self.frame(q)
         if body is None:
             return self.less(q, self.acceleration)
-        own = self.of_body(self.scene.point(q.things[0]), body)
+        own = self.of_body(self.point(q.things[0]), body)
         return self.acceleration(q.things[0]) - own - self.coriolis(q)
 
     def turning(self, q: Quantity, of: Callable[[str], Term]) -> Term:
@@ -187,7 +201,7 @@ class Quantities:
 
     def total(self, q: Quantity, of: Callable[[str], Term]) -> Term:
         """The sum over the bodies that are meant."""
-        names = list(self.scene.places) if q.things[0] == "all" else [q.things[0]]
+        names = list(self.scene.places) if q.things[0] == ALL else [q.things[0]]
         found = self.scene.graph.number(0.0)
         for name in names:
             found = found + of(name)
@@ -198,9 +212,9 @@ class Quantities:
 
         def of(name: str) -> Term:
             place = self.scene.places[name]
-            if len(q.things) == 1:
+            if q.things == (name,):
                 return place.inertia
-            arm = place.center - self.scene.point(q.things[1])
+            arm = place.center - self.point(q.things[-1])
             return place.inertia + self.scene.graph.of(place.mass * arm.dot(arm))
 
         return self.total(q, of)
@@ -213,10 +227,11 @@ class Quantities:
 
     def potential(self, q: Quantity) -> Term:
         """m g y_G, from y = 0; of the whole system all that the loads tell."""
-        if q.things[0] != "all":
-            place = self.scene.places[q.things[0]]
+        name = q.things[0]
+        if name in self.scene.places:
+            place = self.scene.places[name]
             return place.mass * self.scene.gravity * place.y
-        return self.stored()
+        return self.stored("" if name == ALL else name)
 
     def momentum(self, q: Quantity) -> Vec:
         """Σ m v_G."""

@@ -259,10 +259,10 @@ class MovingScene(Carried):
         """The weight of every body, then the loads of the file."""
         return acting_loads(self.problem)
 
-    def stored_energy(self) -> Term:
-        """The potential energy of all loads, J."""
+    def stored_energy(self, name: str = "") -> Term:
+        """The potential energy of the loads of a name, of all without one, J."""
         found = self.graph.number(0.0)
-        for load in self.loads():
+        for load in (x for x in self.loads() if name in ("", x.name)):
             part = load.potential(self)
             found = found if part is None else found + part
         return found

@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.check_names import missing_state
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.reading import did_you_mean, listed
-from planar_cli.problem.scene import GROUND, Particle
+from planar_cli.problem.scene import GROUND, Composite, Particle
 from planar_cli.problem.scope import Member, Scope
 from planar_cli.records import record
 from planar_cli.registry import members
@@ -60,7 +60,7 @@ TAKES: dict[str, Takes] = {
     "mass": Takes("body all"),
     "I": Takes("body all", "point body"),
     "KE": Takes("body all"),
-    "PE": Takes("body all load"),
+    "PE": Takes("body all spring"),
     "momentum": Takes("body all"),
     "H": Takes("body all", "point body", both=True),
     "power": Takes("load joint body all", "body"),
@@ -89,6 +89,8 @@ def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
         return
     if quantity.word in BODY_WORDS:
         yield from _turning(quantity, scope)
+    if quantity.word in (*POINT_WORDS, "I") and quantity.things[0] == "all":
+        yield from _mass_centre(quantity, scope)
     yield from _thing(quantity, 0, takes.first, scope)
     if len(quantity.things) > 1:
         yield from _second(quantity, takes, scope)
@@ -106,6 +108,13 @@ def _turning(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
             text = f"{name} is a particle: it has no angle, so `{quantity.word}({name})` says nothing"
             hint = f"name a body that turns, or write `r({name}).angle` for the direction in which {name} lies"
             yield Diagnostic(quantity.mark, "PL420", text, hint)
+
+
+def _mass_centre(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
+    """The whole system is where its mass centre is."""
+    if all(b.is_massless and not isinstance(b.shape, Composite) for b in scope.problem.bodies):
+        text = f"no body has mass, so that `{quantity.word}(all)` says nothing: the whole has no mass centre"
+        yield Diagnostic(quantity.mark, "PL420", text, "name a point or a body, or give masses")
 
 
 def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnostic]:
@@ -233,7 +242,7 @@ def _known(kinds: list[str], scope: Scope) -> set[str]:
         known |= set(scope.points)
     if "body" in kinds:
         known |= set(scope.bodies)
-    return known | {n for n, named in scope.members.items() if any(_fits(m, kinds) for m in named)}
+    return known | {n for n, named in scope.members.items() if n and any(_fits(m, kinds) for m in named)}
 
 
 def _alternative(member: Member, name: str) -> str:

@@ -125,9 +125,9 @@ _QUANTITIES = {
         ".t and .n are along and across the velocity; where the speed is zero they mean nothing. On a circle "
         "use .across."
     ),
-    "PL557": "N, friction, reaction, moment and tension take the name of a joint that acts then, not only before.",
+    "PL557": "N, friction, reaction, moment and tension take the name of what acts then, not only before.",
     "PL558": "The joint does not act on the body after the slash.",
-    "PL559": "The joint joins two moving bodies; say on which its force is meant: reaction(B/AB).",
+    "PL559": "The joint or load acts on two moving bodies; say on which its force is meant: reaction(B/AB).",
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",
     "PL570": "The method has no equation that leads to what is asked: one that relates two states tells nothing of one "
     "instant, and Lagrange's equations tell no reaction that does no work.",

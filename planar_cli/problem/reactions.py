@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from planar_cli.errors import refuse
@@ -49,15 +49,21 @@ class Reactions:
         return found[0] if found else self.zero
 
     def couple(self, q: Quantity) -> Any:
-        """The couple of a joint on the named body."""
+        """The couple of a joint or a load on the named body."""
         total = self.zero
+        if self._is_load(q):
+            for wrench in self._of_load(q):
+                total = total + wrench.couple
+            return total
         for push, expr in self._of(q):
             if push.unit == "N*m":
-                total = total + expr * self._action(push, self._body(q, [push])).couple
+                total = total + expr * self._action(push, self._body(q, _bodies([push]))).couple
         return total
 
     def force(self, q: Quantity, kinds: tuple[str, ...] | None) -> Vec:
-        """The sum of a joint's forces of these kinds (None: all) on the named body."""
+        """The sum of a joint's forces of these kinds (None: all, of a load too) on the named body."""
+        if kinds is None and self._is_load(q):
+            return self.load(q)
         skids = [w for w in self.wrenches if w.kind == "skid" and self.joints.get(w.name) == q.things[0]]
         named = q.things[-1] if any(w.body == q.things[-1] for w in skids) else None
         for wrench in skids:
@@ -66,7 +72,7 @@ class Reactions:
         chosen = [(p, e) for p, e in self._of(q) if p.unit == "N" and (kinds is None or p.kind in kinds)]
         if not chosen:
             return self._none()
-        body = self._body(q, [p for p, _ in chosen])
+        body = self._body(q, _bodies(p for p, _ in chosen))
         total = self._none()
         for push, expr in chosen:
             for action in push.actions:
@@ -74,9 +80,10 @@ class Reactions:
                     total = total + action.force * expr
         return total
 
-    def _body(self, q: Quantity, pushes: list[Push]) -> str:
-        """On whom: the body after the slash, else the one beside the ground, else that of the joint's name."""
-        bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
+    def _body(self, q: Quantity, bodies: list[str]) -> str:
+        """On whom: the body after the slash, else the one beside the ground, else that of the joint's name. A size is
+        the same on each.
+        """
         if len(q.things) == 2:
             if q.things[1] not in bodies:
                 raise refuse(
@@ -88,6 +95,8 @@ class Reactions:
             return moving[0]
         if q.things[0] in bodies:
             return q.things[0]
+        if q.parts and q.parts[0].kind == "mag":
+            return moving[0]
         raise refuse(
             q.mark,
             "PL559",
@@ -99,16 +108,29 @@ class Reactions:
     def _action(push: Push, body: str) -> Action:
         return next(a for a in push.actions if a.body == body)
 
+    def _loads(self, name: str) -> list[Wrench]:
+        """What the loads of that name do; a weight has the name of its body and is not asked for by it."""
+        return [w for w in self.wrenches if w.name == name and kind_of(w) is not None and w.kind != "weight"]
+
+    def _is_load(self, q: Quantity) -> bool:
+        """Is a load meant, as no joint of that name acts?"""
+        return q.things[0] not in self.joints.values() and bool(self._loads(q.things[0]))
+
     def load(self, q: Quantity) -> Vec:
         """The force of a load, on the named body, or on its only one; a stream pushes where it enters and leaves."""
-        found = [w for w in self.wrenches if w.name == q.things[0] and w.force is not None]
-        if len(q.things) == 2:
-            found = [w for w in found if w.body == q.things[1]]
         total = self._none()
-        for wrench in found:
-            if wrench.body == found[0].body and wrench.force is not None:
+        for wrench in self._of_load(q):
+            if wrench.force is not None:
                 total = total + wrench.force
         return total
+
+    def _of_load(self, q: Quantity) -> list[Wrench]:
+        """What a load does to the named body."""
+        found = self._loads(q.things[0])
+        if not found:
+            return []
+        body = self._body(q, list(dict.fromkeys(w.body for w in found)))
+        return [w for w in found if w.body == body]
 
     def power(self, q: Quantity, velocity: Callable[[Vec, str], Vec], turn: Callable[[str], Any]) -> Any:
         """Σ F · v + M ω of a load, of a joint (`/b`: on b alone), of all forces on a body, or of everything.
@@ -137,3 +159,8 @@ class Reactions:
                     force = None if a.force is None else a.force * expr
                     found.append(Wrench(joint, push.kind, a.body, a.point, force, a.couple * expr))
         return tuple(found)
+
+
+def _bodies(pushes: Iterable[Push]) -> list[str]:
+    """All bodies on which some pushes act."""
+    return list(dict.fromkeys(a.body for p in pushes for a in p.actions))

@@ -17,7 +17,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.asked_energy import kinetic_energy
+from planar_cli.report.asked_energy import ALL, kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
@@ -96,7 +96,7 @@ class AskedTelling:
 
     def _has_vectors(self, answer: Found, q: Quantity) -> bool:
         """Is it a velocity or an acceleration, more than an unknown, all of whose components are known?"""
-        if q.word not in MOVING or not q.things or self._plain(answer):
+        if q.word not in MOVING or not q.things or q.things[0] == ALL or self._plain(answer):
             return False
         vector = self.system.quantities().any(replace(q, parts=(), word="a" if q.word == "coriolis" else q.word))
         known = self.phrases.value.known

@@ -120,8 +120,8 @@ def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[L
 
 def _asked_of(problem: Problem) -> set[str]:
     """The bodies of which something is asked that their mass and its distribution make."""
-    asked = [q for f in problem.find for q in walk(f.found.what) if isinstance(q, Quantity) and q.word in OF_MASS]
-    named = {thing for q in asked for thing in q.things[:1]}
+    quantities = (q for f in problem.find for q in walk(f.found.what) if isinstance(q, Quantity))
+    named = {thing for q in quantities for thing in q.things[:1] if q.word in OF_MASS or thing == "all"}
     return {b.name for b in problem.bodies} if "all" in named else named
 
 

@@ -15,9 +15,9 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.jets import Jet, magnitude
+from planar_cli.equation.jets import Jet, direction_angle, magnitude
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.quantities import Quantities, direction_angle
+from planar_cli.equation.quantities import Quantities
 from planar_cli.problem.scene import Find, Polar, TwoFacts, with_article
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
