@@ -81,3 +81,11 @@ def test_the_sine_of_a_difference_that_is_assumed_positive(steeper: sp.Expr, fla
     found = plain(plainest(expr, set(NUMBERS), value, (steeper - flatter,)))
     assert found.replace("θ", "theta").replace("β", "beta") == f"2 v² sin({a} - {b}) cos {a} / (g cos² {b})"
     assert plainest(expr, set(NUMBERS), value).has(sp.Abs)
+
+
+def test_a_sum_of_fractions_is_one_where_that_is_shorter() -> None:
+    value = Valuation({s: Decimal(str(x)) for s, x in NUMBERS.items()})
+    found = plainest((d * g + 2 * d * v - h * g) / (d + h) - v, set(NUMBERS), value)
+    assert found == (d - h) * (g + v) / (d + h)
+    for kept in (v - d * g / (d + h), v**2 / (2 * d) - g, 1 / d + 1 / h):
+        assert plainest(kept, set(NUMBERS), value) == kept

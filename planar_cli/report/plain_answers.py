@@ -10,9 +10,12 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.report.ordering import factor_key
-from planar_cli.report.shorter_angles import of_two_angles, shorter
+from planar_cli.report.shorter_angles import MOST, of_two_angles, shorter
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -43,8 +46,19 @@ def plainest(
     expr = sp.sympify(expr)
     if not expr.free_symbols <= set(letters):
         return expr
-    found = shorter(_without_bars(expr, letters, above_zero))
+    found = _over_one_bar(shorter(_without_bars(expr, letters, above_zero)))
     return _turned(found if found == expr or value.is_zero(found - expr) else expr, above_zero)
+
+
+def _over_one_bar(expr: sp.Expr) -> sp.Expr:
+    """A sum of fractions as one fraction, where that is shorter: (m g + 2 m a - M g)/(m + M) - a is
+    (m - M) (g + a)/(m + M).
+    """
+    if not expr.is_Add or operations(expr) > MOST or not expr.is_rational_function(*expr.free_symbols):
+        return expr
+    if not any(p.exp.is_negative and p.base.is_Add for p in expr.atoms(sp.Pow)):
+        return expr
+    return min((expr, factored(cancelled(expr))), key=operations)
 
 
 def _without_bars(expr: sp.Expr, letters: Collection[sp.Symbol], above_zero: Collection[sp.Expr]) -> sp.Expr:
