@@ -6,7 +6,7 @@ import math
 
 import pytest
 import sympy as sp
-from answered import first, solve
+from answered import assert_close, first, solve
 
 from planar_cli.errors import NoSolution
 
@@ -235,3 +235,46 @@ def test_what_hangs_from_a_point_that_turns_aside_sways() -> None:
     found = solve(FROM_A_DRUM)
     assert first(found["omega"]) == pytest.approx(-4.7153475891, rel=1e-9)
     assert first(found["T"]) == pytest.approx(34.1762569673, rel=1e-9)
+
+
+CRANE = """title: Load under a trolley
+plane: vertical
+given: {m: 100 kg, l: 4 m, v: 2 m/s}
+points: {T: [0, 5 m], L: {from: T, distance: l, angle: -90 deg}}
+bodies:
+  trolley: {particle: T}
+  load: {particle: L, mass: m}
+joints:
+  - guide: {point: trolley, along: 0 deg}
+  - rope: {path: [T, L], name: cord}
+motion: [LAW]
+states:
+  1: [t = 0]
+  2: [t = 1 s]
+find: {T: tension(cord) @ 2, x: x(load) @ 2}
+"""
+
+
+def test_it_goes_along_with_the_upper_end_of_its_rope() -> None:
+    """Hanging straight down it moves as fast as the trolley."""
+    answers = solve(CRANE.replace("LAW", "v(trolley).x = v"))
+    assert_close(answers["T"], 981)
+    assert_close(answers["x"], 2)
+
+
+def test_it_goes_on_where_a_law_of_that_end_ends() -> None:
+    text = CRANE.replace("LAW", "v(trolley).x = v during 1->2, a(trolley).x = 0 during 2->3")
+    text = text.replace("2: [t = 1 s]", "2: [t = 1 s]\n  3: [t = 1.5 s]").replace("x(load) @ 2", "x(load) @ 3")
+    assert_close(solve(text)["x"], 3)
+
+
+def test_a_speed_that_is_driven_in_phases() -> None:
+    text = """title: Trolley driven in phases
+points: {T: [0, 5 m]}
+bodies: {trolley: {particle: T}}
+joints: [guide: {point: trolley, along: 0 deg}]
+motion: [v(trolley).x = 2 m/s during 1->2, v(trolley).x = -1 m/s during 2->3]
+states: {1: [t = 0], 2: [t = 1 s], 3: [t = 3 s]}
+find: {x: x(trolley) @ 3}
+"""
+    assert_close(solve(text)["x"], 0)

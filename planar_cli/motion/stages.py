@@ -22,7 +22,7 @@ from planar_cli.motion.outside import outside_of
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
-from planar_cli.motion.start import start_of
+from planar_cli.motion.start import given_of, start_of
 from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, evaluate, ordered
 from planar_cli.problem.expression import Law
@@ -257,7 +257,9 @@ class SceneStages:
         """Where the motion begins, by the first state or the instant of the file."""
         reached = () if struck_at_once(self.scene.problem.states) else (self._first(),)
         idle = self._idle(reached)
-        found = start_of(Model(self.scene, lambda m: m not in idle))
+        model = Model(self.scene, lambda m: m not in idle)
+        driven = [law.statement for law in self.laws if self._acts(law, reached)]
+        found = start_of(model, (*given_of(model), *driven))
         return Start(found.time, found.state, None, found.assumed)
 
     def _first(self) -> str:

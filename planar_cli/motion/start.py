@@ -44,15 +44,15 @@ class Start:
 
 def start_of(model: Model, statements: Sequence[Statement] | None = None) -> Start:
     """The start of a model; `statements`: others than those of the first state or the instant."""
-    return _Search(model, _given(model) if statements is None else statements).start()
+    return _Search(model, given_of(model) if statements is None else statements).start()
 
 
 def fixed(model: Model, number: Term) -> bool:
     """Do the places that the file states at the start tell a number of places that the joints leave open?"""
-    return _Search(model, _given(model)).fixed(number)
+    return _Search(model, given_of(model)).fixed(number)
 
 
-def _given(model: Model) -> tuple[Statement, ...]:
+def given_of(model: Model) -> tuple[Statement, ...]:
     """What the file says of the start."""
     problem = model.scene.problem
     if problem.instant is not None:
@@ -211,6 +211,7 @@ class _Search:
         if not moving:
             return ()
         if self._hanging(set(moving)):
+            self._add(firm, self._across_ropes(), numbers)
             return (f"it begins without swaying of {', '.join(sorted(moving))}, as the file does not tell how",)
         if moving.keys() <= self.model.scene.speeds.keys():
             self.zeros.state = self._known()
@@ -310,6 +311,17 @@ class _Search:
                 pushes = model.modes[joint.name][0].facts.pushes
                 tied |= {a.body for p in pushes for a in p.actions}
         return bodies <= tied and bool(self._relations(VELOCITIES) or model.drives)
+
+    def _across_ropes(self) -> list[Equation]:
+        """What hangs goes along with the upper end of its rope, and does not turn about it."""
+        model, scene = self.model, self.model.scene
+        taut = [modes[0].facts for modes in model.modes.values() if any(m.name == "taut" for m in modes)]
+        ends = [(s.start, s.end, s.direction.turned()) for f in taut for row in f.rows for s in row.segments]
+        rates = [(scene.velocity(b.point, b.body) - scene.velocity(a.point, a.body)).dot(d) for a, b, d in ends]
+        ties = [(j, j.path) for f in taut for j in f.joinings if j.path is not None]
+        rates += [(scene.velocity(j.point, j.mover) - scene.velocity(j.point, j.base)).dot(p.tangent) for j, p in ties]
+        size = model.scales.length / model.scales.time
+        return [Equation(model.graph.of(rate), size, "without swaying", NOWHERE) for rate in rates]
 
     # --- solving -----------------------------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.exact import CERTAIN, ZERO, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import letters
@@ -185,7 +185,7 @@ class Multibody:
         for i in set().union(*parts):
             own = [part[i] for part in parts if i in part]
             # Loads in balance leave their rounding, which a body without mass would be asked to take.
-            if abs(found := sum(own, ZERO)) > FEW * max(map(abs, own)):
+            if abs(found := sum(own, ZERO)) > CERTAIN * max(map(abs, own)):
                 total[i] = found
         return total
 
