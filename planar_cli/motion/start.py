@@ -15,6 +15,7 @@ from planar_cli.motion.constraints import Constraint, coefficients
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.directions import demand_directions
 from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
+from planar_cli.motion.hanging import rates_across_ropes
 from planar_cli.motion.model import Model
 from planar_cli.motion.other_side import open_terms, to_the_other_side
 from planar_cli.motion.places import points_of
@@ -211,7 +212,9 @@ class _Search:
         if not moving:
             return ()
         if self._hanging(set(moving)):
-            self._add(firm, self._across_ropes(), numbers)
+            size = self.model.scales.length / self.model.scales.time
+            aside = [Equation(rate, size, "without swaying", NOWHERE) for rate in rates_across_ropes(self.model)]
+            self._add(firm, aside, numbers)
             return (f"it begins without swaying of {', '.join(sorted(moving))}, as the file does not tell how",)
         if moving.keys() <= self.model.scene.speeds.keys():
             self.zeros.state = self._known()
@@ -311,17 +314,6 @@ class _Search:
                 pushes = model.modes[joint.name][0].facts.pushes
                 tied |= {a.body for p in pushes for a in p.actions}
         return bodies <= tied and bool(self._relations(VELOCITIES) or model.drives)
-
-    def _across_ropes(self) -> list[Equation]:
-        """What hangs goes along with the upper end of its rope, and does not turn about it."""
-        model, scene = self.model, self.model.scene
-        taut = [modes[0].facts for modes in model.modes.values() if any(m.name == "taut" for m in modes)]
-        ends = [(s.start, s.end, s.direction.turned()) for f in taut for row in f.rows for s in row.segments]
-        rates = [(scene.velocity(b.point, b.body) - scene.velocity(a.point, a.body)).dot(d) for a, b, d in ends]
-        ties = [(j, j.path) for f in taut for j in f.joinings if j.path is not None]
-        rates += [(scene.velocity(j.point, j.mover) - scene.velocity(j.point, j.base)).dot(p.tangent) for j, p in ties]
-        size = model.scales.length / model.scales.time
-        return [Equation(model.graph.of(rate), size, "without swaying", NOWHERE) for rate in rates]
 
     # --- solving -----------------------------------------------------------------------------------------------------
 
