@@ -12,7 +12,7 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import Symbol
 from planar_cli.problem.scope import Scope, members_of
-from planar_cli.problem.walk import Tree, children, is_endless, walk
+from planar_cli.problem.walk import Tree, children, is_endless, walk, written_alike
 
 
 def instant_or_states(scope: Scope) -> Iterator[Diagnostic]:
@@ -62,6 +62,17 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
             )
     for formula in formulas(p):
         yield from _words(formula.tree)
+
+
+def sides_differ(scope: Scope) -> Iterator[Diagnostic]:
+    """A relation whose two sides are written alike says nothing, or can not be true."""
+    p = scope.problem
+    stated = (*(law.statement for law in p.motion), *(p.instant or ()), *p.assume)
+    for relation in (*stated, *(r for state in p.states for r in state.relations)):
+        if isinstance(relation, Relation) and written_alike(relation.left, relation.right):
+            says = "is never true" if relation.operator in "<>" else "says nothing"
+            text = f"'{relation.text}' {says}: both sides are the same"
+            yield Diagnostic(relation.mark, "PL439", text, "compare with something else, or leave it out")
 
 
 def _is_known(tree: Tree, known: set[str]) -> bool:

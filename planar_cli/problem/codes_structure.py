@@ -151,6 +151,10 @@ _NAMES = {
         "A link that begins at a later state joins its ends where they are then: its length is the distance that they "
         "have. A `length` is for a link of the first state, whose ends the drawing leaves open."
     ),
+    "PL439": (
+        "Both sides of a relation are written alike: as an equation it is always true and tells nothing. Perhaps one "
+        "of them was meant to name another point, body or state."
+    ),
 }
 
 _PHYSICS = {

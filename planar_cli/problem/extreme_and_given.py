@@ -8,12 +8,12 @@ v_0 is smallest]`: what chooses it are the states that are to be reached, so tha
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from planar_cli.problem.expression import AtRest, Extreme, Name, Number, Quantity, Relation, Side, Statement, Word
 from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import walk, written_alike
 
 BEGINNING = frozenset(("x", "y", "r", "v", "theta", "omega"))
 """Quantities that tell where and how a motion begins."""
@@ -58,7 +58,7 @@ def _begins(statement: Statement) -> bool:
 def _statements(state: State) -> Iterator[Statement]:
     given = [s for r in state.relations if isinstance(r, Relation) and r.operator == "=" for s in (r.left, r.right)]
     for statement in state.relations:
-        if isinstance(statement, Extreme) and any(_same(statement.side, side) for side in given):
+        if isinstance(statement, Extreme) and any(written_alike(statement.side, side) for side in given):
             mark, text = statement.mark, statement.text
             nothing = Number(Fraction(0), None, 1, mark)
             rate = _rate(statement.side, statement)
@@ -70,12 +70,3 @@ def _statements(state: State) -> Iterator[Statement]:
 
 def _rate(side: Side, extreme: Extreme) -> Quantity:
     return Quantity("dot", (), side, (), None, extreme.mark)
-
-
-def _same(one: object, other: object) -> bool:
-    """Are two sides written alike, wherever they stand?"""
-    if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(map(_same, one, other))
-    if type(one) is not type(other) or not is_dataclass(one):
-        return one == other
-    return all(_same(getattr(one, f.name), getattr(other, f.name)) for f in fields(one) if f.name != "mark")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
 
 from planar_cli.problem.expression import (
@@ -94,3 +94,12 @@ def rational(side: Side) -> Fraction | None:
 def is_endless(relations: Iterable[Statement]) -> bool:
     """Do the relations of a state speak of infinity, so that it is only approached?"""
     return any(isinstance(n, Name) and n.name == "infinity" for r in relations for n in walk(r))
+
+
+def written_alike(one: object, other: object) -> bool:
+    """Are two formulas written alike, wherever they stand?"""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(written_alike, one, other))
+    if type(one) is not type(other) or not is_dataclass(one):
+        return one == other
+    return all(written_alike(getattr(one, f.name), getattr(other, f.name)) for f in fields(one) if f.name != "mark")
