@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -153,6 +155,29 @@ def test_tasks_end_as_they_must_and_in_order() -> None:
     assert ended[3].result == "the process ended with code 7"
     assert ended[4].result == "ValueError: as told"
     assert told == list(range(1, 8))
+
+
+def test_tasks_without_a_limit() -> None:
+    assert [e.result for e in Supervisor(misbehave, 2, 0, lambda done: None).run(["a", "b", "c"])] == ["A", "B", "C"]
+
+
+def test_no_task_outlives_who_gave_it() -> None:
+    """A task holds standard output open as long as it lives."""
+    tasks = "Supervisor(print_and_hang, 1, 0, print).run([1])"
+    code = f"from test_check_command import Supervisor, print_and_hang\nif __name__ == '__main__': {tasks}"
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, cwd=Path(__file__).parent) as process:
+        assert process.stdout is not None
+        assert process.stdout.read(2) == b"go"
+        process.kill()
+        assert process.stdout.read() == b""
+
+
+def print_and_hang(task: int) -> None:
+    """Tell that the task has begun, and go on for ever."""
+    sys.stdout.write("go")
+    sys.stdout.flush()
+    while True:
+        pass
 
 
 def test_no_tasks() -> None:

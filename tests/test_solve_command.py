@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -206,6 +207,20 @@ def test_time_limit_on_the_command_line(run: Any, monkeypatch: pytest.MonkeyPatc
     ran = run("solve good.yaml --timeout 0.2")
     assert ran.status == 3
     assert "not decided within 0.2 s: the file was being worked on; --timeout allows more" in ran.err
+
+
+def eat(*args: object) -> Any:
+    return bytearray(8 * 1024**3)
+
+
+@pytest.mark.parametrize("command", ["solve", "key"])
+def test_a_limit_of_memory(command: str, run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    monkeypatch.setattr("planar_cli.solve.run.solve_part", eat)
+    ran = run(f"{command} good.yaml")
+    assert ran.status == 3
+    assert ":10: not decided, more than 2 GB of memory would be taken: the answers were being sought;" in ran.err
+    assert resource.getrlimit(resource.RLIMIT_AS) == before
 
 
 def test_a_time_limit_tells_what_was_being_worked_on(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:

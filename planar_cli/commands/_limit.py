@@ -1,4 +1,4 @@
-"""A limit on the time that one problem may take."""
+"""Limits on the time and the memory that one problem may take."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from types import FrameType
 
 from planar_cli.errors import Undecided
+from planar_cli.homework.memory import memory_limit, too_much
 
 AGAIN = 1.0
 FEWER = "it may help to give numbers for letters, or to ask for less at once"
@@ -44,6 +45,20 @@ class _TimeIsUp(BaseException):
     """Like KeyboardInterrupt it is no Exception: no road that looks for another way out may take it for a failure of
     its own, or what is printed would depend on the clock.
     """
+
+
+@contextmanager
+def limits(seconds: float) -> Iterator[None]:
+    """Undecided from the block where it takes more time, or more memory than one problem may."""
+    try:
+        with memory_limit(), time_limit(seconds):
+            yield
+    except MemoryError as error:
+        trace = error.__traceback__
+        while trace is not None and trace.tb_next is not None:
+            trace = trace.tb_next
+        frame = None if trace is None else trace.tb_frame
+        raise Undecided(f"{place_of(frame)}not decided, {too_much()} would be taken: {at_work(frame)}") from None
 
 
 @contextmanager

@@ -49,8 +49,10 @@ def _replace(target: Path, data: bytes) -> None:
             os.fsync(stream.fileno())
         os.chmod(name, 0o666 & ~_umask())
         os.replace(name, target)
-    except OSError as error:
+    except BaseException as error:
         os.unlink(name)
+        if not isinstance(error, OSError):
+            raise
         raise PlanarError(f"cannot write {target}: {error.strerror}") from error
 
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from planar_cli import cli
-from planar_cli.commands._limit import time_limit
+from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError, Undecided
 from planar_cli.registry import modules
@@ -54,7 +54,7 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
     told, status = [], cli.SOLVED
     for path in paths:
         try:
-            with time_limit(options["timeout"]):
+            with limits(options["timeout"]):
                 more, one = _told(path, options, brief=len(paths) > 1)
         except PlanarError as error:
             more, one = cli.tell(error), None

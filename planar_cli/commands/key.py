@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from planar_cli import cli
-from planar_cli.commands._limit import time_limit
+from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
 
@@ -35,7 +35,7 @@ def command(files: tuple[str, ...], worked: bool, output: str | None, figures: i
     worst = cli.SOLVED
     for path in problem_files(files):
         try:
-            with time_limit(timeout):
+            with limits(timeout):
                 document, status = _section(path, worked, figures)
                 sections.append(markdown.render(document))
         except PlanarError as error:

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
-from planar_cli.commands._limit import time_limit
+from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError
 from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
@@ -55,7 +55,7 @@ def command(files: tuple[str, ...], file: str | None, timeout: float, **options:
     status, pieces = cli.SOLVED, []
     for path in files:
         try:
-            with time_limit(timeout):
+            with limits(timeout):
                 more, piece = _simulated(path, request)
         except PlanarError as error:
             more, piece = cli.tell(error), None

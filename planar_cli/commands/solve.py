@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
-from planar_cli.commands._limit import time_limit
+from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
 from planar_cli.near import nearest
@@ -118,7 +118,7 @@ def _report(path: str, wanted: Wanted) -> Report:
 
     name = path
     try:
-        with time_limit(wanted.timeout):
+        with limits(wanted.timeout):
             problem = read(path)
             name = problem.title or path
             return _compared(problem, wanted) if wanted.compare else _solved(problem, wanted)

@@ -8,17 +8,19 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import threading
 import time
 from collections.abc import Callable, Sequence
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any
 
+from planar_cli.homework.memory import memory_limit, too_much
 from planar_cli.records import changing, record
 
 READY = "ready"
-MEMORY = 2 * 1024**3
 LONGEST_START = 120.0
+NEVER = float("inf")
 
 
 @record
@@ -76,8 +78,9 @@ class Supervisor:
     def _step(self, items: Sequence[Any]) -> None:
         """Wait until something happens, and see to every worker that it happened to."""
         soonest = min(w.deadline for w in self._workers)
+        left = None if soonest == NEVER else max(0.0, soonest - time.monotonic())
         # A closed pipe counts as ready, so a worker that dies is heard at once.
-        ready = wait([w.pipe for w in self._workers], max(0.0, soonest - time.monotonic()))
+        ready = wait([w.pipe for w in self._workers], left)
         for worker in list(self._workers):
             if worker.pipe in ready:
                 self._hear(worker, items)
@@ -102,7 +105,7 @@ class Supervisor:
             return
         worker.task = self._waiting.pop()
         worker.started = time.monotonic()
-        worker.deadline = worker.started + (self.timeout or float("inf"))
+        worker.deadline = worker.started + (self.timeout or NEVER)
         worker.pipe.send(items[worker.task])
 
     def _end(self, worker: _Worker, verdict: str, result: Any) -> None:
@@ -126,31 +129,29 @@ class Supervisor:
 
 def _serve(pipe: Connection, function: Callable[[Any], Any]) -> None:
     """The life of a worker: one item after the other until the pipe closes."""
-    _limit_memory()
-    pipe.send((READY, None))
-    while True:
-        try:
-            item = pipe.recv()
-        except (EOFError, KeyboardInterrupt):
-            return
-        pipe.send(_outcome(function, item))
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    with memory_limit():
+        pipe.send((READY, None))
+        while True:
+            try:
+                item = pipe.recv()
+            except (EOFError, KeyboardInterrupt):
+                return
+            pipe.send(_outcome(function, item))
+
+
+def _end_with_parent() -> None:
+    """However the process ends that started this one: nobody is left to end it at its deadline."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _outcome(function: Callable[[Any], Any], item: Any) -> tuple[str, Any]:
     try:
         return "ok", function(item)
     except MemoryError:
-        return "memory", f"more than {MEMORY // 1024**3} GB of memory"
+        return "memory", too_much()
     except Exception as error:
         return "fault", f"{type(error).__name__}: {error}"
-
-
-def _limit_memory() -> None:
-    """A limit on this process, where the system knows one."""
-    try:
-        import resource
-    except ImportError:
-        return
-    _, hard = resource.getrlimit(resource.RLIMIT_AS)
-    limit = MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard)
-    resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
