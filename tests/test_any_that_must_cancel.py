@@ -86,3 +86,45 @@ def test_what_lifts_off_rests_on_its_inertia() -> None:
         solve(text.replace("NOW", "F = 0.9*N(R)").replace("SIDE", "1").replace("INERTIA", "any"))
     (told,) = error.value.diagnostics
     assert "`any`" in (told.hint or "") or told.code == "PL614"
+
+
+PINNED = """
+title: Rod that a torque turns
+plane: vertical
+points: {O: [0, 0], A: {from: O, distance: 1 m, angle: -30 deg}, G: {midpoint: [O, A]}}
+bodies: {d: BODY}
+joints:
+  - pin: {at: O, between: [ground, d]}
+loads:
+  - torque: {body: d, moment: 3 N*m}
+states: {1: [t = 0, at rest], 2: [t = 0.2 s]}
+find: {w: omega(d) @ 2}
+"""
+THROWN = """
+title: Ball with drag
+plane: vertical
+bodies: {d: {particle: [0, 0], mass: any}}
+loads:
+  - drag: {body: d, magnitude: 0.1 kg/m * v(d).mag^2}
+states: {1: [t = 0, v(d).x = 5 m/s, v(d).y = 8 m/s], 2: [v(d).y = 0]}
+find: {h: y(d) @ 2}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        (PINNED.replace("BODY", "{rod: [O, A], mass: any}"), "the mass of d"),
+        (PINNED.replace("BODY", "{rod: [O, A], mass: 2 kg, inertia: any}"), "the moment of inertia of d"),
+        (PINNED.replace("BODY", "{points: [O, A], center: G, mass: 3 kg}"), "the moment of inertia of d"),
+        (THROWN, "the mass of d"),
+    ],
+)
+def test_a_motion_that_was_followed_rests_on_it(text: str, what: str) -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(text)
+    (told,) = error.value.diagnostics
+    assert (told.code, told.message) == (
+        "PL614",
+        f"the motion depends on {what}, which is not given and does not cancel",
+    )

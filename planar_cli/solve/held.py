@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from planar_cli.problem.scene import Find
-from planar_cli.solve.diagnosis.cases import demand_cancelled, several_cases
+from planar_cli.solve.diagnosis.any_mass import demand_cancelled
+from planar_cli.solve.diagnosis.cases import several_cases
 from planar_cli.solve.diagnosis.clash import demand_drawn
 from planar_cli.solve.diagnosis.failures import place
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable

@@ -30,7 +30,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.curves.formulas import at_given_time
-from planar_cli.solve.diagnosis.cases import demand_cancelled
+from planar_cli.solve.diagnosis.any_mass import demand_cancelled
 from planar_cli.solve.diagnosis.left_open import moved_by_nothing
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws

@@ -21,8 +21,9 @@ from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.angles_given import with_angles_put_in
 from planar_cli.solve.central import best_placed
+from planar_cli.solve.diagnosis.any_mass import demand_cancelled
 from planar_cli.solve.diagnosis.beginning import demand_direction
-from planar_cli.solve.diagnosis.cases import demand_cancelled, several
+from planar_cli.solve.diagnosis.cases import several
 from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
 from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact

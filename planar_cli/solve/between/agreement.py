@@ -15,12 +15,14 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import NoValue, undecided_at
+from planar_cli.errors import NoSolution, NoValue, undecided_at
+from planar_cli.motion.masses import ANY_MASS
 from planar_cli.solve.between.events import LOOKS
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.integrated import apart, digits
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.diagnosis.any_mass import not_cancelled
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import DATA
 from planar_cli.solve.regimes.regime import Regime
@@ -56,9 +58,35 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
         # a number beside them does not vanish.
         known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
         if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
+            _demand_cancelled(course, value, e.residual)
             mark = course.states[0].mark
             text = f"the motion that was followed contradicts an equation: {e.words}"
             raise Disagreement(f"{mark.file}:{mark.line}: {text}")
+
+
+def _demand_cancelled(course: MotionEquations, value: Valuation, residual: sp.Expr) -> None:
+    """NoSolution: with the numbers that were followed for masses that are not given the equation holds, and with others
+    it does not.
+    """
+    hidden = [s for s in course.scene.cancelling if s in residual.free_symbols]
+    there = value.extended(_followed_masses(course, value)) if hidden else value
+    off = there.known(residual) if hidden else None
+    if off is not None and abs(off) <= Decimal(repr(APART)) * there.size(residual):
+        raise NoSolution([not_cancelled(course.scene, "the motion", None, hidden)])
+
+
+def _followed_masses(course: MotionEquations, value: Valuation) -> dict[sp.Symbol, Decimal]:
+    """What was put in for masses and moments of inertia that the file does not give."""
+    hidden, one = course.scene.cancelling, Decimal(repr(ANY_MASS))
+    found: dict[sp.Symbol, Decimal] = {}
+    for body in course.problem.bodies:
+        model = course.scene.bodies[body.name]
+        mass = one if model.mass in hidden else value.known(model.mass)
+        if model.mass in hidden:
+            found[model.mass] = one
+        if model.inertia in hidden and mass is not None:
+            found[model.inertia] = one if body.any_inertia else one * mass
+    return found
 
 
 def _without_turns(off: Decimal, residual: sp.Expr, value: Valuation) -> Decimal:
@@ -102,6 +130,11 @@ def integrated(found: SolvedMotion, needed: Collection[sp.Symbol]) -> SolvedMoti
     if off is None:
         return found
     if off > APART:
+        if masses := _followed_masses(found.course, found.value):
+            there = [replace(s, value=s.value.extended(masses)) for s in found.followed.segments]
+            again = apart(there, found.followed.sizes, _resting_on(found.course, guessed))
+            if again is not None and again <= APART:
+                raise NoSolution([not_cancelled(found.course.scene, "the motion", None, list(masses))])
         raise Disagreement("the equations of motion, integrated, lead elsewhere than the motion that was followed")
     words = f"the integrated equations of motion agree with the motion followed to {digits(off)} digits"
     return replace(found, integrated=True, checks=(*found.checks, words))
