@@ -109,3 +109,21 @@ def test_an_angle_by_whole_turns_more_is_the_same_drawing() -> None:
 def test_a_line_has_two_directions() -> None:
     """The chute halves the angle between the vertical and the normal of the slope: 75° and -105° are one line."""
     assert float(number(solve(CHUTE)["phi"])) == pytest.approx(radians(75))
+
+
+def test_two_throws_with_the_same_answer_are_one() -> None:
+    """v² = v_0² - 2 g h whichever of two angles it is."""
+    text = """
+title: Ball over a wall
+plane: vertical
+unknowns: {phi: deg}
+bodies: {P: {particle: [0, 0], mass: any}}
+states:
+  1: [t = 0, v(P).mag = 20 m/s, v(P).angle = phi]
+  2: [x(P) = 20 m, y(P) = 5 m]
+find: {v: v(P).mag @ 2}
+"""
+    assert float(number(solve(text)["v"])) == pytest.approx((400 - 2 * 9.81 * 5) ** 0.5)
+    with pytest.raises(NoSolution) as error:
+        solve(text.replace("v: v(P).mag @ 2", "t: t @ 2"))
+    assert error.value.diagnostics[0].code == "PL635"

@@ -18,7 +18,18 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.errors import refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
-from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Relation,
+    Scaled,
+    Side,
+)
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.not_negative import coefficients_in_letters
@@ -235,12 +246,29 @@ def differences(problem: Problem) -> frozenset[str]:
     return frozenset(f"{stem}__{state}" for stem, _, state in made if stem)
 
 
+def is_linear(side: Side, names: set[str]) -> bool:
+    """Do these bare names enter a side linearly, as far as its signs tell?"""
+    match side:
+        case Negate() | Scaled() | Grouped():
+            return is_linear(side.operand, names)
+        case Function():
+            return not names_in(side) & names
+        case Binary(operator="+" | "-" | "*"):
+            both = names_in(side.left) & names and names_in(side.right) & names
+            return not (side.operator == "*" and both) and all(is_linear(s, names) for s in (side.left, side.right))
+        case Binary(operator="/"):
+            return is_linear(side.left, names) and not names_in(side.right) & names
+        case Binary():
+            return not names_in(side) & names
+    return True
+
+
 def names_in(side: Side) -> set[str]:
     """All bare names of a side."""
     match side:
         case Name():
             return {side.name}
-        case Negate() | Scaled():
+        case Negate() | Scaled() | Grouped():
             return names_in(side.operand)
         case Function():
             return names_in(side.argument)

@@ -145,12 +145,10 @@ def _sum(left: Known, right: Known) -> Known:
     return Rough(a.value + b.value, a.doubt + b.doubt + ROUNDING * (abs(a.value) + abs(b.value)))
 
 
-def _inverse(value: Known) -> Known | None:
-    """1/value; None where nobody can say whether it is divided by zero (what divides by zero is told later, PL505)."""
+def _inverse(value: Known) -> Known:
+    """1/value, not of zero."""
     if isinstance(value, Fraction):
-        return 1 / value if value else None
-    if abs(value.value) <= value.doubt:
-        return None
+        return 1 / value
     inverse = 1 / value.value
     return Rough(inverse, inverse * inverse * value.doubt + ROUNDING * abs(inverse))
 
@@ -158,6 +156,8 @@ def _inverse(value: Known) -> Known | None:
 def _combined(side: Binary, left: Known | None, right: Known | None) -> Known | None:
     if left is None or right is None:
         return None
+    if (side.operator == "/" and _vanishes(right)) or (side.operator == "^" and _vanishes(left) and _below_zero(right)):
+        raise NoNumber(side.mark, "PL505", "division by zero", "correct a number: what it is divided by comes to 0")
     try:
         match side.operator:
             case "+":
@@ -170,9 +170,18 @@ def _combined(side: Binary, left: Known | None, right: Known | None) -> Known | 
                 found = _product(left, _inverse(right))
             case _:
                 found = _power(side, left, right)
-    except OverflowError:
+    except (OverflowError, ZeroDivisionError):
         raise _too_large(side.mark) from None
     return _bounded(found, side.mark)
+
+
+def _vanishes(value: Known) -> bool:
+    """Is it zero, or nothing but rounding, as the cosine of a right angle?"""
+    return abs(value.value) <= value.doubt if isinstance(value, Rough) else value == 0
+
+
+def _below_zero(value: Known) -> bool:
+    return (value.value + value.doubt if isinstance(value, Rough) else value) < 0
 
 
 def _bounded(value: Known | None, mark: Mark) -> Known | None:

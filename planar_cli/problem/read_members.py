@@ -184,12 +184,16 @@ class _Entry:
         return hint
 
     def _name(self, fields: Fields, values: dict[str, Any]) -> str:
-        """`name:`, else that of its point, else that of its first body."""
+        """`name:`, else that of its point, else that of its first body. What touches at a place that is written out,
+        and a load there, has no point by whose name the file could call it; a reaction is that at its place.
+        """
         if "name" in fields:
             return fields.need_name("name", "a name")
-        for key in NAMED_BY:
-            if values.get(key):
-                return str(values[key])
+        at = next((str(values[key]) for key in NAMED_BY if values.get(key)), "")
+        known = values.get("body") or self._first(values.get("between") or ())
+        touches = getattr(self.member, "touches", True)
+        if at and not (touches and known and at in self.names.unnamed):
+            return at
         if values.get("body"):
             return str(values["body"])
         path = values.get("path")

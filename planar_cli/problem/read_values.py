@@ -38,10 +38,11 @@ TABLE_EXAMPLE = "{table: [[0 s, 0 N], [2 s, 50 N]]}"
 
 @record
 class Names:
-    """Names already known when joints and loads are read."""
+    """Names already known when joints and loads are read; `unnamed`: of points that the file writes out in place."""
 
     bodies: frozenset[str]
     surfaces: frozenset[str]
+    unnamed: frozenset[str] = frozenset()
 
 
 def read_value(node: Node | None, spec: KeySpec, fields: Fields, names: Names) -> Any:

@@ -212,7 +212,10 @@ def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
     report = whole.report
     read_surface = () if surfaces is None else read_surfaces(surfaces, report)
     read_body = () if bodies is None else read_bodies(bodies, report, numbers)
-    names = Names(frozenset(b.name for b in read_body), frozenset(s.name for s in read_surface))
+    own = whole.node("points")
+    unnamed = {*points.keys()} if isinstance(points, Mapping) else set()
+    unnamed -= {b.name for b in read_body} | ({*own.keys()} if isinstance(own, Mapping) else set())
+    names = Names(frozenset(b.name for b in read_body), frozenset(s.name for s in read_surface), frozenset(unnamed))
     read_joint = () if joints is None else read_joints(joints, names, report)
     names_c, plane = free_names("C", everything), whole.node("plane")
     said = plane.text if isinstance(plane, Scalar) else None

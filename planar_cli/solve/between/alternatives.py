@@ -23,6 +23,7 @@ from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand
+from planar_cli.solve.roads import is_curve
 from planar_cli.solve.within_a_turn import within_a_turn
 
 SAME = Decimal("1e-12")
@@ -54,8 +55,23 @@ def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[Solved
         told = [f for f in fits if constant in f.branch.values]
         if len(told) == len(fits):
             fits = within_a_turn(course.problem, constant.name, fits, [float(f.branch.values[constant]) for f in fits])
+    if len(fits) > 1 and _answered_alike(fits):
+        return replace(fits[0], checks=_left_out(course, fits[1:], "fit as well, with the same answers"))
     _demand_one(course, [f.branch for f in fits])
     return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
+
+
+def _answered_alike(fits: list[SolvedMotion]) -> bool:
+    """Is everything that is asked the same in all of them?"""
+    for find in fits[0].finds:
+        if not find.raw or is_curve(find.find.found.what):
+            return False
+        for part in find.parts():
+            numbers = [f.value.known(part) for f in fits]
+            told = [n for n in numbers if n is not None]
+            if len(told) < len(numbers) or max(told) - min(told) > SAME * max(fits[0].value.size(part), SAME):
+                return False
+    return bool(fits[0].finds)
 
 
 def _at_the_top(course: MotionEquations, fits: list[SolvedMotion]) -> list[SolvedMotion]:

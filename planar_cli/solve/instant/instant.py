@@ -18,7 +18,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.headings import headings
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
-from planar_cli.equation.setup import Setup, names_in
+from planar_cli.equation.setup import Setup, is_linear, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint, distinct
@@ -190,7 +190,11 @@ class Instant:
         for load in self.scene.problem.loads:
             for spec in keys_of(type(load)):
                 value = getattr(load, spec.name)
-                if spec.name in ("magnitude", "moment") or isinstance(value, (str, tuple, type(None))):
+                if isinstance(value, (str, tuple, type(None))):
+                    continue
+                if spec.name in ("magnitude", "moment"):
+                    if not is_linear(value, sought):
+                        return False
                     continue
                 sides = (value.speed, value.angle) if isinstance(value, Flow) else (value,)
                 if any(names_in(side) & sought for side in sides):

@@ -15,6 +15,7 @@ from functools import partial
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Nonlinear
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
@@ -173,6 +174,19 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
 
 
 def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
+    """As `_best_of`; of a constant by whose square something acts the number is sought too, as nothing can be tested
+    without it.
+    """
+    try:
+        return _best_of(seeker, targets, rejected)
+    except Nonlinear:
+        sought = {s for s in seeker.ledger.sought if s in seeker.unknowns}
+        if sought <= targets:
+            raise
+        return _best_of(seeker, targets | sought, rejected)
+
+
+def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
     """The branch of one choice of modes that holds (and is extreme, where that is asked)."""
     extremes = seeker.instant.statements.extremes
     held: list[Sought] = []
