@@ -1,4 +1,4 @@
-"""What touches at a place that is written out is called by its body: no name that the file does not use is asked for."""
+"""What touches at a place that is written out is called by its body: no name that the file does not use is needed."""
 
 from __future__ import annotations
 
