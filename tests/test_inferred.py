@@ -365,9 +365,27 @@ def test_a_wheel_that_nothing_touches_needs_no_radius() -> None:
     assert_close(solve(FLYWHEEL.replace("TOLD", ", inertia: 0.2 kg*m^2"))["value"], 20)
 
 
-def test_its_inertia_needs_a_radius_where_it_is_not_told() -> None:
-    _, wrong = load_text(FLYWHEEL.replace("TOLD", ""))
-    assert [(d.code, d.message) for d in wrong] == [("PL311", "the body w needs the key 'radius'")]
+def test_its_inertia_needs_a_radius_where_something_rests_on_it() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(FLYWHEEL.replace("TOLD", ""))
+    (told,) = error.value.diagnostics
+    assert told.code == "PL614"
+    assert (told.hint or "").endswith("or its `radius`, if it is a uniform wheel")
+
+
+def test_a_wheel_that_does_not_turn_needs_no_radius() -> None:
+    text = FLYWHEEL.replace("TOLD", "").replace("alpha(w)", "a(w).x").replace("torque: {body: w, moment: 4 N*m}", PULL)
+    assert_close(solve(text.replace("pin: {at: O, between: [ground, w]}", RAIL_OF_IT))["value"], 4)
+
+
+PULL = "force: {body: w, at: O, magnitude: 12 N, angle: 0 deg}"
+RAIL_OF_IT = "guide: {point: O, along: 0 deg}"
+
+
+def test_a_part_that_is_a_wheel_needs_one() -> None:
+    parts = "{parts: [{disk: O, mass: 3 kg}, {particle: O, mass: 1 kg}]}"
+    _, wrong = load_text(FLYWHEEL.replace("{disk: O, mass: 3 kgTOLD}", parts))
+    assert [(d.code, d.hint) for d in wrong] == [("PL311", "give its `radius`")]
 
 
 THROWN = """plane: vertical

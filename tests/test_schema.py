@@ -55,7 +55,7 @@ def test_every_problem_file(path: Path) -> None:
         "points: {A: 3 m}",
         "points: {1A: [0, 0]}",
         "points: {A: {from: B, distance: 3 m}}",
-        "bodies: {b: {disk: A}}",
+        "bodies: {b: {plate: A}}",
         "bodies: {b: {rod: [A, B], radius: 3 m}}",
         "joints: [{hinge: {at: A, between: [ground, b]}}]",
         "joints: [{pin: {at: A, between: [ground]}}]",

@@ -197,9 +197,8 @@ def _rod(fields: Fields) -> Rod:
 
 
 def _round(kind: str, fields: Fields) -> Round | Outline:
-    """A wheel that nothing touches needs no radius where its inertia is told, or where it has no mass."""
-    light, told = not {"mass", "weight"} & fields.present(), {"inertia", "radius_of_gyration"} & fields.present()
-    if not {"radius", "hub"} & fields.present() and (light or told):
+    """A wheel that nothing touches needs no radius: its inertia is told, or must cancel as that of any other shape."""
+    if not {"radius", "hub"} & fields.present():
         return Outline(fields.need_name(kind, "a point"))
     found = Round(kind, fields.need_name(kind, "a point"), fields.need_side("radius"), fields.side("hub"))
     center = fields.name("center", "a point")
@@ -245,6 +244,11 @@ def _piece(node: Node, whole: Fields) -> Piece:
         fields.report.add(
             fields.place("center"), "PL331", text, f"{hint}, with `radius_of_gyration` for the whole body"
         )
+    heavy, told = {"mass", "weight"} & fields.present(), {"inertia", "radius_of_gyration"} & fields.present()
+    if isinstance(shape, Outline) and heavy and not told:
+        wheel = {"disk", "ring", "sphere"} & fields.present()
+        text = f"{fields.what} is of no shape that tells its moment of inertia"
+        fields.report.add(node.mark, "PL311", text, f"give {'its `radius`' if wheel else 'its `inertia`'}")
     return Piece(
         shape,
         fields.side("mass"),

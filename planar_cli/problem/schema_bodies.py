@@ -10,9 +10,6 @@ from planar_cli.problem.schema_parts import SIDE, listing, record, ref
 Schema = dict[str, Any]
 
 NEEDED = {
-    "disk": ("radius",),
-    "ring": ("radius",),
-    "sphere": ("radius",),
     "sector": ("radius", "span"),
     "plate": ("width", "height"),
 }

@@ -86,7 +86,10 @@ def with_touching_points(
             read.append(replace(touching, at=points[-1].name))
         elif GROUND not in touching.between:
             faces = all(isinstance(_edge(shapes.get(name)), _Face) for name in touching.between)
-            report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", FACES if faces else HINT)
+            hint = FACES if faces else HINT
+            if (wheel := next(filter(None, map(_without_radius, map(shapes.get, touching.between))), None)) is not None:
+                hint = f"{hint}; or the `radius` of {wheel}, if it is a wheel: its rim tells where"
+            report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", hint)
             read.append(joint)
         else:
             read.append(joint)
@@ -126,6 +129,12 @@ def _place(partners: list[Body | Surface | None]) -> Place | str | None:
         case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
             return Foot(face.center, line.through, line.angle, line.towards)
     return None
+
+
+def _without_radius(partner: Body | Surface | None) -> str | None:
+    """The name of a body of which a mass centre alone is told."""
+    bare = isinstance(partner, Body) and isinstance(partner.shape, Outline) and not partner.points
+    return partner.name if bare and partner is not None else None
 
 
 def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.scene import Find
+from planar_cli.problem.scene import Find, Outline
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.solution import Found
 
@@ -44,6 +44,8 @@ def not_cancelled(scene: Scene, name: str, find: Find | None, rests: Sequence[sp
         text = f"{name} depends on the {kind} of {listed(bodies)}, which is not given and does not cancel"
         hint = f"give it: `{repair}`"
     body = next((b for b in scene.problem.bodies if b.name in bodies), None)
+    if body is not None and kind != "mass" and isinstance(body.shape, Outline) and not body.points:
+        hint += ", or its `radius`, if it is a uniform wheel"
     mark = body.mark if body is not None else find.mark if find is not None else Mark(scene.problem.file, 1, 1)
     return Diagnostic(mark, "PL614", text, hint)
 
