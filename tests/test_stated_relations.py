@@ -292,3 +292,10 @@ def test_a_velocity_does_not_place_a_round_body() -> None:
     found = solve(GROOVE)
     assert_close(found["t"], math.acosh(4) / 6)
     assert_close(found["v"], 6 * math.sqrt(0.8**2 - 0.2**2))
+
+
+def test_an_assumption_of_known_numbers_is_told_with_them() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve("title: Sizes\ngiven: {a: 2 ft, b: 3 ft}\nassume: [a < b, 2*a < b]\nfind: {x: a + b}\n")
+    (told,) = error.value.diagnostics
+    assert (told.code, told.message) == ("PL616", "`2*a < b` does not hold: the sides are 4 ft and 3 ft")

@@ -50,6 +50,9 @@ def _reason(error: yaml.YAMLError, lines: list[str], row: int, column: int) -> t
         return ("PL111", *_BEGINNINGS[character])
     if re.search(r"[\[{,:]\s*\?\s*,?$", line[: column + 1]):
         return ("PL111", *_BEGINNINGS["?"])
+    if character in (">", "|"):
+        hint = "a relation is a whole string in a list: `[a >= 3]`, as under `assume`; a value has no sign before it"
+        return "PL111", f"`{character}` begins no value", hint
     at_end = not line[column:].strip() and not any(later.strip() for later in lines[row + 1 :])
     return _brackets_and_quotes(problem, context, at_end)
 

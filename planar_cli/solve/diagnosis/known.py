@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import sympy as sp
 
@@ -21,7 +22,10 @@ from planar_cli.units import parse_unit
 
 
 def demand_stated(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
-    """NoSolution: a size does not fit, or a relation of `motion` or of a state is false of numbers that are given."""
+    """NoSolution: a size does not fit, or a relation of `assume`, `motion` or a state is false of numbers that are
+    given.
+    """
+    _demand_assumed(problem, earlier)
     demand_lengths(problem, earlier)
     demand_rigid(problem, earlier)
     names = {s.name for s in (*problem.given, *problem.symbols)}
@@ -33,6 +37,17 @@ def demand_stated(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
     wrong = [found for r in relations if (found := _false(setup, r)) is not None]
     if wrong:
         raise NoSolution(wrong)
+
+
+def _demand_assumed(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
+    """Without its assumptions the file has numbers with which each of them can be held beside what is given."""
+    names = {s.name for s in problem.given}
+    relations = [r for r in problem.assume if isinstance(r, Relation) and only_names(r, names) is not None]
+    if relations:
+        setup = Setup(replace(problem, assume=()), Statements.of((), ()), earlier, True)
+        wrong = [found for r in relations if (found := _false(setup, r)) is not None]
+        if wrong:
+            raise NoSolution(wrong)
 
 
 def _false(setup: Setup, relation: Relation) -> Diagnostic | None:
