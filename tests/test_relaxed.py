@@ -47,7 +47,11 @@ def test_a_bar_on_a_pin() -> None:
             "other does not turn about one pin of the ground: where it is at that angle is open",
             "`relaxed_at: [x = …]`, or give its `natural_length`",
         ),
-        ("x(B) = 0.5 m", "a relaxed position is given by its coordinates or by the angle of a body", "`[theta(b) ="),
+        (
+            "x(B) = 0.5 m",
+            "a relaxed position is given by its coordinates, by the angle of a body or by that of a particle",
+            "`[theta(b) =",
+        ),
     ],
 )
 def test_what_leaves_it_open(relation: str, message: str, write: str) -> None:
@@ -56,3 +60,63 @@ def test_what_leaves_it_open(relation: str, message: str, write: str) -> None:
     (diagnostic,) = caught.value.diagnostics
     assert (diagnostic.code, diagnostic.message) == ("PL542", message)
     assert write in diagnostic.hint
+
+
+SLIDER = """
+title: Block in a guide, held by a spring
+plane: vertical
+points: {W: [0, 1 m], B: [3 m, 0]}
+bodies: {b: {particle: B, mass: 2 kg}}
+joints:
+  - GUIDE
+loads:
+  - spring: {between: [W, END], stiffness: 200 N/m, relaxed_at: [RELAXED], name: s}
+instant: [at rest]
+find: {F: force(s).mag}
+"""
+SLANTED = "guide: {point: B, along: 45 deg}"
+
+
+@pytest.mark.parametrize("end", ["B", "b"])
+@pytest.mark.parametrize(
+    ("relaxed", "length"),
+    [
+        ("y(B) = -3 m", 4),
+        ("r(b).x = 0 m", 4),
+        ("x(b) = 1 m, y(b) = 1 m", 1),
+        ("r(b/W).mag = 2 m", 2),
+    ],
+)
+def test_a_particle_at_its_end(relaxed: str, length: float, end: str) -> None:
+    """It is √10 m long as drawn."""
+    text = SLIDER.replace("RELAXED", relaxed).replace("GUIDE", SLANTED).replace("END", end)
+    assert_close(solve(text)["F"], 200 * abs(math.sqrt(10) - length))
+
+
+@pytest.mark.parametrize(
+    ("relaxed", "guide", "message"),
+    [
+        (
+            "x(B) = 1 m",
+            "guide: {point: B, along: 90 deg}",
+            "where B is when the spring is relaxed is open: x(B) alone tells it on no guide",
+        ),
+        (
+            "x(B) = 1 m, r(B/W).mag = 1 m",
+            SLANTED,
+            "a relaxed position is given in one way, by coordinates or by places",
+        ),
+    ],
+)
+def test_what_leaves_its_end_open(relaxed: str, guide: str, message: str) -> None:
+    with pytest.raises(FileProblem) as caught:
+        solve(SLIDER.replace("RELAXED", relaxed).replace("GUIDE", guide).replace("END", "B"))
+    assert (caught.value.diagnostics[0].code, caught.value.diagnostics[0].message) == ("PL542", message)
+
+
+def test_a_motion_from_a_spring_that_a_place_relaxes() -> None:
+    """k s²/2 = m v²/2 with s = 0.2 m."""
+    text = SLIDER.replace("RELAXED", "x(b) = 1 m").replace("GUIDE", "guide: {body: b, along: 0 deg}")
+    text = text.replace("END", "b").replace("W: [0, 1 m], B: [3 m, 0]", "W: [0, 0], B: [1.2 m, 0]")
+    text = text.replace("instant: [at rest]", "states: {1: [at rest], 2: [x(b) = 1 m]}")
+    assert_close(solve(text.replace("F: force(s).mag", "v: v(b).x @ 2"))["v"], -2)

@@ -114,7 +114,7 @@ class AsDrawn:
         found: sp.Expr = self.scene.as_drawn(self.scene.bodies[body].theta)
         return found
 
-    def angle_at(self, side: Side) -> sp.Expr:
+    def value_at(self, side: Side) -> sp.Expr:
         return self.scene.value(side)
 
     def heading_of(self, angle: sp.Expr) -> Vec:

@@ -252,7 +252,7 @@ class Scene(Decided):
     def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr, ends: tuple[str, str]) -> sp.Expr:
         """A distance of two points where relations hold: `relaxed_at: [theta = 30 deg]`."""
         found = relaxed_at(self.problem, relations)
-        if found.turned:
+        if found.by_places:
             return self.length(reach_of(AsDrawn(self), found, ends, relations[0].mark))
         return expr.subs({self.ledger.symbols[name]: self.value(side) for name, side in found.coordinates.items()})
 

@@ -234,7 +234,7 @@ class MovingScene(Carried):
     def with_relations(self, relations: tuple[Statement, ...], expr: Any, ends: tuple[str, str]) -> Term:
         """A distance of two points where relations hold: `relaxed_at: [theta = 30 deg]`."""
         found = relaxed_at(self.problem, relations)
-        if found.turned:
+        if found.by_places:
             reach = reach_of(self, found, ends, relations[0].mark)
             return self.graph.number(math.hypot(reach.x, reach.y))
         there = {name: self.value(side).value for name, side in found.coordinates.items()}
@@ -245,8 +245,8 @@ class MovingScene(Carried):
         """The angle of a rigid body as drawn, rad."""
         return float(self.drawn[body].theta.value)
 
-    def angle_at(self, side: Side) -> float:
-        """An angle that the file gives, rad."""
+    def value_at(self, side: Side) -> float:
+        """What the file gives, in SI units."""
         return float(self.value(side).value)
 
     def heading_of(self, angle: float) -> Vec:

@@ -104,8 +104,9 @@ _SCENE = {
         "place: its pull has no direction."
     ),
     "PL542": (
-        "A relaxed position is given by values of the coordinates, `relaxed_at: [theta = 30 deg]`, or by the angles of "
-        "bodies on a pin of the ground, `relaxed_at: [theta(b) = 30 deg]`; each end of the spring must follow from it."
+        "A relaxed position is given by values of the coordinates, `relaxed_at: [theta = 30 deg]`, by the angles of "
+        "bodies on a pin of the ground, `relaxed_at: [theta(b) = 30 deg]`, by the places of particles at the ends, "
+        "`relaxed_at: [x(P) = 2 m]`, or by the distance of the ends; each end of the spring must follow from it."
     ),
     "PL543": "`speed:` makes a belt that runs along a line. For a round surface that moves let a disk turn instead.",
     "PL544": (
