@@ -159,3 +159,46 @@ def test_a_slot_beside_the_line_of_its_rod_is_told(known: str, end: str, said: s
     problem, _ = load_text(SLOTTED.format(known=known, end=end))
     page = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
     assert (said in page) if said else ("parallel to its line" not in page)
+
+
+@pytest.mark.parametrize(
+    ("used", "hint"),
+    [
+        ("v_1", "ask for it in a case, `first: {find: {v_1: …}}`, and write `first.v_1` in a later one"),
+        ("v_2", "write `second.v_2` for the find of the earlier case"),
+    ],
+)
+def test_a_find_that_a_case_names_alone(used: str, hint: str) -> None:
+    """A find of the file itself, and one of an earlier case without the name of the case."""
+    (told,) = refused(
+        f"""\
+title: A case that goes on
+bodies: {{P: {{particle: [0, 0]}}}}
+motion: [v(P).x = 3 m/s, v(P).y = 0]
+find: {{v_1: v(P).x}}
+cases:
+  second: {{find: {{v_2: v(P).mag}}}}
+  third: {{given: {{u: {used}}}, find: {{v_3: u + v(P).x}}}}
+"""
+    )
+    assert told.code == "PL410"
+    assert told.hint.endswith(hint)
+
+
+@pytest.mark.parametrize("quote", ["", '"'])
+def test_a_table_in_a_law_of_motion(quote: str) -> None:
+    """With quotes it is no expression, and without them it is no YAML."""
+    law = f"{quote}v(P).x = {{table: [[0 s, 0 m/s], [4 s, 8 m/s]]}}{quote}"
+    (told,) = refused(
+        f"""\
+title: A diagram of the velocity
+bodies: {{P: {{particle: [0, 0]}}}}
+motion:
+  - {law}
+  - v(P).y = 0
+states: {{1: [t = 0], 2: [t = 4 s]}}
+find: {{d: x(P) @ 2}}
+"""
+    )
+    assert (told.code, told.mark.line) == ("PL202", 4)
+    assert "for each stretch" in told.hint

@@ -133,6 +133,12 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
         return f"'{name}' is a state; write `… @ {name}`"
     if name in {find.name for find in scope.problem.find}:
         return "a find is no name for formulas; write what it asks for, or use `case.find` in a later case"
+    told = next((known for known in scope.case_finds if known.endswith(f".{name}")), None)
+    if told is not None:
+        return f"write `{told}` for the find of the earlier case"
+    if name in scope.file_finds:
+        hint = "a case may use what an earlier case found, not what the file itself asks for; "
+        return f"{hint}ask for it in a case, `first: {{find: {{{name}: …}}}}`, and write `first.{name}` in a later one"
     return did_you_mean(name, sorted(known)) or "give it in `given` (value), `symbols` or `unknowns` (unit)"
 
 

@@ -112,5 +112,6 @@ def scopes(problem: Problem) -> Iterator[Scope]:
     """
     if problem.find or not problem.cases:
         yield Scope(problem, ())
+    finds = frozenset(find.name for find in problem.find)
     for index, case in enumerate(problem.cases):
-        yield Scope(case.problem, problem.cases[:index], case.name)
+        yield Scope(case.problem, problem.cases[:index], case.name, finds)

@@ -52,6 +52,8 @@ class Scope:
     earlier: tuple[Case, ...]
     case: str = ""
     """The name of the case."""
+    file_finds: frozenset[str] = frozenset()
+    """The finds of the file itself, which its cases can not use."""
 
     @cached_property
     def numbers(self) -> dict[str, Symbol]:

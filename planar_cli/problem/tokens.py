@@ -40,6 +40,13 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _SIGN = re.compile(r"->|<=|>=|==|=>|=<|!=|<>|\*\*|[-+*/^().,=<>@]")
 _DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}(?![0-9])")
 
+TABLE = re.compile(r"\{ *table *:")
+TABLE_IN_A_LINE = (
+    "a table stands alone as a magnitude, a moment or a rate of `loads`",
+    "in `motion` write a law for each stretch: `a(P).x = 2 m/s^2 during 1->2`",
+)
+"""What to say of a table inside a statement: the message and the hint."""
+
 # Characters that a keyboard, a word processor or another program puts in, and what to write for them.
 _INSTEAD = {
     "·": "`*`",
@@ -116,6 +123,8 @@ def _token(text: str, position: int, mark: Mark) -> Token:
         return Token("name", match[0], position, match.end())
     if match := _SIGN.match(text, position):
         return Token("sign", match[0], position, match.end())
+    if TABLE.match(text, position):
+        raise ParseError(*TABLE_IN_A_LINE, "PL202", mark.shifted(position))
     raise _bad_character(text[position], mark.shifted(position))
 
 

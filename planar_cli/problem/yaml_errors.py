@@ -7,6 +7,7 @@ import re
 import yaml
 
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.tokens import TABLE, TABLE_IN_A_LINE
 
 _BEGINNINGS = {
     "?": ("`?` begins no value", "declare the name under `unknowns:` with its unit, and leave its value out"),
@@ -38,6 +39,9 @@ def _reason(error: yaml.YAMLError, lines: list[str], row: int, column: int) -> t
     problem, context = str(getattr(error, "problem", "") or ""), str(getattr(error, "context", "") or "")
     if character == "\t" or "\t" in line[: len(line) - len(line.lstrip())]:
         return "PL112", "a tab stands where the line is indented", "indent with spaces"
+    table = TABLE.search(line)
+    if table and line[: table.start()].rstrip().endswith("="):
+        return ("PL202", *TABLE_IN_A_LINE)
     for sign, word in (("*", "alias"), ("&", "anchor"), ("!", "tag"), ("%", "directive")):
         if word in context:
             return ("PL111", *_BEGINNINGS[sign])
