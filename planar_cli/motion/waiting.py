@@ -44,6 +44,8 @@ class Waiting:
         self.since = [t] * len(self.chains)
         """When the latest state of each chain was reached."""
         self.reached: list[Reached] = []
+        self._rates: dict[str, tuple[float, ...]] = {}
+        """By state at t = infinity: the velocities and accelerations at the latest instant that could be it."""
 
     @property
     def done(self) -> bool:
@@ -86,7 +88,8 @@ class Waiting:
         for event in self._endless:
             since = self._since(event)
             if (
-                end.t1 - since >= automaton.time_scale
+                event.crossing is None
+                and end.t1 - since >= automaton.time_scale
                 and settled(segments, since, automaton.scale, tolerance)
                 and fits(event, automaton.regime(end.choice), end.choice, end.t1, end.end)
             ):
@@ -126,7 +129,7 @@ class Waiting:
     def already(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
         """A next state that what has just happened reaches."""
         for event in self.next():
-            if event.crossing is None or event.crossing.sense or t <= self._since(event):
+            if event.crossing is None or event.endless or event.crossing.sense or t <= self._since(event):
                 continue
             value = event.crossing.value(regime, choice, t, y)
             if abs(value) <= NEAR * event.crossing.scale and fits(event, regime, choice, t, y):
@@ -159,7 +162,19 @@ class Waiting:
             return False
         if values and max(map(abs, values)) <= noise * crossing.scale:
             return False
-        return not event.others or _is_sharpest(event, crossing, regime, choice, run, span)
+        if event.others and not _is_sharpest(event, crossing, regime, choice, run, span):
+            return False
+        return not event.endless or self._recurs(event, regime.rates(run.t1, run.y1), noise, span)
+
+    def _recurs(self, event: Event, rates: Sequence[float], noise: float, span: float) -> bool:
+        """Does everything move there as it did the time before? Then what is left of the start has died away."""
+        before, self._rates[event.name] = self._rates.get(event.name), tuple(rates)
+        half = len(rates) // 2
+        size = sum(map(abs, rates[:half])) / span + sum(map(abs, rates[half:]))
+        return before is not None and all(
+            abs(a - b) <= noise * size * (span if k < half else 1.0)
+            for k, (a, b) in enumerate(zip(rates, before, strict=True))
+        )
 
     def due(self, t: float) -> list[Event]:
         """The states whose time has come."""
@@ -217,7 +232,7 @@ def fits(event: Event, regime: Regime, choice: Choice, t: float, y: Sequence[flo
 def at_edge(event: Event, regime: Regime, choice: Choice, run: Run, tolerance: float) -> bool:
     """Does what tells a state become zero just where a run ends?"""
     crossing = event.crossing
-    if crossing is None or run.t1 <= run.t0:
+    if crossing is None or event.endless or run.t1 <= run.t0:
         return False
     look = run.t1 - EDGE * (run.t1 - run.t0)
     before = crossing.value(regime, choice, look, run.at(look))

@@ -123,6 +123,10 @@ _ENGINE = {
         "A motion is followed from its first state on, at t = 0 where that gives no time: no other state is at an "
         "earlier one. Often a minus sign slipped in."
     ),
+    "PL724": (
+        "`x is largest` at t = infinity is asked of the steady vibration, which is left when the start has died away. "
+        "It is looked for in numbers; without damping the start never dies away, and at resonance there is no end."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

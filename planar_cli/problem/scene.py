@@ -292,6 +292,8 @@ class State:
     """Is it an equilibrium that the file lists before the state with which the motion begins?"""
     dated: bool = False
     """Is it the `instant` of a file, whose time follows from what it says?"""
+    steady: bool = False
+    """Is it a time by which the motion has become steady, put in for a state at t = infinity?"""
 
 
 @record

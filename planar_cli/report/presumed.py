@@ -46,7 +46,8 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         return
     for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
-    for told in (*_taking_hold(part.motion.problem), *_turning_with(part)):
+    problem = part.motion.problem
+    for told in (*_steady(problem), *_taking_hold(problem), *_turning_with(part)):
         yield Note("Assume", line(told))
 
 
@@ -88,6 +89,13 @@ def _without_mass(part: PartSolution) -> dict[str, None]:
             if any(instant.value.known(p) != 0 for p in (v.x, v.y)):
                 found[name] = None
     return found
+
+
+def _steady(problem: Problem) -> Iterator[str]:
+    """A time that is put in for t = infinity."""
+    for state in problem.states:
+        dates = [r.text for r in state.relations if state.steady and isinstance(r, Relation)]
+        yield from (f"At {date} ({state.name}) the start has died away, to all digits that count." for date in dates)
 
 
 def _taking_hold(problem: Problem) -> Iterator[str]:

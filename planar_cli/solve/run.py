@@ -120,7 +120,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         pressed_by_impacts,
         strikes_unnamed,
     )
+    from planar_cli.solve.steady import with_steady_states
 
+    problem = with_steady_states(problem, numbers)
     pressed = pressed_by_impacts(problem)
     if strikes_unnamed(problem) or many_bodies(problem) or pressed:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None

@@ -39,9 +39,13 @@ The whole motion
   a pendulum that swings far the speeds are exact (v dv = a ds), and the times are numbers.
 
 Steady vibration
-  What a periodic force or a shaken support keeps up is what is left when the start has died away. Start at rest, let
-  that pass, and take the next crest: `settled: [t = 20 s]`, `crest: [x is largest]`; the amplitude is x @ crest, less
-  its place of rest. Under `motion` x = X*sin(w*t) would not follow from the forces: it would add one of its own.
+  What a periodic force or a shaken support keeps up is what is left when the start has died away: ask for it at
+  t = infinity. `crest: [t = infinity, x is largest]`; the amplitude is x @ crest, less its place of rest, and what is
+  passed on to the support `(tension(s) + tension(d)) @ push` with `push: [t = infinity, tension(s) + tension(d) is
+  largest]`. The start may be any, as `[t = 0, at rest, x = 0]`; everything must have a number. Without damping nothing
+  dies away (PL724). The support that is shaken is a body too: `bodies: {base: {particle: B}}` at a point B
+  that is written with a coordinate, and `motion: [y = b*sin(w*t)]`. Under `motion` x = X*sin(w*t) would not follow
+  from the forces: it would add one of its own.
 
     title: Block between a spring and a damper
     plane: horizontal

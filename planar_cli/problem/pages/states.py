@@ -36,7 +36,8 @@ Where what acts changes
 
 Infinity
   `t = infinity` is where the motion tends: a terminal velocity, a place of rest. A speed is printed there that is never
-  quite reached; `[v(P).mag = 0.95*v_end]` and the like are ordinary states.
+  quite reached; `[v(P).mag = 0.95*v_end]` and the like are ordinary states. `[t = infinity, x is largest]` is a crest
+  of the vibration that is left in the end: planar explain oscillations.
 
 States that do not happen
   A state that is never reached is an error (PL621), unless `reached(s)` asks about it: then the answer is true or
