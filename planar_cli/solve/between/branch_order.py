@@ -34,10 +34,11 @@ def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:
     """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
     earliest, and those with positive sought constants. Friction, sizes and masses can not be negative.
     """
-    # Draws of letters say nothing of signs.
-    positive = frozenset() if course.problem.symbols else not_negative(course.problem)
+    positive, every = not_negative(course.problem), list(branches)
     limits = [s for s in course.sought() if s.name in positive]
-    found = [b for b in branches if all(b.values.get(s, Decimal(0)) >= 0 for s in limits)]
+    found = [b for b in every if all(b.values.get(s, Decimal(0)) >= 0 for s in limits)]
+    # That none is positive for a draw of letters says nothing of other letters.
+    found = found or (every if course.problem.symbols else [])
     return sorted([b for b in found if not b.left] or found, key=lambda b: _rank(course, b))
 
 
