@@ -203,6 +203,17 @@ class Decided:
         signs = [e * sign for e, sign in self._decided.items() if e.free_symbols]
         return (*self.valuations, *(d for d in far if not any(_negative(e, d) for e in signs)))
 
+    def without_bars(self, expr: sp.Expr) -> sp.Expr:
+        """|a| of letters alone is a, or -a, where a has this sign for all letters with which assumptions hold."""
+        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].free_symbols <= set(self.ledger.letters)]
+        draws = self.everywhere() if inside else ()
+        ways: dict[sp.Expr, sp.Expr] = {}
+        for a in inside:
+            numbers = [number for d in draws if (number := d.known(a)) is not None]
+            if numbers and len({number > 0 for number in numbers}) == 1 and all(numbers):
+                ways[sp.Abs(a)] = a if numbers[0] > 0 else -a
+        return sp.sympify(expr.xreplace(ways)) if ways else expr
+
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 

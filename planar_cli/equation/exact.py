@@ -332,11 +332,13 @@ def integral(expr: sp.Integral, value: Valuation, digits: int, at_least: int) ->
     if [len(limit) for limit in expr.limits] != [3]:
         raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
-    letters = tuple((s, value(s)) for s in sorted(expr.function.free_symbols - {x}, key=lambda s: s.name))
-    found = _integral(expr.function, x, value(start), value(end), letters, digits, at_least)
+    # The rest has the same value for many letters, and is worked out once.
+    factor, rest = expr.function.as_independent(x, as_Add=False)
+    letters = tuple((s, value(s)) for s in sorted(rest.free_symbols - {x}, key=lambda s: s.name))
+    found = _integral(rest, x, value(start), value(end), letters, digits, at_least)
     if isinstance(found, ArithmeticError):
         raise type(found)(*found.args)
-    return found
+    return value(factor) * found
 
 
 @lru_cache(maxsize=REMEMBERED)

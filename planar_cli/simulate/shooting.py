@@ -178,7 +178,7 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
     def missed(value: float) -> float | None:
-        run = motion_with(shot.problem, {**known, name: value})
+        run = motion_with(shot.problem, {**known, name: value}, balanced=False)
         moment = None if run is None else run.measures.moments.get(shot.state)
         if run is None or moment is None or _acts_no_more(shot.left, moment.regime):
             return None
@@ -196,9 +196,13 @@ def _acts_no_more(relation: Relation, regime: Regime) -> bool:
     return any(modes.get(q.things[0]) in ("apart", "slack") for q in forces)
 
 
-def motion_with(problem: Problem, values: Mapping[str, float], times: float = TIMES) -> Run | None:
-    """The motion with these numbers; None: with them there is none."""
-    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=times, most_steps=STEPS)
+def motion_with(
+    problem: Problem, values: Mapping[str, float], times: float = TIMES, balanced: bool = True
+) -> Run | None:
+    """The motion with these numbers; None: with them there is none. `balanced`: see the settings."""
+    settings = Settings(
+        values=values, tolerance=TOLERANCE, estimate=False, times=times, most_steps=STEPS, balanced=balanced
+    )
     try:
         return followed(prepared(problem, values), settings)
     except PlanarError:

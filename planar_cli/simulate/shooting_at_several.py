@@ -127,7 +127,8 @@ def _starts(unknowns: Sequence[Symbol], sizes: Sequence[float]) -> Iterator[tupl
 
 def _residuals(shots: Shots, names: Sequence[str], known: Mapping[str, float]) -> Residuals:
     def residuals(values: Sequence[float]) -> list[float] | None:
-        run = motion_with(shots.problem, {**known, **dict(zip(names, values, strict=True))})
+        # Most of these motions only show the way; the last one is balanced.
+        run = motion_with(shots.problem, {**known, **dict(zip(names, values, strict=True))}, balanced=False)
         if run is None:
             return None
         table, found = Timetable(run.problem, run.measures), []

@@ -208,6 +208,7 @@ def closed_formula(expr: sp.Expr, route: Route, course: MotionEquations) -> sp.E
     if expr.is_number or expr.is_Symbol or longer(expr, most):
         return expr
     found = with_short_roots(simplified(expr))
+    found = course.scene.without_bars(found) if symbolic else found
     # What only a factor of a higher degree shows to be the same above and below.
     plain = factored(found) if symbolic and not found.has(sp.Integral) else found
     return plain if operations(plain) + 1 < operations(found) else found
