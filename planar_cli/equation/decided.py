@@ -204,8 +204,9 @@ class Decided:
         return (*self.valuations, *(d for d in far if not any(_negative(e, d) for e in signs)))
 
     def without_bars(self, expr: sp.Expr) -> sp.Expr:
-        """|a| of letters alone is a, or -a, where a has this sign for all letters with which assumptions hold."""
-        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].free_symbols <= set(self.ledger.letters)]
+        """|a - b| of letters alone is the difference that is positive for all letters with which assumptions hold."""
+        letters = set(self.ledger.letters)
+        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].is_Add and e.args[0].free_symbols <= letters]
         draws = self.everywhere() if inside else ()
         ways: dict[sp.Expr, sp.Expr] = {}
         for a in inside:
