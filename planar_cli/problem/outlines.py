@@ -12,8 +12,9 @@ from typing import Any, Protocol
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
-from planar_cli.problem.gaps import gap
+from planar_cli.problem.gaps import as_first, gap, sought_in
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, State, Surface
 from planar_cli.problem.scene import Outline as AnyShape
 from planar_cli.problem.setting import Setting
@@ -163,7 +164,8 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
-        fits = scene.is_zero(scene.as_drawn(off))
+        fits = scene.is_zero(as_first(scene, off))
+        _demand_told(fits, scene, off, surface, mark)
         away = "" if fits else gap(scene, off)
         _demand_on(fits, surface, mark, f"let the line go `through:` it; {LATER}", away and f", but {away} off")
         drift, through = _drift(scene, surface, tangent), scene.carried(body, shape.through)
@@ -171,7 +173,8 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
         out = point - center
-        fits = scene.are_same(out.dot(out), radius * radius)
+        fits = scene.are_same(as_first(scene, out.dot(out)), radius * radius)
+        _demand_told(fits, scene, out.dot(out) - radius * radius, surface, mark)
         _demand_on(fits, surface, mark, "its distance from the centre is the radius")
         if surface.speed is not None:
             text, hint = f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead"
@@ -183,6 +186,15 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     kind, drift = "straight" if scene.vanishes(bend.curvature) else "arc", _drift(scene, surface, bend.tangent)
     curve = Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
     return replace(curve, sharpening=bend.sharpening)
+
+
+def _demand_told(fits: bool, scene: Outlined, off: Any, surface: Surface, mark: Mark) -> None:
+    """FileProblem: where the point is depends on what is sought, so that nobody can say that it is on the surface."""
+    names = [] if fits else sought_in(scene, off)
+    if names:
+        text = f"the point of contact is on {surface.name} only for some {listed(names, 'and')}, still to be found"
+        hint = f"give {names[0]} as a number, or write the place of the point so that it is always on {surface.name}"
+        raise refuse(mark, "PL521", text, hint)
 
 
 def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str, away: str = "") -> None:

@@ -20,7 +20,7 @@ from planar_cli.problem.keys import (
     RopeStop,
     keys_of,
 )
-from planar_cli.problem.scene import GROUND, Body, Case, Find, Particle, Problem, Rod, Surface, Symbol
+from planar_cli.problem.scene import GROUND, Body, Case, Find, Particle, Problem, Surface, Symbol
 
 Member = Joint | Load
 
@@ -71,13 +71,11 @@ class Scope:
 
     @cached_property
     def points(self) -> dict[str, Mark]:
-        """Points of the file, particles, and the open ends of rods whose length is given."""
+        """Points of the file, and particles."""
         found = {p.name: p.mark for p in self.problem.points}
         for body in self.problem.bodies:
             if isinstance(body.shape, Particle):
                 found.setdefault(body.name, body.mark)
-            if isinstance(body.shape, Rod) and body.shape.length is not None and body.shape.end:
-                found.setdefault(body.shape.end, body.mark)
         return found
 
     @cached_property

@@ -21,6 +21,7 @@ from planar_cli.problem.fields import Fields
 from planar_cli.problem.from_rest import with_ways_from_rest
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
+from planar_cli.problem.open_ends import with_open_ends
 from planar_cli.problem.order_of_states import in_order
 from planar_cli.problem.osculating import with_osculating_circles
 from planar_cli.problem.placed_particles import with_placed_particles
@@ -199,7 +200,7 @@ def _read(file: str, whole: Fields) -> Problem:
         method=sections.one_of(whole, "method", modules("principles")),
         us=False,
     )
-    problem = replace(problem, us=is_us(problem))
+    problem = with_open_ends(replace(problem, us=is_us(problem)))
     problem = with_ways_from_rest(with_osculating_circles(problem))
     return with_joints_called(with_later_meetings(with_placed_particles(with_assumed(problem))))
 

@@ -27,6 +27,8 @@ from planar_cli.records import record
 
 TINY = Decimal("1e-25")
 EDGE_STEPS = 40
+JUMP = Decimal("1e-12")
+"""A function that is still so much of what it was at the ends of the interval has no root where its sign changes."""
 KEPT = 2_000
 """So many polynomials are remembered: what lies on several branches of a motion is solved on each."""
 MOST_TURNS = 24
@@ -327,19 +329,22 @@ def _with_edges(f: Callable[[Decimal], Decimal | None], grid: list[Decimal]) -> 
 
 
 def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> Decimal | None:
+    """The root between two numbers; None where the sign changes at a pole or a jump, as of atan2 at half a turn."""
     fa, fb = f(a), f(b)
     if fa is None or fb is None:
         return None
+    most = max(abs(fa), abs(fb))
     for _ in range(220):
         middle = (a + b) / 2
         fm = f(middle)
         if fm is None:
             return None
-        if fm == 0 or abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
+        if fm == 0:
             return middle
+        if abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
+            break
         if (fa > 0) != (fm > 0):
             b, fb = middle, fm
         else:
             a, fa = middle, fm
-    small = min(abs(fa), abs(fb))
-    return None if small > 10**6 else (a + b) / 2
+    return None if min(abs(fa), abs(fb)) > JUMP * most else (a + b) / 2
