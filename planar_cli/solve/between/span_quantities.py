@@ -118,10 +118,26 @@ def _sense(course: RegimeSequence, speed: sp.Expr, early: list[sp.Expr]) -> int:
             slope = sp.diff(residual, own)
             if letter in speed.free_symbols and not slope.free_symbols & inside:
                 begun = course.given().known(-residual.subs(own, 0) / slope)
+                if begun == 0:
+                    begun = _begins(course, letter)
                 number = None if begun is None else course.given().extended({letter: begun}).known(speed)
                 if number is not None:
                     return -1 if number < 0 else 1
     return _sense_in_time(course, speed)
+
+
+def _begins(course: RegimeSequence, letter: sp.Symbol) -> Decimal | None:
+    """From rest it goes where it is accelerated: that acceleration, as drawn, or soon after where it is zero."""
+    regime = course.regimes[0]
+    if letter not in regime.accelerations:
+        return None
+    known = course.given()
+    places = {c.symbol: known.known(c.drawn) for c in regime.coordinates if c.drawn is not None}
+    rest = dict.fromkeys(regime.free, Decimal(0))
+    start = known.extended({**{s: n for s, n in places.items() if n is not None}, **rest})
+    time = known.known(course.first.letters.get(regime.time, regime.time)) or Decimal(0)
+    begun = [start.extended({regime.time: t}).known(regime.accelerations[letter]) for t in (time, time + SOON)]
+    return begun[0] or begun[1]
 
 
 def _sense_in_time(course: RegimeSequence, speed: sp.Expr) -> int:
