@@ -18,6 +18,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
+from planar_cli.solve.diagnosis.clash import clash
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
 from planar_cli.solve.instant.beyond import not_bounded
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -158,6 +159,8 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
     """Why nothing was found, by the first choice of modes whose velocities fit."""
     seekers = (Seeker(instant, c) for c in itertools.islice(instant.choices(), MOST_CHOICES))
     seeker = next((s for s in seekers if not s.conflict), None) or Seeker(instant, next(instant.choices()))
+    if seeker.conflict and (contradicted := _contradicted(instant)) is not None:
+        return contradicted
     targets = targets_of(seeker.system)
     clashing = None if seeker.conflict or objections else contradiction(seeker)
     if clashing is not None:
@@ -171,6 +174,15 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
         nonlinear = sum(bit for x, bit in bits.items() if x not in seeker.linear)
         loose = open_symbols(found, nonlinear, {x: bit for x, bit in bits.items() if x in targets})
     return not_found(instant, Trial((), seeker.system, (), (), ""), objections, loose)
+
+
+def _contradicted(instant: Instant) -> Diagnostic | None:
+    """What contradicts the velocities that are stated, whatever is sought; None: in some modes nothing does."""
+    choices = itertools.islice(instant.choices(), MOST_CHOICES)
+    trials = [instant.try_choice(c, instant.scene.valuations) for c in choices]
+    if any(t.objection != "velocities" for t in trials):
+        return None
+    return clash(instant, trials[0], instant.scene.problem.find[0].mark)
 
 
 def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
