@@ -333,7 +333,7 @@ class Finisher:
         for _ in range(80):
             inside = {s: formulas[s] for s in letters(expr) if s in formulas and s not in kept}
             inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
-            inside |= {s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
+            inside |= {s: v for s in letters(expr) if (v := self._given_by_formula(s)) is not None}
             if not inside:
                 break
             expr = replaced(expr, inside)
@@ -341,6 +341,20 @@ class Finisher:
             if not self.coordinates and longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
                 return expr
         return self._simple(expr) if plainer else expr
+
+    def _given_by_formula(self, symbol: sp.Symbol) -> sp.Expr | None:
+        """The formula of a name that is given by one; None: it has none, or a motion has one number for it. There it
+        stays: sin(w t) in a place and cos(2 pi f t) in a velocity would be vibrations of two frequencies.
+        """
+        value = self.ledger.values.get(symbol)
+        if value is None or not value.free_symbols:
+            return None
+        return None if self.coordinates and self._is_number(symbol) else value
+
+    def _is_number(self, symbol: sp.Symbol) -> bool:
+        """Does the file give a number for it, or for all of which it is made?"""
+        value = self.ledger.values.get(symbol)
+        return value is not None and all(map(self._is_number, value.free_symbols))
 
     def _simple(self, expr: sp.Expr) -> sp.Expr:
         if expr.is_number or expr.is_Symbol or longer(expr, self.most):
