@@ -39,6 +39,13 @@ def test_every_line_is_true(name: str) -> None:
         assert not [w for e in lines for w in shown.wrong(e, 1e-3)]
 
 
+def test_a_frequency_given_by_a_formula_is_one_frequency() -> None:
+    """w = 2 pi v/L stands in the place that shakes, and in its velocity, by its name."""
+    text = page("oscillations/trailer-on-a-wavy-road")
+    assert "(c A w cos(w t) + k A sin(w t) - c " in text
+    assert "The forced vibration, y_p = X_c cos(w t) + X_s sin(w t):" in text
+
+
 def test_free_vibrations_have_their_letters() -> None:
     text = page("oscillations/damped-block-three-ways")
     assert "natural frequency: ω_n = √(k/m) = √(200/2) = 10 rad/s" in text

@@ -128,6 +128,24 @@ def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnost
         message = f"{quantity.word}({one}/{other}) is always zero: {one} as seen from itself"
         hint = f"name what moves against {one}, or write `{quantity.word}({one})`"
         yield Diagnostic(quantity.mark, "PL421", message, hint)
+    if quantity.word == "impulse" and one in scope.bodies and one not in scope.members and other in scope.bodies:
+        yield from _of_two_bodies(quantity, scope)
+
+
+def _of_two_bodies(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
+    """`impulse(ledge/bar)`: what one body does to the other is that of their joint."""
+    one, other = quantity.things
+    between = [m for named in scope.members.values() for m in named if {one, other} <= set(scope.partners(m))]
+    if not between and other in scope.points:
+        return  # about the place of a particle
+    hint = f"write `impulse({one})` for that of all forces on {one}, or a point about which it is taken"
+    if between:
+        joint = between[0]
+        alone = len(scope.members[joint.name]) == 1
+        name = joint.name if alone else f"{joint.kind}_1"
+        hint = f"the impulse of the {joint.kind} between them on {other} is `impulse({name}/{other})`"
+        hint += "" if alone else f", with `name: {name}` at the {joint.kind}"
+    yield Diagnostic(quantity.mark, "PL421", f"impulse({one}/{other}) names two bodies", hint)
 
 
 def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
