@@ -6,6 +6,7 @@ No command is imported before it is run.
 from __future__ import annotations
 
 import importlib
+import math
 from typing import Any
 
 import click
@@ -74,7 +75,7 @@ def _argument(declared: Argument) -> click.Argument:
 def _option(declared: Option) -> click.Option:
     more: dict[str, Any] = {} if declared.default is None else {"default": declared.default}
     if declared.type is not None:
-        more["type"] = _type(declared.type)
+        more["type"] = type_of(declared.type)
     return click.Option(
         [*declared.names, declared.parameter],
         help=declared.help,
@@ -86,11 +87,19 @@ def _option(declared: Option) -> click.Option:
     )
 
 
-def _type(kind: Kind) -> click.ParamType[Any]:
+class Between(click.FloatRange):
+    """A number between limits; what is no number lies between none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        number: float = super().convert(value, param, ctx)
+        return self.fail(f"{value} is no number.", param, ctx) if math.isnan(number) else number
+
+
+def type_of(kind: Kind) -> click.ParamType[Any]:
     match kind:
         case Choice(words):
             return click.Choice(words)
         case IntRange(least, most):
             return click.IntRange(least, most)
         case FloatRange(least, most):
-            return click.FloatRange(least, most)
+            return Between(least, most)

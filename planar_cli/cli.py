@@ -14,7 +14,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NoReturn
 
-from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError, TimeIsUp, Undecided
 from planar_cli.options import Command, WrongUsage
 from planar_cli.problem.show import harmless
 from planar_cli.registry import modules
@@ -46,6 +46,10 @@ def run(args: Sequence[str] | None = None) -> int:
     except (EOFError, KeyboardInterrupt):
         say("")
         return INTERRUPTED
+    except TimeIsUp:
+        # It can be up before the work that it limits has begun.
+        say("planar: not decided in time; --timeout allows more")
+        return UNDECIDED
     except BrokenPipeError:
         # The reader of a pipe has left (`planar list | head`); nobody is there to be told.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

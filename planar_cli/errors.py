@@ -79,6 +79,12 @@ class Undecided(PlanarError):
     """Not decided within the limits; the message says what was tried."""
 
 
+class TimeIsUp(BaseException):
+    """Like KeyboardInterrupt it is no Exception: no road that looks for another way out may take it for a failure of
+    its own, or what is printed would depend on the clock.
+    """
+
+
 def undecided_at(mark: Mark, text: str) -> Undecided:
     """The same with the line of the file that it is about."""
     return Undecided(f"{mark.file}:{mark.line}: {text}")

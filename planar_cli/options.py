@@ -67,6 +67,8 @@ def _within(number: float, least: float, most: float | None) -> float:
 
 
 Kind = Choice | IntRange | FloatRange
+SECONDS = FloatRange(0, 1_000_000)
+"""A limit of time; clocks know no longer ones than some."""
 
 
 @record

@@ -318,3 +318,36 @@ def test_infinity_is_an_end_of_time_or_of_a_coordinate(end: str, find: str, tmp_
 def test_answers_are_numbers(tmp_path: Path) -> None:
     assert [c for c, _ in complaints(file_of(tmp_path, more="answers: {v: sqrt(-1)*1 m/s}\n"))] == ["PL217"]
     assert complaints(file_of(tmp_path, more="answers: {v: infinity}\n")) == []
+
+
+# --- options ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ["solve", "key", "check", "simulate", "accuracy"])
+@pytest.mark.parametrize("seconds", ["inf", "nan", "1e300", "-1"])
+def test_limits_of_time_are_numbers(
+    command: str, seconds: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.run([command, "--timeout", seconds, file_of(tmp_path)]) == cli.BAD
+    assert "Invalid value for '--timeout'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("line", ["simulate --tolerance nan", "accuracy --tolerance nan", "accuracy --budget nan"])
+def test_what_is_no_number_lies_between_no_limits(
+    line: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.run([*line.split(), file_of(tmp_path)]) == cli.BAD
+    assert "nan is no number" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["solve", "key", "simulate", "accuracy"])
+def test_a_time_that_is_up_at_once(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.run([command, "--timeout", "1e-6", file_of(tmp_path)]) == cli.UNDECIDED
+    assert "not decided" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["simulate", "accuracy"])
+def test_a_step_passes(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.run([command, "--step", "0 s", file_of(tmp_path)]) == cli.BAD
+    told = capsys.readouterr()
+    assert "0 s is no time that passes" in told.err + told.out

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-from planar_cli.errors import Undecided
+from planar_cli.errors import TimeIsUp, Undecided
 from planar_cli.homework.memory import memory_limit, too_much
 
 AGAIN = 1.0
@@ -41,12 +41,6 @@ WORK = (
 """What goes on in which modules, and what usually helps; of nested ones the first in this list."""
 
 
-class _TimeIsUp(BaseException):
-    """Like KeyboardInterrupt it is no Exception: no road that looks for another way out may take it for a failure of
-    its own, or what is printed would depend on the clock.
-    """
-
-
 @contextmanager
 def limits(seconds: float) -> Iterator[None]:
     """Undecided from the block where it takes more time, or more memory than one problem may."""
@@ -76,13 +70,13 @@ def time_limit(seconds: float) -> Iterator[None]:
 
     def stop(number: int, frame: FrameType | None) -> None:
         work.append((place_of(frame), at_work(frame)))
-        raise _TimeIsUp
+        raise TimeIsUp
 
     before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
     try:
+        signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
         yield
-    except _TimeIsUp:
+    except TimeIsUp:
         place, what = work[0]
         raise Undecided(f"{place}not decided within {seconds:g} s: {what}; --timeout allows more") from None
     finally:

@@ -16,9 +16,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from planar_cli import cli
+from planar_cli.by_click import type_of
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError, Undecided
+from planar_cli.options import SECONDS, FloatRange
 from planar_cli.registry import modules
 
 if TYPE_CHECKING:
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
     from planar_cli.simulate.accuracy_report import Told
 
 FORMS = ("table", "json", "csv", "markdown")
-TOLERANCE = click.FloatRange(1e-15, 0.1)
+TOLERANCE = type_of(FloatRange(1e-15, 0.1))
 
 
 @click.command(help=__doc__)
@@ -39,9 +41,9 @@ TOLERANCE = click.FloatRange(1e-15, 0.1)
 @click.option("--peers", is_flag=True, help="Compare with SciPy, heyoka, exudyn and MuJoCo, as installed.")
 @click.option("--until", metavar="TIME", help="Where the motion ends: `10 s`, `2 min`, or seconds.")
 @click.option("--plot", metavar="FILE", help="Draw the diagram into a .png or .svg file (needs Matplotlib).")
-@click.option("--budget", type=click.FloatRange(0), default=2, show_default=True, help="Seconds of the longest run.")
+@click.option("--budget", type=type_of(SECONDS), default=2, show_default=True, help="Seconds of the longest run.")
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
-@click.option("--timeout", type=click.FloatRange(0), default=120, show_default=True, help="Seconds a file; 0: none.")
+@click.option("--timeout", type=type_of(SECONDS), default=120, show_default=True, help="Seconds a file; 0: none.")
 def command(files: tuple[str, ...], form: str, plot: str | None, output: str | None, **options: Any) -> int:
     """Study each file; one that fails does not keep the others from being studied."""
     from planar_cli.problem.files import problem_files
@@ -110,12 +112,12 @@ def _told(path: str, options: dict[str, Any], brief: bool) -> tuple[int, Told]:
 def _studied(problem: Problem, options: dict[str, Any], brief: bool) -> Study:
     """The motion of a file, or as far as it goes."""
     from planar_cli.simulate.accuracy import study
-    from planar_cli.simulate.request import time_of
+    from planar_cli.simulate.request import later_time, time_of
     from planar_cli.simulate.subject import SceneSubject
 
     until = None if options["until"] is None else time_of(options["until"], "--until")
     subject = SceneSubject(_followed(problem), until)
-    steps = [time_of(step, "--step") / subject.time_scale for step in options["steps"]]
+    steps = [later_time(step, "--step") / subject.time_scale for step in options["steps"]]
     return study(subject, _wanted(options, steps, brief))
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
-from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import SECONDS, Choice, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
 from planar_cli.streams import echo
 
@@ -37,7 +37,7 @@ COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad fil
 @argument("files")
 @option("--format", "form", type=Choice(["text", "json"]), default="text", help="How to print.")
 @option("--jobs", type=IntRange(1), help="Worker processes; as many as there are cores.")
-@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+@option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], form: str, jobs: int | None, timeout: float) -> int:
     """Check all files and print a table."""
     from planar_cli.homework.checking import check_files

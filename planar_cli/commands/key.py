@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 import click
 
 from planar_cli import cli
+from planar_cli.by_click import type_of
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
+from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
     from planar_cli.report.blocks import Document
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 @click.option("--worked", is_flag=True, help="The worked solutions, not the answers alone.")
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 @click.option("--figures", type=click.IntRange(1, 40), default=4, show_default=True, help="Significant figures.")
-@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+@click.option("--timeout", type=type_of(SECONDS), default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], worked: bool, output: str | None, figures: int, timeout: float) -> int:
     """One section for each file, in their order."""
     from planar_cli.problem.files import problem_files

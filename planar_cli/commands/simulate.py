@@ -16,7 +16,7 @@ from planar_cli import cli
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError
-from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import SECONDS, Choice, FloatRange, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
 from planar_cli.registry import modules
 
@@ -44,7 +44,7 @@ OUTPUTS = ("table", "csv", "json", "npz")
 @option("--effects", is_flag=True, help="Print which effects the scene calls for, and what they cost.")
 @option("--output", type=Choice(OUTPUTS), default="table", help="How to print.")
 @option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
-@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a file; 0: none.")
+@option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a file; 0: none.")
 def command(files: tuple[str, ...], file: str | None, timeout: float, **options: Any) -> int:
     """Simulate each file; one that fails does not keep the others from being followed."""
     from planar_cli.simulate.request import request_of

@@ -18,7 +18,7 @@ from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
 from planar_cli.near import nearest
-from planar_cli.options import Choice, FloatRange, IntRange, WrongUsage, argument, option
+from planar_cli.options import SECONDS, Choice, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
 from planar_cli.records import record
 from planar_cli.registry import members, modules
@@ -80,7 +80,7 @@ FIGURES = IntRange(1, LARGEST_FIGURES)
 )
 @option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
 @option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
-@option("--timeout", type=FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+@option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     """Solve each file; one that fails does not keep the others from being solved."""
     wanted = Wanted(**options)

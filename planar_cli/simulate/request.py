@@ -69,7 +69,7 @@ def request_of(
         rows or (TABLE_ROWS if output == "table" else DATA_ROWS),
         tolerance,
         integrator,
-        None if step is None else time_of(step, "--step"),
+        None if step is None else later_time(step, "--step"),
         tuple(_value(v) for v in values),
         case,
         tuple(without),
@@ -84,6 +84,14 @@ def time_of(text: str, option: str) -> float:
     if found.unit is not None and parse_unit(found.unit).dimension != TIME:
         raise _refused(option, f"{text} is no time", "write `10 s`")
     return number_of(found, us=False)
+
+
+def later_time(text: str, option: str) -> float:
+    """The same of a time that passes."""
+    found = time_of(text, option)
+    if found <= 0:
+        raise _refused(option, f"{text} is no time that passes", "write more than `0 s`")
+    return found
 
 
 def _value(text: str) -> tuple[str, Number]:
