@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.instant.branches import holds_between
-from planar_cli.solve.instant.elimination import Pending, combined
+from planar_cli.solve.instant.elimination import Pending, combined, eliminate, subtracted
 
 x, y, a, b = sp.symbols("x y a b", real=True)
 NUMBERS = Valuation({}, {})
@@ -40,3 +40,23 @@ def test_an_equation_without_the_other_unknown(one: sp.Expr, other: sp.Expr) -> 
     whole = sp.resultant(one, other, gone)
     assert 0 < sp.degree(found, left) <= sp.degree(whole, left)
     assert sp.rem(sp.Poly(whole, left), sp.Poly(found, left)).is_zero
+
+
+def test_squares_of_one_unknown_that_cancel() -> None:
+    """Also where their factor is a sum; not where it holds another unknown, or another power is there."""
+    factor = (a + b) * x**2
+    pool = [Pending(factor + y - 1, (1,)), Pending(3 * x**2 + 2 * y - a, (2,))]
+    made = subtracted(pool, [x, y], NUMBERS)
+    assert made is not None
+    assert x not in made[-1].residual.free_symbols
+    assert sp.expand(made[-1].residual - (3 * (y - 1) - (a + b) * (2 * y - a))).equals(0)
+    for other in (x**2 * y, x**3 + x**2, sp.sin(x) * x**2, x**2 + 1 / x):
+        assert subtracted([pool[0], Pending(other - a, (2,))], [x, y], NUMBERS) is None
+
+
+def test_a_positive_unknown_that_stands_in_squares() -> None:
+    t = sp.Symbol("t", positive=True)
+    step = eliminate([Pending(t**4 - sp.exp(y), (1,)), Pending(t**2 * sp.cos(y) - 1, (2,))], [t, y], [t], NUMBERS, [t])
+    assert step is not None
+    assert step.line.symbol == t
+    assert step.line.formula == sp.sqrt(1 / sp.cos(y))

@@ -30,9 +30,9 @@ from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.held_in_blows import no_motion
-from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
+from planar_cli.solve.diagnosis.lacking import lacking
+from planar_cli.solve.diagnosis.motions import clash, demand_told, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
-from planar_cli.solve.diagnosis.undated import undated
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows
 from planar_cli.solve.following.departure import DEPARTS, departure_of, resting_until_struck
@@ -357,11 +357,9 @@ class ModeSearch(ModeChoice):
     def _none_fits(self, course: MotionEquations, branches: list[Branch], far: Far) -> ModeSequence:
         """Other modes where in these no motion passes through the states. NoSolution: all have been tried."""
         demand_restitutions(course.blows.values(), [course.base().extended(b.values) for b in branches])
-        clashing = None if branches else clash(course, course.equations)
-        wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
-        wrong = wrong or undated(course, branches)
         text = "no motion passes through these states"
-        self.lack = self.lack or wrong or no_motion(course.problem, text)
+        # What stands in the way in the first modes is told; to look for it takes longer than to try others.
+        self.lack = self.lack or lacking(course, branches) or no_motion(course.problem, text)
         other = self._elsewhere(course, text, far) or (None if branches else self._other(course.modes, 0, text))
         if other is None:
             raise self.lack

@@ -92,7 +92,8 @@ def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     for x in candidates:
         square = sp.Dummy("x2", positive=True)
         whole = [expanded(p.residual) for p in pool]
-        flat = [e.subs(x**4, square**2).subs(x**2, square) if x in letters(e) else e for e in whole]
+        put = {x ** (2 * n): square**n for n in (*range(-2, 0), *range(1, HIGHEST + 1))}
+        flat = [e.xreplace(put) if x in letters(e) else e for e in whole]
         if any(x in f.free_symbols for f in flat):
             continue
         for i, f in enumerate(flat):
@@ -200,11 +201,27 @@ def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Ex
     """The factor of x² in a quadratic equation, when it holds no other unknown."""
     if x not in letters(residual):
         return None
-    whole = expanded(residual)
-    if not whole.is_polynomial(x) or sp.degree(whole, x) != 2:
+    lead: list[sp.Expr] = []
+    highest = 0
+    for term in sp.Add.make_args(expanded(residual)):
+        # A polynomial of many letters would take long to make.
+        power, others = 0, []
+        for factor in sp.Mul.make_args(term):
+            base, exponent = factor.as_base_exp()
+            if base != x:
+                others.append(factor)
+            elif exponent not in (1, 2):
+                return None
+            else:
+                power = int(exponent)
+        if any(x in letters(f) for f in others):
+            return None
+        highest = max(highest, power)
+        if power == 2:
+            lead.append(sp.Mul(*others))
+    if highest != 2 or any(s in letters(f) for s in left for f in lead):
         return None
-    lead = whole.coeff(x, 2)
-    return None if any(s in lead.free_symbols for s in left) else lead
+    return sp.Add(*lead)
 
 
 def _without(one: sp.Expr, other: sp.Expr, x: sp.Symbol) -> sp.Expr:

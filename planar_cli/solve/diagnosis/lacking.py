@@ -1,0 +1,20 @@
+"""Why no motion passes through the states with the modes that are assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from planar_cli.errors import NoSolution
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.diagnosis.motions import clash, missing
+from planar_cli.solve.diagnosis.undated import undated
+
+
+def lacking(course: MotionEquations, branches: Sequence[Branch]) -> NoSolution | None:
+    """What stands in the way of a motion, or is not told; None: neither is found. `branches`: solutions of the
+    equations, of which none can be followed.
+    """
+    clashing = None if branches else clash(course, course.equations)
+    wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
+    return wrong or undated(course, branches)
