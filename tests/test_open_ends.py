@@ -98,3 +98,17 @@ def test_a_contact_where_the_first_state_tells_the_coordinate() -> None:
 def test_a_contact_that_is_not_there(instant: str, told: str) -> None:
     with pytest.raises(Exception, match=told):
         solve(f"{ON_THE_FLOOR}{instant}\nfind: {{N: N(B)}}\n")
+
+
+def test_a_rod_with_mass_needs_its_length() -> None:
+    """Without it the weight would have no arm about its end."""
+    _, wrong = load_text(HUNG.replace("ENDS", "A, 30 deg").replace("length: l, ", "") + "find: {alpha: alpha(AB)}\n")
+    assert "PL311" in [d.code for d in wrong]
+
+
+@pytest.mark.parametrize("asked", ["v(B).mag^2 @ 2", "mode(A) = stick @ 2"])
+def test_a_state_stands_behind_the_quantity(asked: str) -> None:
+    _, wrong = load_text(
+        HUNG.replace("ENDS", "A, B") + f"states: {{1: [at rest], 2: [t = 1 s]}}\nfind: {{q: {asked}}}\n"
+    )
+    assert "PL212" in [d.code for d in wrong]

@@ -75,6 +75,12 @@ def refuse_neighbour(cursor: Cursor, start: int) -> None:
     cursor.fail(f"between {left} and {right} the sign is missing", hint, "PL205")
 
 
+def refuse_at(cursor: Cursor) -> NoReturn:
+    """`@` behind a power, a product or a mode."""
+    hint = "write `(v(P).mag^2) @ 2`, and `mode(C) @ 2 = stick`"
+    cursor.fail("`@` belongs to the quantity, name or bracket just before it, and here is none", hint, "PL212")
+
+
 def refuse_comma(cursor: Cursor, comma: Token, word: Token | None) -> NoReturn:
     """A comma never stands in an expression: it would split a list of statements."""
     before, after = cursor.before(cursor.index), cursor.peek()

@@ -19,6 +19,7 @@ from planar_cli.problem.expression import (
     Side,
     Statement,
 )
+from planar_cli.problem.instants import refuse_at
 from planar_cli.problem.sides import RELATION_SIGNS, SideParser
 from planar_cli.problem.tokens import Cursor, ParseError, Token
 from planar_cli.problem.words import is_reserved
@@ -186,6 +187,8 @@ def _end(parser: SideParser) -> None:
         cursor.fail("`in unit` stands only in `find`", "write the unit directly behind a number", "PL211")
     if token.text == "during":
         cursor.fail("`during` stands only in `motion`, behind a statement", "", "PL211")
+    if token.text == "@":
+        refuse_at(cursor)
     if token.text == "->":
         cursor.fail("a span stands behind `@`", "write `work(f) @ 1->2`", "PL212")
     if token.text == ".":

@@ -193,6 +193,8 @@ def _rod(fields: Fields) -> Rod:
             text = f"a rod is given by two points, and both are {start}"
             fields.report.add(end.mark, "PL322", text, "`rod: [A, B]` or `[A, 30 deg]`")
         return Rod(start, end.text, None, length)
+    if length is None and {"mass", "weight"} & fields.present():
+        fields.need_side("length", "or name the other end: half of it leads to the mass centre")
     return Rod(start, None, reading.side(end, "angle", fields.report), length)
 
 

@@ -20,7 +20,7 @@ from planar_cli.problem.expression import (
     Side,
     Word,
 )
-from planar_cli.problem.instants import InstantParser, refuse_comma, refuse_neighbour
+from planar_cli.problem.instants import InstantParser, refuse_at, refuse_comma, refuse_neighbour
 from planar_cli.problem.limits import Guard
 from planar_cli.problem.tokens import Cursor, Token, exact
 from planar_cli.problem.unit_run import read_unit, unit_follows
@@ -364,6 +364,8 @@ class SideParser(InstantParser):
             cursor.fail(f"`{token.text}` is no relation sign", f"write `{right}`", "PL210")
         if cursor.is_sign("!=", "<>"):
             cursor.fail("that two things differ is no relation", "write `<` or `>`", "PL210")
+        if cursor.is_sign("@"):
+            refuse_at(cursor)
         if not cursor.is_sign(*RELATION_SIGNS):
             cursor.fail("a relation sign is missing", "write `left = right`, or `<` `>` `<=` `>=`", "PL210")
         cursor.take()
