@@ -205,8 +205,8 @@ class Decided:
 
     def without_bars(self, expr: sp.Expr) -> sp.Expr:
         """|a - b| of letters alone is the difference that is positive for all letters with which assumptions hold."""
-        letters = set(self.ledger.letters)
-        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].is_Add and e.args[0].free_symbols <= letters]
+        known = set(self.ledger.letters)
+        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].is_Add and e.args[0].free_symbols <= known]
         draws = self.everywhere() if inside else ()
         ways: dict[sp.Expr, sp.Expr] = {}
         for a in inside:

@@ -27,7 +27,8 @@ Small oscillations about it
 
   With several freedoms each mode has its period: `T: period(hang)` is answered by all of them, the longest first, and
   `frequency(hang)` by all frequencies, the lowest first; a key says `T: [1.23 s, 0.45 s]`. Inside a formula, or stated,
-  a period has to be the only one. In letters there are formulas for two modes without damping. Where the motion creeps
+  a period has to be the only one. In letters there are formulas for two modes without damping. A rotation that enters
+  no force has no mode; nor, where `stable(…)` is not asked, has a travel that enters none. Where the motion creeps
   back without oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small
   oscillations.
 

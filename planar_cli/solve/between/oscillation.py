@@ -45,7 +45,9 @@ class Oscillation:
     stop: Stop
     regime: Regime
     speeds: tuple[sp.Symbol, ...]
-    """The free speeds u; a rotation that enters no force is left out, as is what `motion` drives."""
+    """The free speeds u; a rotation that enters no force is left out, as is what `motion` drives. Where periods alone
+    are asked, so is a travel that enters none, like that of a free cart.
+    """
     laws: tuple[sp.Expr, ...]
     """du/dt of each, a formula of the general position."""
     stiffness: tuple[tuple[sp.Expr, ...], ...]
@@ -94,8 +96,9 @@ class Oscillation:
         return self.decrement(period) if word == "decrement" else self.damping_ratio(period)
 
 
-def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) -> Oscillation:
-    """The equations of motion of a regime, linearised about an equilibrium. `places`: coordinates that are known there.
+def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr], travels: bool = True) -> Oscillation:
+    """The equations of motion of a regime, linearised about an equilibrium. `places`: coordinates that are known there;
+    `travels`: does it matter that something may travel away from there, though no force changes?
     FileProblem: there is nothing to swing.
     """
     speeds = regime.free
@@ -117,7 +120,7 @@ def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) 
     damping = [[at_rest(-derivative(law, u)) for u in speeds] for law in laws]
     general = regime.general
     driven = general.trial.system.driven() if general.instant.scene.problem.motion else set()
-    beside = [_turns_only(regime, u) or general.rate_of(u) in driven for u in speeds]
+    beside = [not travels or _turns_only(regime, u) or general.rate_of(u) in driven for u in speeds]
     free = [j for j, idle in enumerate(beside) if idle and _enters_nothing(j, stiffness, damping)]
     kept = [j for j in range(len(speeds)) if j not in free] or list(range(len(speeds)))
 
@@ -187,7 +190,9 @@ def oscillations_asked(
             raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
         if name not in found:
             regime, known = course.readers[name].regime, course.given().values
-            found[name] = linearised(regime, course.stops[name], _stated_places(regime, raw[name], known))
+            places = _stated_places(regime, raw[name], known)
+            words = {asked.word for asked in _asked(course) if asked.things[0] == name}
+            found[name] = linearised(regime, course.stops[name], places, "stable" in words)
     return found
 
 
