@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import first, solve
 
-from planar_cli.errors import FileProblem
+from planar_cli.errors import FileProblem, NoSolution
 
 SIZES = "title: Sizes\ngiven: {a: 2 m, b: 2 m, beta: 90 deg, c: FORMULA}\nfind: {x: 2*c}\n"
 
@@ -35,3 +35,10 @@ find: {F: FIND}
 @pytest.mark.parametrize(("find", "value"), [("F", 2), ("F^2", 4), ("a(b).mag", 2)])
 def test_a_magnitude_with_the_square_of_what_is_sought(find: str, value: float) -> None:
     assert first(solve(PUSHED.replace("FIND", find))["F"]) == pytest.approx(value)
+
+
+def test_what_no_real_number_fulfils_names_the_letter() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(PUSHED.replace("= 2 m/s^2", "= -2 m/s^2").replace("FIND", "F"))
+    (told,) = error.value.diagnostics
+    assert (told.code, told.message) == ("PL601", "no real F fulfils all equations")

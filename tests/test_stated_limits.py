@@ -75,3 +75,16 @@ def test_the_weaker_of_two_ropes_counts(ropes: tuple[str, str], load: float) -> 
     """The ropes are at right angles: T_A = 0.8 W, T_B = 0.6 W."""
     text = TWO_ROPES.replace("FIRST", ropes[0]).replace("SECOND", ropes[1])
     assert first(solve(text)["W"]) == pytest.approx(load)
+
+
+def test_between_states_the_limit_is_to_be_written() -> None:
+    """F = m v_2/t."""
+    motion = BLOCK.replace("instant: [at rest, a(b).x SIGN 4 m/s^2, F is EXTREME]", STATES)
+    with pytest.raises(NoSolution) as error:
+        solve(motion.replace("LIMIT", "v(b).x <= 6 m/s, F is largest"))
+    assert error.value.diagnostics[0].code == "PL623"
+    assert "`v(b).x = 6 m/s` where that bounds it" in (error.value.diagnostics[0].hint or "")
+    assert first(solve(motion.replace("LIMIT", "v(b).x = 6 m/s"))["F"]) == pytest.approx(4)
+
+
+STATES = "states: {1: [at rest, t = 0], 2: [t = 3 s, LIMIT]}"

@@ -9,7 +9,7 @@ from decimal import Decimal
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
-from planar_cli.problem.expression import Extreme, Name
+from planar_cli.problem.expression import Extreme, Name, Relation
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
@@ -145,7 +145,10 @@ def _what_ceases(problem: Problem) -> str:
     """What to write in the place of an extreme that is the last value with which a state is reached."""
     contact = next((j.name for j in problem.joints if j.touches), "")
     rope = next((j.name for j in problem.joints if j.kind == "rope"), "")
-    kept = f"`N({contact}) = 0` of a contact that is only just kept, " if contact else ""
+    asked = [state.relations for state in problem.states if any(isinstance(r, Extreme) for r in state.relations)]
+    stated = [r for relations in asked for r in relations if isinstance(r, Relation) and r.operator in ("<=", ">=")]
+    kept = "".join(f"`{r.text.replace(r.operator, '=', 1)}` where that bounds it, " for r in stated)
+    kept += f"`N({contact}) = 0` of a contact that is only just kept, " if contact else ""
     kept += f"`tension({rope}) = 0` of a rope that only just stays taut, " if rope else ""
     body = problem.bodies[0].name if problem.bodies else "P"
     kept += _about_to_slip(problem)

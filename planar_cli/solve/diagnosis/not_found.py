@@ -57,6 +57,10 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     if (other := otherwise_meant(instant, said)) is not None:
         return Diagnostic(find.mark, "PL601", f"{text}; {other[0]}", other[1])
     hint = "change a given, or state one thing less"
+    sought = [s.name for s in instant.scene.ledger.sought]
+    if sought and not said and not extremes:
+        text = f"no real {' and '.join(sought)} fulfils all equations"
+        hint = f"{hint}: a sine or cosine lies in -1 to 1, and no square or length is below zero"
     if instant.scene.cancelling:
         hint += "; or give the masses and inertias that are `any`: they may tell which contacts press"
     return Diagnostic(find.mark, "PL601", text, hint)
