@@ -202,8 +202,10 @@ def run(
     digests = {file: hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12] for file in files}
     wanted = {(m.file, digests[m.file], m.kind, m.place, m.what): m for m in known}
     _import_all()
+    done = {j.key for j in judged_before(results) if j.is_done(limit)}
+    begun = len(_lines(results))
     for serve, some in PASSES:
-        done = {j.key for j in judged_before(results) if j.is_done(limit)}
+        done |= {j.key for j in judged_before(results, begun)}
         left: dict[str, list[Mutant]] = {}
         for key, m in wanted.items():
             if m.kind in some and key not in done:
@@ -221,11 +223,14 @@ def run(
     return [j for j in judged_before(results) if j.key in wanted]
 
 
-def judged_before(results: Path) -> list[Judged]:
-    """The lines of a file of outcomes; of a mutant that was judged several times the last."""
-    lines = results.read_text(encoding="utf-8").splitlines() if results.exists() else []
-    found = {j.key: j for j in (Judged(**json.loads(line)) for line in lines)}
+def judged_before(results: Path, since: int = 0) -> list[Judged]:
+    """The lines of a file of outcomes, from one on; of a mutant that was judged several times the last."""
+    found = {j.key: j for j in (Judged(**json.loads(line)) for line in _lines(results)[since:])}
     return list(found.values())
+
+
+def _lines(results: Path) -> list[str]:
+    return results.read_text(encoding="utf-8").splitlines() if results.exists() else []
 
 
 Line = tuple[Mutant, tuple[str, str], float]

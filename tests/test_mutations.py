@@ -48,6 +48,17 @@ def test_a_run_goes_on_where_it_broke_off(tmp_path: Path) -> None:
     assert len(results.read_text().splitlines()) == len(lines) + 1
 
 
+def test_a_fault_in_reading_is_judged_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(*_: object) -> mutations.Outcome:
+        raise KeyError("x")
+
+    monkeypatch.setattr(mutations, "read", fails)
+    results = tmp_path / "results.jsonl"
+    judged = mutations.run([str(ROOT / "problems" / f"{FILES[0]}.yaml")], ["unit"], None, 1, results)
+    assert {j.outcome for j in judged} == {mutations.FAULT}
+    assert len(results.read_text().splitlines()) == len(judged)
+
+
 def test_what_comes_of_a_child(monkeypatch: pytest.MonkeyPatch) -> None:
     """A fault is told with its name, one that takes too long is killed."""
     file = str(ROOT / "problems" / f"{FILES[0]}.yaml")
