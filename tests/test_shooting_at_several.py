@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from answered import first, solve
 
@@ -63,3 +65,30 @@ def test_too_little_is_said() -> None:
     problem, _ = load_text(SHELL.replace(", y(P) = 10 m", ""))
     assert problem is not None
     assert shooting_at_several(problem, {}) is None
+
+
+def test_stiffness_and_damping_from_two_successive_crests() -> None:
+    """delta = ln(x_0/x_1)/T, omega_n^2 = (2 pi/T)^2 + delta^2; what creeps has no crest, however near it is to rest."""
+    text = """
+title: Stiffness and damping from two successive crests
+plane: horizontal
+given: {m: 2 kg, x_0: 100 mm, x_1: 60 mm, T: 0.8 s}
+unknowns: {k: N/m, c: N*s/m}
+coordinates: {x: m}
+points: {W: [-0.5 m, 0], P: [x, 0]}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg, name: rail}
+loads:
+  - spring: {between: [W, P], stiffness: k, relaxed_at: [x = 0]}
+  - damper: {between: [W, P], coefficient: c}
+states:
+  1: [t = 0, x = x_0, at rest]
+  low: [v(block).x = 0]
+  2: [v(block).x = 0, x = x_1, t = T]
+find: {k: k, c: c}
+"""
+    found = solve(text)
+    delta = math.log(100 / 60) / 0.8
+    assert first(found["c"]) == pytest.approx(4 * delta, rel=1e-9)
+    assert first(found["k"]) == pytest.approx(2 * ((math.tau / 0.8) ** 2 + delta**2), rel=1e-9)

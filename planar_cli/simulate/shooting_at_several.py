@@ -18,6 +18,7 @@ from itertools import product
 import numpy as np
 
 from planar_cli.problem.expression import Relation, Statement
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.records import record
 from planar_cli.simulate.run import prepared
@@ -53,18 +54,25 @@ def shooting_at_several(problem: Problem, known: Mapping[str, float]) -> list[di
     unknowns = problem.unknowns
     if len(unknowns) < 2 or problem.symbols:
         return None
-    found: list[dict[str, float]] | None = None
-    for shots in _shots(problem):
-        sizes = _sizes(problem, known)
-        residuals = _residuals(shots, [u.name for u in unknowns], known)
-        found = []
-        for root in _roots(residuals, _starts(unknowns, sizes), sizes):
-            values = dict(zip((u.name for u in unknowns), root, strict=True))
-            if passes(problem, {**known, **values}):
-                found.append(values)
-        if found:
-            return found
-    return found
+    every = list(_shots(problem))
+    sizes = _sizes(problem, known) if every else []
+    sizes_alone = [i for i, u in enumerate(unknowns) if u.name in not_negative(problem)]
+    usual: list[tuple[float, ...]] = []
+    others: list[tuple[float, ...]] = []
+    for start in _starts(unknowns, sizes) if every else ():
+        (usual if all(start[i] >= 0 for i in sizes_alone) else others).append(start)
+    # What can not be negative is looked for so only where nothing else fits, to be told.
+    for starts in (usual, others):
+        for shots in every:
+            residuals = _residuals(shots, [u.name for u in unknowns], known)
+            found = []
+            for root in _roots(residuals, iter(starts), sizes):
+                values = dict(zip((u.name for u in unknowns), root, strict=True))
+                if passes(problem, {**known, **values}):
+                    found.append(values)
+            if found:
+                return found
+    return [] if every else None
 
 
 def _shots(problem: Problem) -> Iterator[Shots]:
@@ -91,9 +99,11 @@ def _tells(statement: Statement) -> bool:
 
 
 def _telling(relations: Sequence[Statement]) -> list[Statement]:
-    """The relations by which a state may be told."""
+    """The relations by which a state may be told, its time the last: many motions have come nearly to rest by then, or
+    nearly to a place, that never do what else is said of it.
+    """
     times: list[Statement] = [r for r in relations if isinstance(r, Relation) and is_time(r)]
-    return times[:1] or list(relations)
+    return [*(r for r in relations if r not in times), *times[:1]]
 
 
 def _without(state: State, gone: Sequence[Statement]) -> State:
