@@ -99,11 +99,11 @@ def _tells(statement: Statement) -> bool:
 
 
 def _telling(relations: Sequence[Statement]) -> list[Statement]:
-    """The relations by which a state may be told, its time the last: many motions have come nearly to rest by then, or
-    nearly to a place, that never do what else is said of it.
+    """The relations by which a state may be told, its time first: then all is open that else may happen by then. But
+    many motions have come nearly to rest by then that never turn, as it is said: so the others tell it too.
     """
     times: list[Statement] = [r for r in relations if isinstance(r, Relation) and is_time(r)]
-    return [*(r for r in relations if r not in times), *times[:1]]
+    return [*times[:1], *(r for r in relations if r not in times)]
 
 
 def _without(state: State, gone: Sequence[Statement]) -> State:
