@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Mapping
 
 import sympy as sp
@@ -19,6 +20,9 @@ from planar_cli.solve.solution import Found
 
 OF_ASKED = 60
 """What is itself asked is told by its formula up to this number of operations."""
+
+
+OF_MASSES = re.compile(r"\bmass\b|^moment of inertia")
 
 
 class DefinitionTelling:
@@ -63,7 +67,8 @@ class DefinitionTelling:
             what = one.find.found.what if one.find is not None else None
             if not (isinstance(what, Quantity) and what.word == "KE"):
                 inside |= {s for e in one.asked for s in e.free_symbols if not is_sought(s, ledger)}
-        inside = {s for s in self._behind(inside) & set(ledger.definitions) if s not in self.vectors.named}
+        of_masses = {s for s in inside & set(ledger.definitions) if OF_MASSES.search(ledger.titles[s])}
+        inside = {s for s in self._behind(of_masses) & set(ledger.definitions) if s not in self.vectors.named}
         self.long = None if self.long is None else max(self.long, OF_ASKED)
         return [*self.lines(inside, "m"), *self.lines(inside, "kg")]
 

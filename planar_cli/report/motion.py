@@ -363,14 +363,15 @@ class MotionTelling:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
         if r.formula is None or divides_by_zero(r.formula, self.numeric):
             return None
-        formula = of_ratios(r.formula, self.found.ledger)
-        formula = by_data(in_times(over_coordinates(formula, self.general), self.found), r.unknown, self.found)
+        formula = over_coordinates(of_ratios(r.formula, self.found.ledger), self.general)
+        formula = by_data(in_times(formula, self.found), r.unknown, self.found)
         if self.phrases.symbolic:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
             return formula
         long = longer(formula, LONGEST if formula.free_symbols & self._laws.natural else LETTERED)
-        return None if long or is_long_root(formula) or not is_clean(self.found.ledger, r.unknown, formula) else formula
+        hides = long or is_long_root(formula, self.phrases) or not is_clean(self.found.ledger, r.unknown, formula)
+        return None if hides else formula
 
     def _in_known(self, r: Result, most: int, explicit: bool) -> list[Math]:
         """The formula with its numbers, or letters of states and numbers for all else. `explicit`: as `_chain`; else a
@@ -378,19 +379,18 @@ class MotionTelling:
         """
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
             return []
-        long = not explicit and (longer(r.formula, SHORT) or is_long_root(r.formula))
+        long = not explicit and (longer(r.formula, SHORT) or is_long_root(r.formula, self.phrases))
         if long or divides_by_zero(r.formula, self.numeric):
             return []
         told = in_times(r.formula, self.found)
-        return in_known(told, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
+        return in_known(told, {*self.general}, self._shown(r), self.phrases, min(most, SHORT))
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite() or (self.phrases.symbolic and not r.value):
             return line("0" if not r.value else "∞" if r.value > 0 else "-∞")
         shown = self.phrases.shown(r.unknown, r.value)
-        if r.formula is not None and r.formula.has(sp.Integral):
-            return line(shown, " by numerical integration")
-        return shown
+        integrated = r.formula is not None and r.formula.has(sp.Integral)
+        return line(shown, " by numerical integration") if integrated else shown
 
     def _others(self, r: Result) -> Iterator[Block]:
         """Roots that do not belong to this motion, each with the reason."""

@@ -9,6 +9,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.integrals import in_times
 from planar_cli.report.origins import letter_of
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RouteStep, RouteTrace
 
 LONGEST, ROOT = 60, 20
@@ -34,8 +35,14 @@ def rooted(told: tuple[RouteStep, RouteTrace], found: MotionTrace) -> tuple[Rout
     return replace(step, results=(replace(r, formula=-root if r.value < 0 else root),)), route
 
 
-def is_long_root(formula: sp.Expr) -> bool:
-    """Is it (p ± √q)/r with a sum q, the root of a quadratic equation, and longer than that equation in numbers?"""
+def is_long_root(formula: sp.Expr, phrases: Phrases) -> bool:
+    """Is it (p ± √q)/r with a sum q, the root of a quadratic equation, and longer than that equation in numbers? As it
+    is printed: the root of a square is none.
+    """
+    return _is_root(formula) and _is_root(phrases.math(formula).expr)
+
+
+def _is_root(formula: sp.Expr) -> bool:
     if not longer(formula, ROOT):
         return False
     above, _ = sp.fraction(sp.together(formula, deep=False) if formula.is_Add else formula)

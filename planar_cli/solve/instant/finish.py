@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from decimal import Decimal
 from functools import partial
 
@@ -333,7 +333,8 @@ class Finisher:
         for _ in range(80):
             inside = {s: formulas[s] for s in letters(expr) if s in formulas and s not in kept}
             inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
-            inside |= {s: v for s in letters(expr) if (v := self._given_by_formula(s)) is not None}
+            running = {s for f in expr.atoms(sp.Function) for s in f.free_symbols}
+            inside |= {s: v for s in letters(expr) if (v := self._given_by_formula(s, running)) is not None}
             if not inside:
                 break
             expr = replaced(expr, inside)
@@ -342,14 +343,15 @@ class Finisher:
                 return expr
         return self._simple(expr) if plainer else expr
 
-    def _given_by_formula(self, symbol: sp.Symbol) -> sp.Expr | None:
-        """The formula of a name that is given by one; None: it has none, or a motion has one number for it. There it
-        stays: sin(w t) in a place and cos(2 pi f t) in a velocity would be vibrations of two frequencies.
+    def _given_by_formula(self, symbol: sp.Symbol, running: Collection[sp.Symbol]) -> sp.Expr | None:
+        """The formula of a name that is given by one; None: it has none, or it has one number and stands in a function,
+        in a motion. There it stays: sin(w t) in a place and cos(2 pi f t) in a velocity would be of two frequencies.
+        `running`: what stands in functions.
         """
         value = self.ledger.values.get(symbol)
         if value is None or not value.free_symbols:
             return None
-        return None if self.coordinates and self._is_number(symbol) else value
+        return None if self.coordinates and symbol in running and self._is_number(symbol) else value
 
     def _is_number(self, symbol: sp.Symbol) -> bool:
         """Does the file give a number for it, or for all of which it is made?"""
