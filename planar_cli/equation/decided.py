@@ -204,9 +204,12 @@ class Decided:
         return (*self.valuations, *(d for d in far if not any(_negative(e, d) for e in signs)))
 
     def without_bars(self, expr: sp.Expr) -> sp.Expr:
-        """|a - b| of letters alone is the difference that is positive for all letters with which assumptions hold."""
+        """|a - b| of letters alone is the difference that is positive for all letters with which assumptions hold.
+        Beside bars of another kind they stay, as all may go together.
+        """
         known = set(self.ledger.letters)
-        inside = [e.args[0] for e in expr.atoms(sp.Abs) if e.args[0].is_Add and e.args[0].free_symbols <= known]
+        inside = [e.args[0] for e in expr.atoms(sp.Abs)]
+        inside = inside if all(a.is_Add and a.free_symbols <= known for a in inside) else []
         draws = self.everywhere() if inside else ()
         ways: dict[sp.Expr, sp.Expr] = {}
         for a in inside:

@@ -21,6 +21,8 @@ DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
 ROLLS = "Rolling without slipping: the points that touch have the same velocity."
 ROLLS_BY_ARC = "Rolling without slipping: the centre advances by the arc r φ (φ in radians)."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
+STREAM = "Momentum of a stream: its force is the mass per second times its velocity."
+EXTREME = "A largest or smallest value: there its derivative is zero."
 RADIAN = "rad"
 TURNING = "↺ "
 """The lead of a balance of moments or of angular momentum."""
@@ -42,7 +44,11 @@ class Printed:
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
     """What the head of a page names, a sentence for each."""
     found = _printed(page)
-    return list(_laws(uses, found)) or list(_kinematics(uses, found)) or list(_last(uses))
+    laws = list(_laws(uses, found))
+    if laws == [STREAM] and uses.extreme:
+        # The force of a stream is a formula; what is sought follows from where it, or its power, is largest.
+        laws.append(EXTREME)
+    return laws or list(_kinematics(uses, found)) or list(_last(uses))
 
 
 def _last(uses: Uses) -> Iterator[str]:
@@ -50,7 +56,7 @@ def _last(uses: Uses) -> Iterator[str]:
     if uses.asked & {"v", "a", "dot", "ddot", "omega", "alpha"} or uses.laws:
         yield DERIVATIVES
     elif uses.extreme:
-        yield "A largest or smallest value: there its derivative is zero."
+        yield EXTREME
     elif uses.asked and uses.asked <= {"r", "x", "y"}:
         yield POSITIONS
     elif uses.asked & {"I", "k"}:
@@ -84,7 +90,7 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
     if uses.forces:
         yield DALEMBERT if uses.inertial else "Newton's second law."
     if uses.streams:
-        yield "Momentum of a stream: its force is the mass per second times its velocity."
+        yield STREAM
     if any("virtual power" in words for words in uses.singles):
         yield "Virtual power, in which no reaction takes part."
     if any(words.startswith("Lagrange") for words in uses.singles):

@@ -33,8 +33,8 @@ def shorter(expr: sp.Expr) -> sp.Expr:
     halved = expr.replace(_is_half_power, _half_power).replace(_is_half, _half)
     found = halved if halved == expr else simplified(halved)
     found = found.replace(_is_root, lambda e: _in_sines(e.base) ** e.exp)
-    found = of_two_angles(found)
-    forms = (expr, found, _in_sines(found), _by_square(found))
+    both = dict.fromkeys((found, of_two_angles(found)))
+    forms = (expr, *(form for e in both for form in (e, _in_sines(e), _by_square(e))))
     return min(forms, key=lambda e: (_effort(e), int(e.count(TrigonometricFunction))))
 
 
