@@ -29,6 +29,10 @@ def page(name: str) -> str:
         ("energy/slider-crank-with-a-spring", "U of the weight of AB", "U of the weight of slider"),
         ("systems/flat-faced-follower-about-to-lift", "is the same motion the opposite way", "the smaller one"),
         ("oscillations/connecting-rod-on-a-knife-edge", "T_B = 2 π/ω_0", "nothing moves"),
+        ("kinematics/robot-arm-that-extends", "v_A = ω_OA × r_A/O + v_A/OA e", "v_A = ω_OA × r_A/O = "),
+        ("motion/longest-throw-up-a-slope", "d_max = v0² / (g (1 + sin β))", "|cos"),
+        ("kinematics/collar-on-rotating-rod", "v_P = ω × r_P/O + v_P,rod e", "x_A = "),
+        ("momentum/vane-at-its-greatest-power", "its derivative is zero.", "Newton"),
         ("motion/least-speed-to-a-target", "v_0 is smallest, so its derivative with respect to β is zero", "β, v_0"),
     ],
 )

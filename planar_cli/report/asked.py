@@ -242,11 +242,11 @@ class AskedTelling:
                 yield from self._body_point(body, place, point, level)
                 return
 
-    def _along_body(self, body: str, place: str, level: str) -> Iterator[Block]:
-        """Of a particle that slides along a body that turns, with the Coriolis acceleration."""
-        motion, at = self.vectors.motion, self.scene.center(body)
-        key = f"{level} {place}"
-        found = self.vectors.sliding(body, at, place, level) if key not in self._told else None
+    def _along_body(self, body: str, place: str, level: str, point: Vec | None = None) -> Iterator[Block]:
+        """Of a particle, or the `point` of a rigid body, sliding along one that turns, with the Coriolis term."""
+        motion, at = self.vectors.motion, self.scene.center(body) if point is None else point
+        key, rigid = f"{level} {place}", point is not None
+        found = self.vectors.sliding(body, at, place, level, rigid) if key not in self._told else None
         if found is not None:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
             yield from self._joined(self.vectors.edges[self.vectors.carrier(self.vectors.edges[body].parent)], level)
@@ -261,9 +261,8 @@ class AskedTelling:
             return
         edge, sides, arm = found
         yield from self._joined(edge, level)
-        motion = self.vectors.motion
+        motion, note = self.vectors.motion, self.vectors.arm_once(place, edge, arm)
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
-        note = self.vectors.arm_once(place, edge, arm)
         told = () if self.phrases.symbolic else components_told(self._turned(body, arm, level), self.phrases.figures)
         yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note)
 
@@ -271,6 +270,7 @@ class AskedTelling:
         """The point at which a body is joined, from which its others are reached."""
         if edge.joining is not None and not self.vectors.rests(edge, level):
             yield from self.paths.acceleration(edge.body, edge.joining.point, edge.joining.place, level)
+            yield from self._along_body(edge.body, edge.joining.place, level, edge.joining.point)
             yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
 
     def _turned(self, body: str, arm: Vec, level: str) -> Turned:

@@ -286,16 +286,16 @@ class VectorTelling:
             parts += [f" {sign} " if parts else "-" if sign == "-" else "", *piece]
         return (edge, (line(Name(f"{v}_{index_of(place)}")), line(*parts or ["0"])), arm) if reference else None
 
-    def sliding(self, body: str, at: Vec, place: str, level: str) -> tuple[Line, Line] | None:
-        """What slides along a straight line of a body that turns: v_P = ω × r_P/A + v_P/AB e, and a_P with the Coriolis
-        acceleration; and what stands beside it. None: the line is fixed, or it bends.
+    def sliding(self, body: str, at: Vec, place: str, level: str, rigid: bool = False) -> tuple[Line, Line] | None:
+        """What slides along a straight line of a body that turns: v_P = ω × r_P/A + v_P/AB e, a_P with the Coriolis
+        acceleration, and what stands beside it. `rigid`: of a rigid body. None: the line is fixed, or bends.
         """
         edge = self.edges.get(body)
-        if edge is None or not edge.particle or edge.joining is None or edge.slide is None or edge.slide_rate is None:
+        if edge is None or edge.particle == rigid or edge.joining is None or edge.joining.base != edge.parent:
             return None
         path, frame = edge.joining.path, self.carrier(edge.parent)
         found = self.formula(frame, at, f"{place}′", level) if path is not None and path.curvature == 0 else None
-        if path is None or found is None:
+        if path is None or found is None or edge.slide is None or edge.slide_rate is None:
             return None
         own, (_, carried), arm = found
         spin, e = self._symbol(frame, "velocity"), Name("e")
