@@ -16,6 +16,7 @@ from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.narrate import narrate, phrases_of
 from planar_cli.report.notation import plain
+from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.solve.between.closed import closed_roots
 
 X = sp.Symbol("x", real=True)
@@ -26,7 +27,7 @@ def test_every_answer_ends_a_line(name: str) -> None:
     solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
     lines = [b.sides for b in narrate(solution).blocks if isinstance(b, Equation)]
     ends = {plain(sides[-1].expr) for sides in lines if isinstance(sides[-1], Math)}
-    for part in solution.parts:
+    for part in map(with_plain_answers, solution.parts):
         phrases = phrases_of(part.instants[-1], 4)
         asked = [f for f in part.found if f.kind == "number" and f.values is None and f.expressions]
         assert asked

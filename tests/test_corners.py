@@ -131,6 +131,7 @@ def test_numbers_that_break_an_equation_are_a_fault() -> None:
     """What is followed and what is written can only differ by a fault of the program: nothing is printed then."""
     x = sp.Symbol("x_3")
     course: Any = SimpleNamespace(
+        scene=SimpleNamespace(cancelling=()),
         equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),),
         stops={"3": SimpleNamespace(letters={x: x})},
         states=[SimpleNamespace(mark=NOWHERE)],

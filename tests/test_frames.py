@@ -46,11 +46,17 @@ SAMPLE = (
 TURNED = ("friction/block-on-turntable", "impact/pucks-at-an-angle", "kinematics/geneva-wheel", "textbook/ex-1-14")
 NO_WORDS = {
     "mirrored": set(),
-    "turned by a quarter": {"weight acts along -y", "a curve y(x) or r(theta)", "a rope over a pulley"},
+    "turned by a quarter": {
+        "weight acts along -y",
+        "a curve y(x) or r(theta)",
+        "a rope over a pulley",
+        "a slot in a body without a direction of its own",
+    },
     "turned askew": {
         "weight acts along -y",
         "a curve y(x) or r(theta)",
         "a rope over a pulley",
+        "a slot in a body without a direction of its own",
         "a point of a given x or y",
         "a place that lies left or above",
     },

@@ -82,6 +82,7 @@ def fulfils(residual: sp.Expr, **numbers: str) -> bool:
     units = {x: parse_unit("m"), v: parse_unit("m/s"), r: parse_unit("m")}
     letters = {sp.Symbol(s.name[0]): s for s in units}
     course: Any = SimpleNamespace(
+        scene=SimpleNamespace(cancelling=()),
         ledger=SimpleNamespace(units=units),
         stops={"2": SimpleNamespace(letters=letters)},
         states=[SimpleNamespace(mark=NOWHERE)],

@@ -73,7 +73,7 @@ class Stream(Load):
 
     kind: ClassVar[str] = "stream"
     effect: ClassVar[Effect] = Effect("stream of matter", rank=6)
-    line: ClassVar[str] = "push of {called}"
+    line: ClassVar[str] = "momentum per second of {called}"
     brings_mass: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(

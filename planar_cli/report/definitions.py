@@ -22,7 +22,7 @@ OF_ASKED = 60
 """What is itself asked is told by its formula up to this number of operations."""
 
 
-OF_MASSES = re.compile(r"\bmass\b|^moment of inertia")
+OF_MASSES = re.compile(r"\bmass\b|^moment of inertia|^momentum per second")
 
 
 class DefinitionTelling:

@@ -43,6 +43,7 @@ KEPT = {
     "arcs rolled on each other": "at {} equal arcs roll on each other",
 }
 """What a joint keeps of places, by what follows its name in the title."""
+DRAWN = "in the given position"
 DIRECTION = re.compile(r"^[va]\([^()]*\)\.angle = (-?[\d.]+) deg$")
 PLACE, ACROSS = "place of ", " across its line"
 """What stands about the name of a point that a line leads."""
@@ -57,7 +58,7 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         words = calculus(e)
         return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law, names["t"]), ":")
     if e.is_datum:
-        words = turning(e.words) if e.kind == "turn" else e.words
+        words = turning(e.words) if e.kind == "turn" else DRAWN if e.kind == "drawn" else e.words
         words += components_of(e.words) if e.kind == "given" else ""
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
     if e.kind == "handed" and e.stop:
@@ -166,7 +167,7 @@ def known_from(e: Relation, r: trace.Result) -> str:
         return turning(e.words) if e.kind == "turn" else "found by trial" if "trial" in e.words else ""
     plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
     given = "given" if plainly and e.words != IN_THE_END else ""
-    return {"drawn": "in the given position", "start": e.words}.get(e.kind, given)
+    return {"drawn": DRAWN, "start": e.words}.get(e.kind, given)
 
 
 def turning(words: str) -> str:
