@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field
-from typing import Any
-from unittest import mock
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from mutants import Mutant, mutated
 
@@ -19,15 +16,10 @@ from planar_cli.problem.structure import problem_of
 from planar_cli.registry import members
 from planar_cli.report.json_document import answers_data
 from planar_cli.report.narrate import Voice, narrate
-from planar_cli.solve import run as run_of_files
-from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.where_asked import has_place
 
 SOLVED, UNCHANGED, FAULT, UNDECIDED = "solved", "unchanged", "fault", "undecided"
 ANOTHER = "another answer"
-ALIKE = 1e-9
-"""Numbers that differ by less of their size are compared as they are printed."""
-Numbers = dict[str, tuple[float, ...] | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +30,6 @@ class Outcome:
     detail: str = ""
     answers: str = ""
     page: str = ""
-    parts: Mapping[str, Numbers] = field(default_factory=dict)
-    """The numbers that are found, by case and name."""
-
-
-class Differs(BaseException):
-    """A part has other numbers than that of the file: no more need be worked out. No handler takes it."""
 
 
 def read(file: str, root: nodes.Node, mutant: Mutant | None) -> Problem | Outcome:
@@ -61,12 +47,8 @@ def _failed(kind: str, diagnostics: Sequence[Diagnostic]) -> Outcome:
 
 def solved(problem: Problem, base: Outcome | None = None) -> Outcome:
     """A problem worked out; its page only where the answers are those of `base`."""
-    parts: dict[str, Numbers] = {}
     try:
-        with _seeing_parts(parts, {} if base is None else base.parts):
-            solution, _ = solve_and_compare(problem)
-    except Differs:
-        return Outcome(SOLVED)
+        solution, _ = solve_and_compare(problem)
     except (FileProblem, NoSolution) as error:
         return _failed("refused" if isinstance(error, FileProblem) else "no solution", error.diagnostics)
     except Undecided as error:
@@ -75,33 +57,7 @@ def solved(problem: Problem, base: Outcome | None = None) -> Outcome:
     if base is not None and answers != base.answers:
         return Outcome(SOLVED, "", answers)
     page = members("formats")["markdown"]().render(narrate(solution, Voice(12)))
-    return Outcome(SOLVED, "", answers, page, parts)
-
-
-@contextmanager
-def _seeing_parts(parts: dict[str, Numbers], base: Mapping[str, Numbers]) -> Iterator[None]:
-    """Each part that is solved meanwhile goes to `parts` by its case. Differs: it has other numbers than in `base`."""
-    solve_part = run_of_files.where_asked
-
-    def seen(solve: Callable[..., PartSolution], problem: Problem, case: str, *rest: Any) -> PartSolution:
-        part = solve_part(solve, problem, case, *rest)
-        parts[case] = {f.name: f.values and tuple(map(float, f.values)) for f in part.found}
-        if case in base and _differ(parts[case], base[case]):
-            raise Differs
-        return part
-
-    with mock.patch.object(run_of_files, "where_asked", seen):
-        yield
-
-
-def _differ(some: Numbers, others: Numbers) -> bool:
-    """Do two parts have different numbers for what they both ask?"""
-    pairs = [(some[name], others[name]) for name in some.keys() & others.keys()]
-    both = [(a, b) for a, b in pairs if a is not None and b is not None]
-    return any(
-        len(a) != len(b) or any(abs(x - y) > ALIKE * max(abs(x), abs(y)) for x, y in zip(a, b, strict=True))
-        for a, b in both
-    )
+    return Outcome(SOLVED, "", answers, page)
 
 
 def judged(mutant: Mutant, base: Outcome, outcome: Outcome) -> tuple[str, str]:

@@ -23,10 +23,10 @@ is listed.
 
 First all mutants are read: most are refused there. Then each file is worked out once, in a process of its own, and the
 mutants that are left in a child of it, which remembers what it knows of the file and has a limit of processor time for
-each. What offends is judged again in a fresh child. A mutant is worked out part by part, as far as the first whose
-numbers differ; the page is written where all answers are the same. With `--results` each outcome is added to a file at
-once (a line of JSON); a run that was broken off goes on from there, and judges the offenders among them anew, and what
-was not decided within a smaller limit. The files come in an order that is drawn: part of a run is a sample.
+each. What offends is judged again in a fresh child. The page is written where all answers are the same. With
+`--results` each outcome is added to a file at once (a line of JSON); a run that was broken off goes on from there, and
+judges the offenders among them anew, and what was not decided within a smaller limit. The files come in an order that
+is drawn: part of a run is a sample.
 """
 
 from __future__ import annotations
