@@ -25,6 +25,7 @@ from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
 from planar_cli.solve.between.extremes import with_aims
+from planar_cli.solve.between.linked import independent
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.substitution import linear_step, same_as, square
 from planar_cli.solve.between.trace import Result
@@ -293,10 +294,9 @@ class Router:
 
     def _regular(self, equations: tuple[Equation, ...], unknowns: tuple[sp.Symbol, ...]) -> bool:
         """Do as many equations fix these unknowns?"""
-        if any(e.residual.has(sp.Integral) for e in equations):
+        if any(e.residual.has(sp.Integral) for e in equations) or not independent(equations):
             return False
-        rows = self._slopes(equations, unknowns)
-        if rows is None or not all(c.is_finite() for row in rows for c in row):
+        if (rows := self._slopes(equations, unknowns)) is None:
             return False
         scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         return abs(determinant(scaled)) > Decimal("1e-18")
