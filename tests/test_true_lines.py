@@ -41,3 +41,16 @@ def test_a_page_says_what_is_true(name: str, said: str, unsaid: str) -> None:
     printed = page(name)
     assert said in printed
     assert unsaid not in printed
+
+
+def test_no_more_equations_of_one_law_are_solved_together_than_are_independent() -> None:
+    """ω = α t, θ = α t²/2 and ω² = 2 α θ are two equations, not three for ω, θ and t."""
+    printed = page("motion/block-in-a-slot-of-a-disk-that-starts")
+    assert "t_out = 1.642 s" in printed
+    assert "together" not in printed
+    assert "ω_out, t_out and v_P,disk,out are found by numerical integration" in printed
+
+
+def test_a_velocity_along_a_path_that_a_body_carries_is_one_as_seen_from_it() -> None:
+    printed = page("motion/bob-in-a-car-that-speeds-up-ever-faster")
+    assert "differentiated, along the path as seen from car:" in printed

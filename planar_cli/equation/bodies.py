@@ -43,6 +43,8 @@ class BodyModel:
     center_name: str
     theta: sp.Expr
     varies: bool = False
+    parts: tuple[tuple[sp.Expr, sp.Expr, Vec], ...] = ()
+    """Of a body of several parts: mass, moment of inertia about its own mass centre, and that centre, of each."""
 
 
 @record
@@ -255,7 +257,8 @@ class MassReader:
         else:
             title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
-        return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta)
+        own = tuple((*masses, u.center) for masses, u in parts)
+        return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta, parts=own)
 
     def _own_centre(self, body: Body, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]]) -> str:
         """The point of the file that is the mass centre of a body of several parts; empty: none is."""

@@ -21,7 +21,7 @@ from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relat
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import ALL, GROUND
 from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 
@@ -39,7 +39,6 @@ LATER = {
     "stable",
 }
 
-ALL = "all"
 ALONG = "write `.along` or `.across`"
 
 

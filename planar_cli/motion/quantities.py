@@ -14,11 +14,10 @@ from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relat
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import ALL, GROUND
 from planar_cli.records import record
 
 OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
-ALL = "all"
 
 
 @record

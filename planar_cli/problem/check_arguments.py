@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.check_names import missing_state
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.reading import did_you_mean, listed
-from planar_cli.problem.scene import GROUND, Composite, Particle
+from planar_cli.problem.scene import ALL, GROUND, Composite, Particle
 from planar_cli.problem.scope import Member, Scope
 from planar_cli.records import record
 from planar_cli.registry import members
@@ -89,7 +89,7 @@ def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
         return
     if quantity.word in BODY_WORDS:
         yield from _turning(quantity, scope)
-    if quantity.word in (*POINT_WORDS, "I") and quantity.things[0] == "all":
+    if quantity.word in (*POINT_WORDS, "I") and quantity.things[0] == ALL:
         yield from _mass_centre(quantity, scope)
     yield from _thing(quantity, 0, takes.first, scope)
     if len(quantity.things) > 1:
@@ -182,7 +182,7 @@ def _is_plain_thing(name: str, kinds: list[str], scope: Scope) -> bool:
     return (
         ("point" in kinds and name in scope.points)
         or ("body" in kinds and name in scope.bodies)
-        or ("all" in kinds and name == "all")
+        or (ALL in kinds and name == ALL)
         or ("ground" in kinds and name == GROUND)
     )
 

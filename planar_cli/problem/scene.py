@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from planar_cli.loads.base import Load
 
 GROUND = "ground"
+ALL = "all"
 
 
 @record

@@ -4,11 +4,15 @@ coordinates say the same.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.instant.written import Written
 
@@ -37,6 +41,13 @@ def is_along_path(w: Written, system: System, level: str) -> bool:
             return False
         return identically_zero(across) or (level != "velocity" and identically_zero(_with_speeds(across, system)))
     return False
+
+
+def on_path(w: Written, edges: Iterable[Edge]) -> str:
+    """Along which path: that over the ground, or as a body sees it with which the point goes along."""
+    rates = w.residual.free_symbols
+    body = next((e.parent for e in edges if e.parent != GROUND and {e.slide, e.slide_rate} & rates), "")
+    return f"along the path as seen from {body}" if body else "along the path"
 
 
 def _with_speeds(across: sp.Expr, system: System) -> sp.Expr:

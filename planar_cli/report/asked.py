@@ -17,7 +17,8 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.asked_energy import ALL, kinetic_energy
+from planar_cli.problem.scene import ALL
+from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
@@ -256,8 +257,7 @@ class AskedTelling:
     def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The equation of a point of a body with its value, after those of the points on which it rests."""
         body = self.vectors.carrier(body)
-        found = self.vectors.formula(body, at, place, level)
-        if found is None:
+        if (found := self.vectors.formula(body, at, place, level)) is None:
             return
         edge, sides, arm = found
         yield from self._joined(edge, level)

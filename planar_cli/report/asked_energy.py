@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import ALL
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.inertias import alike_together, inertia_line
@@ -20,7 +21,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import VELOCITY, Dimension
 
-ALL, HALF = "all", sp.Rational(1, 2)
+HALF = sp.Rational(1, 2)
 
 
 class Telling(Protocol):

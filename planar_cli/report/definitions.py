@@ -20,9 +20,8 @@ from planar_cli.solve.solution import Found
 
 OF_ASKED = 60
 """What is itself asked is told by its formula up to this number of operations."""
-
-
-OF_MASSES = re.compile(r"\bmass\b|^moment of inertia|^momentum per second")
+ASKED_ALONE = re.compile(r"\bmass\b|^moment of inertia|^momentum per second")
+"""Of what, by its title, a line leads to an answer that no equation leads to. Places have lines of their own."""
 
 
 class DefinitionTelling:
@@ -44,8 +43,10 @@ class DefinitionTelling:
         self.solving, self.vectors = solving, vectors
         self.constructed, self.long = constructed, long
 
-    def lines(self, used: Iterable[sp.Symbol], kind: str) -> list[Equation]:
-        """Those on which the letters `used` rest: coordinates (kind "m"), masses and moments of inertia ("kg")."""
+    def lines(self, used: Iterable[sp.Symbol], kind: str, least: int = 0) -> list[Equation]:
+        """Those on which the letters `used` rest: coordinates (kind "m"), masses and moments of inertia ("kg"); with
+        formulas of so many operations at `least`.
+        """
         ledger = self.scene.ledger
         wanted = self._behind(used)
         blocks: list[Equation] = []
@@ -56,21 +57,20 @@ class DefinitionTelling:
                 and is_length == (kind == "m")
                 and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
             ):
-                blocks += self._line(symbol, expr, is_length)
+                blocks += self._line(symbol, expr, is_length, least)
         return alike_together(blocks)
 
     def of_asked(self, found: Iterable[Found]) -> list[Block]:
-        """Masses, mass centres and moments of inertia that are asked and stand in no equation."""
+        """Masses, mass centres, moments of inertia and streams that are asked and stand in no equation."""
         ledger = self.scene.ledger
         inside: set[sp.Symbol] = set()
         for one in found:
             what = one.find.found.what if one.find is not None else None
             if not (isinstance(what, Quantity) and what.word == "KE"):
                 inside |= {s for e in one.asked for s in e.free_symbols if not is_sought(s, ledger)}
-        of_masses = {s for s in inside & set(ledger.definitions) if OF_MASSES.search(ledger.titles[s])}
-        inside = {s for s in self._behind(of_masses) & set(ledger.definitions) if s not in self.vectors.named}
-        self.long = None if self.long is None else max(self.long, OF_ASKED)
-        return [*self.lines(inside, "m"), *self.lines(inside, "kg")]
+        alone = {s for s in inside & set(ledger.definitions) if ASKED_ALONE.search(ledger.titles[s])}
+        inside = {s for s in self._behind(alone) & set(ledger.definitions) if s not in self.vectors.named}
+        return [*self.lines(inside, "m", OF_ASKED), *self.lines(inside, "kg", OF_ASKED)]
 
     def _behind(self, used: Iterable[sp.Symbol]) -> set[sp.Symbol]:
         wanted, definitions = set(used), self.scene.ledger.definitions
@@ -79,11 +79,11 @@ class DefinitionTelling:
                 wanted |= definitions[symbol].free_symbols
         return wanted
 
-    def _line(self, symbol: sp.Symbol, expr: sp.Expr, is_length: bool) -> list[Equation]:
+    def _line(self, symbol: sp.Symbol, expr: sp.Expr, is_length: bool, least: int) -> list[Equation]:
         ledger = self.scene.ledger
         self.vectors.named.add(symbol)
         value = self.phrases.shown(symbol)
-        hidden = self.long is not None and longer(expr, self.long)
+        hidden = self.long is not None and longer(expr, max(self.long, least))
         if hidden and any(symbol in symbols for symbols in self.constructed.values()):
             return []
         sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)

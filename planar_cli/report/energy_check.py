@@ -22,6 +22,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RouteStep
 from planar_cli.units import ENERGY
 
+BALANCE, PUT_IN = "work and energy", "what was found, put into "
+"""Of an equation that was solved itself this tests the solving alone."""
 MOST = 5
 """Terms that fit a line."""
 
@@ -58,7 +60,7 @@ def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: Mo
     sides: list[Inline] = [phrases.math(works[0]), *certain.substituted(works[0], value), value]
     end = Name(f"{balance.law.letter}__{balance.stop}")
     told = [p for side in sides for p in line(" = ", side)]
-    return line("work and energy: ", Name(balance.law.bring), *told, " = ", end)
+    return line(f"{BALANCE}: ", Name(balance.law.bring), *told, " = ", end)
 
 
 def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
@@ -75,7 +77,7 @@ def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
             if isinstance(e.source, BalanceTrace) and e.source.law.letter:
                 weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
                 rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
-                if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases):
+                if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases, PUT_IN):
                     return told
     return ()
 
@@ -86,8 +88,8 @@ def _is_of_several_roots(leg: RouteStep) -> bool:
     return not others and len({abs(x.value) for x in r.roots}) > 1
 
 
-def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases) -> Line:
-    """`found`: what has its value on the page; a speed that has none would be no check."""
+def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases, lead: str = "") -> Line:
+    """`found`: what has its value on the page; a speed that has none would be no check. `lead`: what is done."""
     exprs = [balance.before, *(e for _, e in balance.brought), balance.after]
     speeds = {s for e in (balance.before, balance.after) for s in e.free_symbols if s in phrases.ledger.roles}
     own = {s for s in speeds if phrases.ledger.roles[s].kind is Kind.STATE and s not in found}
@@ -104,5 +106,5 @@ def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases)
         return ()
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
     before, end = (Name(f"{balance.law.letter}__{state}") for state in (balance.since, balance.stop))
-    head = line("work and energy: ", before, " + ", Name(balance.law.bring), " = ", *chain(terms, unit, phrases, "J"))
-    return line(*head, " = ", end)
+    head = line(f"{lead}{BALANCE}: ", before, " + ", Name(balance.law.bring), " = ")
+    return line(*head, *chain(terms, unit, phrases, "J"), " = ", end)

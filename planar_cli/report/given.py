@@ -12,6 +12,7 @@ from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
 from planar_cli.problem.scene import (
+    ALL,
     Body,
     Circle,
     Composite,
@@ -121,8 +122,8 @@ def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[L
 def _asked_of(problem: Problem) -> set[str]:
     """The bodies of which something is asked that their mass and its distribution make."""
     quantities = (q for f in problem.find for q in walk(f.found.what) if isinstance(q, Quantity))
-    named = {thing for q in quantities for thing in q.things[:1] if q.word in OF_MASS or thing == "all"}
-    return {b.name for b in problem.bodies} if "all" in named else named
+    named = {thing for q in quantities for thing in q.things[:1] if q.word in OF_MASS or thing == ALL}
+    return {b.name for b in problem.bodies} if ALL in named else named
 
 
 def _tells_inertia(body: Body, problem: Problem, page: Mentioned) -> bool:

@@ -38,6 +38,7 @@ from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.exam import key_blocks
+from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
 from planar_cli.report.laws import without_given
@@ -83,6 +84,7 @@ class Voice:
 
 
 STUDENT = Voice()
+PART_CHECKS = (tale_check, normal_check, inertia_check)
 MOTION_CHECKS = (energy_check, blow_check, law_check, root_check, passing_check, time_check, oscillation_check)
 """Checks of a motion that a person can make; the first that tells something stands on the page."""
 
@@ -146,8 +148,7 @@ def _said_once(block: Block) -> Block:
     if not isinstance(block, Equation):
         return block
     said = _said(block)
-    kept = tuple(side for i, side in enumerate(block.sides) if i == 0 or said[i] != said[i - 1])
-    return block if len(kept) == len(block.sides) else replace(block, sides=kept)
+    return replace(block, sides=tuple(s for i, s in enumerate(block.sides) if i == 0 or said[i] != said[i - 1]))
 
 
 def _said(equation: Equation) -> list[Any]:
@@ -208,8 +209,8 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if part.motion is not None and why is None:
         others = (check(part.motion, settled) for check in MOTION_CHECKS)
         blocks += [Check(told) for told in (*blow_limits(part.motion, phrases), next(filter(None, others), ())) if told]
-    if why is None and (derived := tale_check(part, phrases) or normal_check(part, phrases)):
-        blocks.append(Check(derived))
+    derived = () if why is not None else next(filter(None, (check(part, phrases) for check in PART_CHECKS)), ())
+    blocks += [Check(derived)] if derived else []
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:

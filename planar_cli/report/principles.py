@@ -44,11 +44,9 @@ class Printed:
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
     """What the head of a page names, a sentence for each."""
     found = _printed(page)
-    laws = list(_laws(uses, found))
-    if laws == [STREAM] and uses.extreme:
-        # The force of a stream is a formula; what is sought follows from where it, or its power, is largest.
-        laws.append(EXTREME)
-    return laws or list(_kinematics(uses, found)) or list(_last(uses))
+    told = list(_laws(uses, found)) or list(_kinematics(uses, found)) or list(_last(uses))
+    # The force of a stream that is asked needs no law of motion beside it.
+    return [STREAM, *told] if uses.streams and STREAM not in told else told
 
 
 def _last(uses: Uses) -> Iterator[str]:
@@ -89,8 +87,8 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
         yield from _relative(uses, page)
     if uses.forces:
         yield DALEMBERT if uses.inertial else "Newton's second law."
-    if uses.streams:
-        yield STREAM
+        if uses.streams:
+            yield STREAM
     if any("virtual power" in words for words in uses.singles):
         yield "Virtual power, in which no reaction takes part."
     if any(words.startswith("Lagrange") for words in uses.singles):

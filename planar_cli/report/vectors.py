@@ -21,7 +21,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.along_path import is_along_path
+from planar_cli.report.along_path import is_along_path, on_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.projected import projected, unit_of, value_of
@@ -74,9 +74,8 @@ class VectorTelling:
             shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
             if shared and is_along_path(w, self.system, level):
                 both = replace(w, words="")
-                return [
-                    Paragraph(line(*differentiated(both, level, self.system.scene, self.phrases), ", along the path:"))
-                ]
+                told = differentiated(both, level, self.system.scene, self.phrases)
+                return [Paragraph(line(*told, f", {on_path(w, self.edges.values())}:"))]
             divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
             return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
         if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
