@@ -43,13 +43,15 @@ import tempfile
 import time
 import traceback
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+import mutation_record
 from mutant_outcomes import FAULT, SOLVED, UNCHANGED, UNDECIDED, Outcome, judged, read, solved
 from mutants import KINDS, Mutant, mutants
 from mutation_child import Child
+from mutation_record import Part
 
 import planar_cli
 from planar_cli.problem import nodes
@@ -194,12 +196,16 @@ def run(
     *,
     jobs: int = 1,
     limit: float = 20,
+    recorded: Collection[Part] = (),
 ) -> list[Judged]:
-    """Every mutant of a sample with its outcome. `results`: the file of outcomes, to which those that lack go."""
+    """Every mutant of a sample with its outcome. `results`: the file of outcomes, to which those that lack go;
+    `recorded`: what need not be judged.
+    """
+    digests = {file: digest_of(file) for file in files}
     known = [m for file in files for m in mutants(file) if m.kind in kinds]
+    known = [m for m in known if Part(m.file, digests[m.file], m.kind) not in recorded]
     if sample is not None and sample < len(known):
         known = [known[i] for i in sorted(random.Random(seed).sample(range(len(known)), sample))]
-    digests = {file: hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12] for file in files}
     wanted = {(m.file, digests[m.file], m.kind, m.place, m.what): m for m in known}
     _import_all()
     done = {j.key for j in judged_before(results) if j.is_done(limit)}
@@ -221,6 +227,11 @@ def run(
         while running:
             running.discard(os.wait()[0])
     return [j for j in judged_before(results) if j.key in wanted]
+
+
+def digest_of(file: str) -> str:
+    """What tells a file from one that was changed."""
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12]
 
 
 def judged_before(results: Path, since: int = 0) -> list[Judged]:
@@ -295,18 +306,27 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limit", type=float, default=20, help="seconds of processor time a mutant")
     parser.add_argument("--results", type=Path, help="a file of outcomes, to which those that lack are added")
+    parser.add_argument("--record", type=Path, help="what was told of files before: it is left out, and added to")
     parser.add_argument("--count", action="store_true", help="count what the file of outcomes holds, run nothing")
     wanted = parser.parse_args()
     files = sorted({str(f) for p in map(Path, wanted.files) for f in ([p] if p.is_file() else p.rglob("*.yaml"))})
     files = [file for file in files if Path(file).stat().st_size <= wanted.largest]
     kinds = wanted.kind or KINDS
+    record = mutation_record.recorded(wanted.record) if wanted.record else {}
     with tempfile.TemporaryDirectory() as folder:
         results = wanted.results or Path(folder) / "results.jsonl"
         if wanted.count:
             found = [j for j in judged_before(results) if j.kind in kinds]
         else:
-            found = run(files, kinds, wanted.sample, wanted.seed, results, jobs=wanted.jobs, limit=wanted.limit)
+            how = {"jobs": wanted.jobs, "limit": wanted.limit, "recorded": record}
+            found = run(files, kinds, wanted.sample, wanted.seed, results, **how)
     told(found)
+    if wanted.record:
+        there = Counter(Part(file, digest_of(file), m.kind) for file in files for m in mutants(file))
+        record = mutation_record.extended(record, found, there)
+        mutation_record.write(wanted.record, record)
+        print(f"{wanted.record}: {sum(c.total() for c in record.values())} of {there.total()} mutants")
+        print(mutation_record.totals(record, KINDS))
 
 
 def told(found: Sequence[Judged]) -> None:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import mutants
+import mutation_record
 import mutations
 import pytest
 from conftest import ROOT
+from mutation_record import Part
 
 from planar_cli.problem import nodes
 
@@ -46,6 +50,24 @@ def test_a_run_goes_on_where_it_broke_off(tmp_path: Path) -> None:
     assert {(j.key, j.outcome) for j in again} == {(j.key, j.outcome) for j in whole}
     # One that was left and one that offended were judged, no other.
     assert len(results.read_text().splitlines()) == len(lines) + 1
+
+
+def test_a_record_leaves_out_what_it_tells(tmp_path: Path) -> None:
+    """A file of which all mutants of a kind were judged has a line; one that lacks a mutant or has an offender none."""
+    file = str(ROOT / "problems" / f"{FILES[0]}.yaml")
+    whole = mutations.run([file], ["unit", "name"], None, 1, tmp_path / "results.jsonl")
+    digest = mutations.digest_of(file)
+    there = Counter(Part(file, digest, j.kind) for j in whole)
+    record = mutation_record.extended({}, whole, there)
+    assert {part.kind for part in record} == {"unit", "name"}
+    assert sum(counts.total() for counts in record.values()) == len(whole)
+    mutation_record.write(tmp_path / "record.tsv", record)
+    assert mutation_record.recorded(tmp_path / "record.tsv") == record
+    unit = [j for j in whole if j.kind == "unit"]
+    assert {part.kind for part in mutation_record.extended({}, unit[1:], there)} == set()
+    fault = [replace(unit[0], outcome="fault"), *unit[1:]]
+    assert mutation_record.extended({}, fault, there) == {}
+    assert mutations.run([file], ["unit", "name"], None, 1, tmp_path / "more.jsonl", recorded=record) == []
 
 
 def test_a_fault_in_reading_is_judged_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
