@@ -182,6 +182,7 @@ class Brancher:
         x = next(s for s in left if s in pending.residual.free_symbols)
         rest = [p for i, p in enumerate(pool) if i != own]
         if vanishes(pending.residual, x, algebra.value):
+            self.repeated.add(max(pending.numbers))
             return
         symbolic = self.symbolic and _rests_on_letters(pending.residual, algebra)
         roots = real_roots(pending.residual, x, algebra.value, symbolic, x in self.angles)

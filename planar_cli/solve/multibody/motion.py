@@ -360,11 +360,11 @@ def tidied_line(line: Line) -> Line:
 
 def agreeing(a: Decimal, b: Decimal, scale: Decimal, driven: Decimal = ZERO) -> int:
     """Common digits of two numbers; all when both are nothing beside the largest of their kind. What has cancelled
-    agrees to the digits that it has beside what drives it.
+    agrees to the digits that it has beside what drives it, or beside that largest.
     """
-    difference, size = abs(a - b), max(abs(a), abs(b))
-    if size < FEW * driven:
-        size = driven
+    difference, size, beside = abs(a - b), max(abs(a), abs(b)), max(scale, driven)
+    if size < FEW * beside:
+        size = beside
     if difference <= NOTHING * max(scale, ONE) or not size:
         return FULL
     return max(0, min(FULL, int(-(difference / size).log10())))
