@@ -252,18 +252,6 @@ def test_what_to_write(text: str, code: str, message: str, hint: str) -> None:
     assert hint in why.hint
 
 
-LEAST = """
-title: Rod that slides off from the least friction that holds it
-plane: vertical
-unknowns: {mu: 1}
-points: {A: [0, 0], B: {from: A, distance: 2 m, angle: 60 deg}}
-surfaces: {floor: {through: A, angle: 0 deg}}
-bodies: {rod: {rod: [A, B], mass: 5 kg}}
-joints:
-  - contact: {between: [rod, floor], at: A, mu: mu}
-states: {1: [at rest, mode(A) = stick, mu is smallest], 2: [theta(rod) = 50 deg]}
-find: {mu: mu}
-"""
 SPIN = """
 title: Bead on a free rod whose place does not change
 plane: horizontal
@@ -274,12 +262,6 @@ joints:
 states: {1: [omega(rod) = 5 rad/s, v(rod) = 0, v(bead/rod) = 0], 2: [r(bead/P).mag = 0.3 m]}
 find: {w: omega(rod) @ 2}
 """
-
-
-def test_what_is_largest_at_one_instant_has_a_case_of_its_own() -> None:
-    with pytest.raises(NoSolution) as caught:
-        solve(LEAST)
-    assert "`given: {mu: limit.mu}`" in caught.value.diagnostics[0].hint
 
 
 def test_of_squares_no_distance_is_told() -> None:

@@ -9,6 +9,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.check_names import missing_state, points_of_place
 from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Quantity, Relation, Word
 from planar_cli.problem.formulas import formulas
+from planar_cli.problem.order_of_states import runs_back
 from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import Symbol
 from planar_cli.problem.scope import Scope, members_of
@@ -123,10 +124,11 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
 
 def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
     """A span runs from a state to a later one; a mean over it, to one that has a time."""
-    spans: list[tuple[tuple[str, str], Mark]] = [
+    acting: list[tuple[tuple[str, str], Mark]] = [
         (law.during, law.statement.mark) for law in scope.problem.motion if law.during
     ]
-    spans += [(m.during, m.mark) for m in members_of(scope.problem) if m.during]
+    acting += [(m.during, m.mark) for m in members_of(scope.problem) if m.during and not m.strikes]
+    spans = [*acting, *((m.during, m.mark) for m in members_of(scope.problem) if m.during and m.strikes)]
     for formula in formulas(scope.problem):
         quantities = [node for node in walk(formula.tree) if isinstance(node, Quantity)]
         yield from _endless_means(quantities, scope)
@@ -138,6 +140,11 @@ def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
         known = start in scope.states and end in scope.states
         if known and start == end:
             yield Diagnostic(mark, "PL434", f"the span {start}->{end} has no length", "write two different states")
+    for (start, end), mark in acting:
+        known = start in scope.states and end in scope.states and start != end
+        if known and runs_back((start, end), scope.problem.states):
+            text = f"during {start}->{end} nothing acts: state {end} comes before state {start}"
+            yield Diagnostic(mark, "PL434", text, f"write `during: {end}->{start}`, or the states that are meant")
 
 
 def _endless_means(quantities: Iterable[Quantity], scope: Scope) -> Iterator[Diagnostic]:

@@ -140,7 +140,10 @@ _NAMES = {
         "is `just after` the first. A force that acts for some time is a `force` with `during`. In a file that asks "
         "nothing an impact may leave `during` out: it happens whenever the bodies meet."
     ),
-    "PL434": "A span runs from one state to another, and a mean over it ends at a state that is reached.",
+    "PL434": (
+        "A span runs from one state to another; what acts `during` it, to a later one; and a mean over it ends at a "
+        "state that is reached."
+    ),
     "PL435": (
         "In a file with states the time of one of them is `t @ 2`. `@` belongs to the quantity, name or bracket just "
         "before it: `N(C) @ 1/W`, or `(N(C)/W) @ 1`."

@@ -5,6 +5,7 @@ That is the earliest of those to which the file gives times, and none that is an
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Number, Relation
@@ -26,6 +27,32 @@ def stands_beside(state: State, states: tuple[State, ...]) -> bool:
 def struck_at_once(states: tuple[State, ...]) -> bool:
     """Does the second state stand just after the first? Then what takes hold there has not held before."""
     return any(isinstance(r, JustAfter) and r.state == states[0].name for s in states[1:2] for r in s.relations)
+
+
+def runs_back(span: tuple[str, str], states: tuple[State, ...]) -> bool:
+    """Does a span surely end before it begins? Of states without times the list tells the order; a state at a given
+    time may stand anywhere in it, and an equilibrium beside the motion has no time.
+    """
+    named = {s.name: s for s in states}
+    start, end = (named[name] for name in span)
+    if any(stands_beside(s, states) for s in (start, end)):
+        return False
+    times = [_dated(s, named) for s in (start, end)]
+    if times[0] is not None and times[1] is not None:
+        return times[1] < times[0]
+    listed = [s.name for s in as_listed(states)]
+    untimed = times[0] is None and times[1] is None
+    return end.name == listed[0] or (untimed and listed.index(end.name) < listed.index(start.name))
+
+
+def _dated(state: State, named: Mapping[str, State]) -> float | None:
+    """The time of a state, or of that which it stands just after; None: no number tells it."""
+    for _ in named:
+        before = next((r.state for r in state.relations if isinstance(r, JustAfter)), None)
+        if before is None or before not in named:
+            break
+        state = named[before]
+    return _time(state)
 
 
 def as_listed(states: tuple[State, ...]) -> tuple[State, ...]:

@@ -7,6 +7,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
@@ -114,7 +115,9 @@ def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
         return line(Name(symbol.name), " = ", Value(value, number.unit or "1", max(figures, AS_WRITTEN)))
     own = phrases.ledger.symbols.get(symbol.name) if phrases is not None else None
     written = said(symbol.value, figures) if symbol.value is not None else None
-    formula = (" = ", *written) if written is not None and len(written) <= MOST_PIECES else ()
+    # What a find of the same name found has only its number.
+    alike = isinstance(symbol.value, Letter) and symbol.value.name.rpartition(".")[2] == symbol.name
+    formula = (" = ", *written) if written is not None and len(written) <= MOST_PIECES and not alike else ()
     if phrases is None or own is None or not _has_number(own, phrases):
         return line(Name(symbol.name), *formula) if formula else ()
     return line(Name(symbol.name), *formula, " = ", phrases.shown(own))

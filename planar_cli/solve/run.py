@@ -36,6 +36,7 @@ from planar_cli.solve.instant.instant import NONLINEAR, OPEN, Instant, Lift, Tri
 from planar_cli.solve.instant.seek import seek
 from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.limits_at_start import with_limits_at_start
 from planar_cli.solve.orders import in_each_order
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.principled import instant_words, principle_of, usual
@@ -58,7 +59,7 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     """All finds of a problem, told by a method (None: the file's own, else the plan chooses). Raises FileProblem,
     NoSolution or Undecided.
     """
-    return best_placed(with_rates(problem), lambda p: _solved(p, method))
+    return best_placed(with_limits_at_start(with_rates(problem)), lambda p: _solved(p, method))
 
 
 def _solved(problem: Problem, method: str | None) -> Solution:

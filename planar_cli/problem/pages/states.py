@@ -26,7 +26,9 @@ What starts a motion
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
   largest; of a motion in which it grows from one maximum to the next, the first. In a state that something else dates
-  (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one with which X there is largest.
+  (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one with which X there is largest. In the first
+  state a mode or an inequality bounds it, `start: [at rest, mode(C) = stick, mu is smallest]`: the start is told
+  first, as an instant of its own, and what is found there is given to the motion.
 
 Where what acts changes
   Places and velocities are the same before and after it. Accelerations, forces and modes may jump; at a state they are
