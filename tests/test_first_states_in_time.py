@@ -54,6 +54,12 @@ def test_a_first_state_that_a_law_dates(law: str, said: str, asked: str, value: 
     assert first(solve(text)["f"]) == pytest.approx(value)
 
 
+def test_it_passes_there_at_zero_too() -> None:
+    """t > 0 leaves t = 2 s, and not the beginning of the clock."""
+    text = SLIDE.replace("LAW", "x(P) = 2 m/s^2 * t^2 - 4 m/s * t").replace("ASKED", "v(P).x @ 1")
+    assert first(solve(text.replace("WHEN", "states: {1: [t > 0, x(P) = 0], 2: [x(P) = 6 m]}"))["f"]) == 4
+
+
 def test_nothing_asks_for_the_time() -> None:
     text = SLIDE.replace("LAW", PLACE).replace("ASKED", "a(P).x").replace("WHEN", "instant: [t > 0]")
     assert first(solve(text)["f"]) == pytest.approx(6)

@@ -82,13 +82,23 @@ def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, Ear
     refused: Disagreement | None = None
     for k, instance in enumerate(instances(problem, found, trace)):
         try:
-            run = part.run if k == 0 and part.run is not None and part.run.problem is problem else None
+            run = part.run if k == 0 and part.run is not None and _is_of(part.run, problem, instance) else None
             return _confirmed(problem, found, trace, instance, earlier, run)
         except Disagreement as error:
             # Numbers that were drawn for letters may lie where the formulas do not hold: then others are drawn.
             refused = refused or error
     assert refused is not None
     raise refused
+
+
+def _is_of(run: Run, problem: Problem, instance: Instance) -> bool:
+    """Does a run of this problem begin when its first state is? Told by the file alone it may begin at t = 0, where
+    what is given in time says the same of places as it does later.
+    """
+    name = problem.states[0].name if problem.states else ""
+    begun, moment = instance.taken.times.get(name), run.measures.moments.get(name)
+    near = CERTAIN * max((abs(t) for t in instance.taken.times.values()), default=0.0)
+    return run.problem is problem and (begun is None or moment is None or abs(moment.t - begun) <= near)
 
 
 def _confirmed(

@@ -48,9 +48,9 @@ from planar_cli.solve.states import solve_states, stand_at_states
 from planar_cli.solve.where_asked import where_asked
 
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
+"""Verdicts that a motion which is followed to all states refutes."""
 AT_ONCE = "PL528"
 """Where several corners strike at once one point of impact does not do."""
-"""Verdicts that a motion which is followed to all states refutes."""
 SEED = 1
 """SymPy factors and tests for zero at places that it draws: the same ones whenever, and after whatever, it solves."""
 
@@ -136,8 +136,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     try:
         derived = _derived(problem, case, units, earlier)
     except Disagreement:
-        # A third road does not settle what two of them see differently.
-        raise
+        raise  # a third road does not settle what two of them see differently
     except (Undecided, NoSolution) as error:
         if problem.unknowns:
             return _confirmed(problem, _shot(problem, case, units, earlier, error), earlier)
