@@ -9,7 +9,7 @@ from answered import first, solve
 
 from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
-from planar_cli.simulate.shooting_at_several import shooting_at_several
+from planar_cli.simulate.shooting_at_several import each_once, shooting_at_several
 
 SHELL = """
 title: Shell in air that must hit a target
@@ -92,3 +92,44 @@ find: {k: k, c: c}
     delta = math.log(100 / 60) / 0.8
     assert first(found["c"]) == pytest.approx(4 * delta, rel=1e-9)
     assert first(found["k"]) == pytest.approx(2 * ((math.tau / 0.8) ** 2 + delta**2), rel=1e-9)
+
+
+THROWN = """
+title: Throw through air at what must be hit after a given time
+plane: vertical
+given: {m: 2 kg}
+unknowns: {v_0: m/s, phi: deg}
+points: {A: [0, 0]}
+bodies: {ball: {particle: A, mass: m}}
+loads:
+  - drag: {body: ball, quadratic: 0.01 kg/m}
+states:
+  A: [t = 0, v(ball).mag = v_0, v(ball).angle = phi]
+  B: [t = 2 s, x(ball) = 20 m, y(ball) = 5 m]
+find: {v_0: v_0, phi: phi}
+"""
+
+
+def test_a_direction_by_whole_turns_more_is_the_same_one() -> None:
+    problem, _ = load_text(THROWN)
+    assert problem is not None
+    speed, angle = 16.581, math.radians(50.087)
+    found = [{"v_0": speed, "phi": angle + k * math.tau} for k in (2, 1, -1)]
+    other = {"v_0": speed, "phi": angle + 1.0}
+    once = each_once(problem, [*found, other], {}, [10.0, 1.0])
+    # Another angle is another motion.
+    assert [v["phi"] for v in once] == pytest.approx([angle + 1.0, angle])
+
+
+def test_a_direction_that_the_file_counts_further_stays_so() -> None:
+    problem, _ = load_text(THROWN.replace("find:", "assume: [phi > 180 deg]\nfind:"))
+    assert problem is not None
+    found = [{"v_0": 16.581, "phi": math.radians(50.087) + k * math.tau} for k in (1, 2)]
+    assert each_once(problem, found, {}, [10.0, 1.0]) == found[:1]
+
+
+@pytest.mark.slow
+def test_an_assumption_may_leave_out_what_is_tried_for_the_sizes() -> None:
+    found = solve(THROWN.replace("find:", "assume: [v_0 > 10 m/s]\nfind:"))
+    assert first(found["v_0"]) == pytest.approx(16.581, rel=1e-4)
+    assert first(found["phi"]) == pytest.approx(math.radians(50.09), rel=1e-3)

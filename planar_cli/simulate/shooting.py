@@ -14,6 +14,7 @@ from itertools import pairwise
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.regime import Regime
+from planar_cli.motion.scales import Scales
 from planar_cli.problem.expression import Extreme, Name, Quantity, Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.problem.walk import walk
@@ -164,7 +165,7 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
     if any(isinstance(e, Name) and e.name == unknown.name for e in written):
         yield [k / SHARES for k in range(SHARES + 1)]
         return
-    scales = prepared(problem, {**known, unknown.name: 1.0}).model.scales
+    scales = scales_tried(problem, known)
     d = unit.dimension
     size = scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
     positive = [size * 10 ** (k / PER_DECADE) for k in range(-DECADES * PER_DECADE, DECADES * PER_DECADE + 1)]
@@ -174,6 +175,14 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
     yield [-v for v in positive]
     # Smaller ones than these, of either sign: what is off with nothing at all is mostly off the other way beyond them.
     yield [-positive[0], 0.0, positive[0]]
+
+
+def scales_tried(problem: Problem, known: Mapping[str, float]) -> Scales:
+    """The scales of the motion with 1 for every unknown, which need not be one that the file allows."""
+    first = problem.states[0]
+    told = tuple(r for r in first.relations if not isinstance(r, Relation) or r.operator == "=")
+    less = replace(problem, assume=(), states=(replace(first, relations=told), *problem.states[1:]))
+    return prepared(less, {**known, **{u.name: 1.0 for u in problem.unknowns}}).model.scales
 
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:

@@ -21,8 +21,7 @@ from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.records import record
-from planar_cli.simulate.run import prepared
-from planar_cli.simulate.shooting import motion_with, passes
+from planar_cli.simulate.shooting import motion_with, passes, scales_tried
 from planar_cli.simulate.timetable import Timetable, is_time, mode_of
 from planar_cli.units import PURE, parse_unit
 
@@ -71,8 +70,55 @@ def shooting_at_several(problem: Problem, known: Mapping[str, float]) -> list[di
                 if passes(problem, {**known, **values}):
                     found.append(values)
             if found:
-                return found
+                return each_once(problem, found, known, sizes)
     return [] if every else None
+
+
+def each_once(
+    problem: Problem, found: Sequence[dict[str, float]], known: Mapping[str, float], sizes: Sequence[float]
+) -> list[dict[str, float]]:
+    """Each motion once. A direction by whole turns more is the same direction, unless something counts its turns: its
+    angle is the one in (-180, 180] deg, or the one nearest to zero that the file allows.
+    """
+    angles = [u.name for u in problem.unknowns if _is_angle(u)]
+    distinct: list[dict[str, float]] = []
+    for values in sorted(found, key=lambda v: sum(abs(v[name]) for name in angles)):
+        turned = {name: _within_a_turn(v) if name in angles else v for name, v in values.items()}
+        alike = [v for v in distinct if _same([*_less(v, angles)], [*_less(turned, angles)], sizes)]
+        if any(_same_motion(problem, {**known, **v}, {**known, **values}) for v in alike):
+            continue
+        allowed = turned != values and _same_motion(problem, {**known, **values}, {**known, **turned})
+        distinct.append(turned if allowed else values)
+    return distinct
+
+
+def _less(values: Mapping[str, float], angles: Sequence[str]) -> Iterator[float]:
+    """The constants in their order, angles within a turn."""
+    yield from (_within_a_turn(v) if name in angles else v for name, v in values.items())
+
+
+def _same_motion(problem: Problem, one: Mapping[str, float], other: Mapping[str, float]) -> bool:
+    """Does it pass all states at the same times, places and velocities with these other values?"""
+    runs = [run for values in (one, other) if (run := motion_with(problem, values)) is not None]
+    moments = [run.measures.moments for run in runs]
+    if len(runs) < 2 or any(state.name not in m for state in problem.states for m in moments):
+        return False
+    scales = [runs[0].model.scales.time, *runs[0].model.scale]
+    for state in problem.states:
+        a, b = ((m[state.name].t, *m[state.name].y) for m in moments)
+        if any(abs(p - q) > SAME * max(abs(p), scale) for p, q, scale in zip(a, b, scales, strict=True)):
+            return False
+    return True
+
+
+def _is_angle(unknown: Symbol) -> bool:
+    unit = parse_unit(unknown.unit or "1")
+    return unit.angle and unit.dimension == PURE
+
+
+def _within_a_turn(angle: float) -> float:
+    """The same direction in (-pi, pi]."""
+    return angle if -math.pi < angle <= math.pi else math.pi - (math.pi - angle) % math.tau
 
 
 def _shots(problem: Problem) -> Iterator[Shots]:
@@ -112,7 +158,7 @@ def _without(state: State, gone: Sequence[Statement]) -> State:
 
 def _sizes(problem: Problem, known: Mapping[str, float]) -> list[float]:
     """An ordinary size of each unknown [SI]."""
-    scales = prepared(problem, {**known, **{u.name: 1.0 for u in problem.unknowns}}).model.scales
+    scales = scales_tried(problem, known)
     dimensions = [parse_unit(u.unit or "1").dimension for u in problem.unknowns]
     return [
         scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
@@ -125,8 +171,7 @@ def _starts(unknowns: Sequence[Symbol], sizes: Sequence[float]) -> Iterator[tupl
     count = int(STARTS ** (1 / len(unknowns)))
     choices = []
     for unknown, size in zip(unknowns, sizes, strict=True):
-        unit = parse_unit(unknown.unit or "1")
-        if unit.angle and unit.dimension == PURE:
+        if _is_angle(unknown):
             choices.append([math.tau * k / count for k in range(count)])
             continue
         half = max(count // 2, 2)
