@@ -39,7 +39,8 @@ class Drag(Load):
         The magnitude is positive.
 
     Valid when
-        The body moves; at rest there is no drag.
+        The body moves; at rest there is no drag. One that does not vanish with the speed stops the body: it stays
+        there if nothing else acts, and turns round if what acts is more than the drag.
 
     Reference
         An Introduction to Planar Dynamics, 1.3.1, 3.1.2.

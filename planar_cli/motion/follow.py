@@ -11,7 +11,7 @@ from dataclasses import field, replace
 
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
 from planar_cli.motion import endings
-from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
+from planar_cli.motion.automaton import Automaton, Choice, Guard, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
@@ -20,11 +20,12 @@ from planar_cli.motion.recurrence import Recurrence, recurrence
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
+from planar_cli.motion.stops import ENDS, stopped
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
 from planar_cli.motion.transition import Moment, Resolved, grazing, resolve, turnings
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, telling_of, watch_of
-from planar_cli.motion.zeno import Bounces, summed_up
+from planar_cli.motion.zeno import Bounces, at_rest, summed_up
 from planar_cli.records import changing
 
 RESTING = 1e-12
@@ -39,9 +40,6 @@ NOISE, LOUDEST, ROUNDING = 300.0, 1e-3, 1e-12
 """What tells a state is known to so many tolerances, and at any tolerance to this part of its scale."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
-
-ENDS = ("moves", AGAIN)
-"""Guards that fall where a state may be reached in the same instant."""
 
 Progress = Callable[[float], None]
 """Called with the time that has been reached [s]."""
@@ -93,12 +91,11 @@ class Follower:
         self._begin()
         while self.outcome is None:
             self._advance()
-        missed = tuple(e.name for e in self.waiting.left())
         return Trajectory(
             tuple(self.segments),
             tuple(self.transitions),
             tuple(self.waiting.reached),
-            missed,
+            tuple(e.name for e in self.waiting.left()),
             self.outcome,
             self.work,
             tuple(dict.fromkeys(self.notes)),
@@ -301,6 +298,7 @@ class Follower:
         """What ended the run: guards, the next state, or the time."""
         number = len(regime.guards)
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
+        guards = [regime.guards[i] for i in fallen]
         told = telling_of(self.waiting.next())
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
         if (last := next((g for i in (*fallen, *grazed) if (g := regime.guards[i]).kind == LENGTH), None)) is not None:
@@ -317,21 +315,29 @@ class Follower:
                     self._reach(event)
                 elif run.t1 == run.t0 and not fallen:
                     self.t, self.y = beyond(regime, self.t, self.y, self.automaton.time_scale)
-        if self.outcome is None and (not run.crossings or any(regime.guards[i].kind in ENDS for i in fallen)):
+        if self.outcome is None and (not run.crossings or any(g.kind in ENDS for g in guards)):
             for event in [e for e, c in told if c is e.crossing and e in self.waiting.next()]:
                 if at_edge(event, regime, self.choice, run, self.setting.tolerance):
                     self._reach(event)
-        again = next((regime.guards[i] for i in fallen if regime.guards[i].kind == AGAIN), None)
+        again = next((g for g in guards if g.kind == AGAIN), None)
         if self.outcome is None and again is not None and self.automaton.regime(self.choice) is regime:
-            # Nothing strikes there, and the motion is to go on.
-            self.outcome = endings.spent(again, self.t)
-        if self.outcome is None and fallen:
-            guards = [regime.guards[i] for i in fallen]
+            self.outcome = endings.spent(again, self.t)  # nothing strikes there, and the motion is to go on
+        if self.outcome is None and fallen and not self._stops(regime, guards):
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
             # What parts and falls back within rounding does not part.
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
             self._timed()
+
+    def _stops(self, regime: Regime, guards: Sequence[Guard]) -> bool:
+        """Has a resistance brought the scene to rest, and is it known how that goes on?"""
+        stop = stopped(self.automaton, regime, guards, self.t, self.y)
+        if isinstance(stop, Outcome):
+            self.outcome = stop
+        elif stop is not None:
+            self.t, self.y = stop
+            self.automaton.note(*stop)
+        return stop is not None
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""
@@ -348,7 +354,8 @@ class Follower:
     def _timed(self) -> None:
         """A time that was known beforehand has come."""
         if self.resting_at is not None and self.t >= self.resting_at:
-            self._at_rest()
+            self.resting_at = None
+            self.transitions.append(at_rest(self.transitions, self.t, self.y, self.choice))
         for event in self.waiting.due(self.t):
             self._reach(event)
         if self.outcome is None:
@@ -357,13 +364,6 @@ class Follower:
                 self._reach(tends)
         if self.outcome is None and self.t < self.until:
             self._settle("what acts has changed")
-
-    def _at_rest(self) -> None:
-        """The limit of a sequence of impacts."""
-        self.resting_at = None
-        last = next(x for x in reversed(self.transitions) if x.kind == "impact")
-        words, same = "the impacts, without number, have come to an end", (self.y, self.y, self.choice, self.choice)
-        self.transitions.append(Transition(self.t, "rest", words, last.joints, *same, count=float("inf")))
 
     def _settle(
         self,

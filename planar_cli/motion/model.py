@@ -20,6 +20,7 @@ from planar_cli.motion.regime import Parts, Regime
 from planar_cli.motion.scales import Scales, scales_of
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.stops import MOVES
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.facts import Facts, Mode, Skid, Wrench
 from planar_cli.problem.geometry import Vec
@@ -292,7 +293,7 @@ class Model:
                 if not abs(size) <= STILL * self.scales.force:
                     speed = self.skids.speed(Skid(load.name, w.body, GROUND, w.point, w.magnitude))
                     words = f"{w.body} moves against {load.name}, which does not vanish at rest"
-                    found.append(Measured(Guard(load.name, "moves", words, False, self.scales.speed, 0), speed))
+                    found.append(Measured(Guard(load.name, MOVES, words, False, self.scales.speed, 0), speed))
         return found
 
     def gap(self, joint: Joint, mode: Mode) -> Term:

@@ -54,12 +54,12 @@ class Outcome:
     """How the motion ended."""
 
     kind: str
-    """until (the time is over), reached (the last state), rest (nothing moves any more), repeats (the
-    motion has come back to where it was), none (no consistent modes), several (more than one consistent motion), shared
-    (forces that are not unique decide), singular, small (steps too small), long (too many of them), spent (a free part
-    of a rope has run out), again (partners of an impact that is over meet), open (what follows a plastic impact is not
-    told), endless (impacts or changes of mode without end), contradiction (joints that cannot all
-    hold), unbalanced (momentum or energy does not add up)."""
+    """until (the time is over), reached (the last state), rest (nothing moves any more), held (nothing moves, as a
+    resistance is more than what acts), repeats (the motion has come back to where it was), none (no consistent modes),
+    several (more than one consistent motion), shared (forces that are not unique decide), singular, small (steps too
+    small), long (too many of them), spent (a free part of a rope has run out), again (partners of an impact that is
+    over meet), open (what follows a plastic impact is not told), endless (impacts or changes of mode without end),
+    contradiction (joints that cannot all hold), unbalanced (momentum or energy does not add up)."""
     words: str
     """As a sentence, with the place and time."""
     t: float

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import field, replace
 
-from planar_cli.motion.trajectory import Outcome
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.trajectory import Outcome, Transition
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.records import changing
 
@@ -78,3 +79,10 @@ def summed_up(bounces: Bounces, moment: Moment, found: Resolved) -> tuple[Resolv
         return closed, None
     bounces.forget()
     return closed, limit[0]
+
+
+def at_rest(transitions: Sequence[Transition], t: float, y: tuple[float, ...], choice: Choice) -> Transition:
+    """The limit of a sequence of impacts, the last of which is known."""
+    last = next(x for x in reversed(transitions) if x.kind == "impact")
+    words = "the impacts, without number, have come to an end"
+    return Transition(t, "rest", words, last.joints, y, y, choice, choice, count=float("inf"))
