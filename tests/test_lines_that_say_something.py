@@ -47,3 +47,23 @@ def test_lengths_and_angles_have_their_units() -> None:
     told = page(CRANK.replace("WHERE", "line: [O, 10 deg]"))
     assert "B is 250 mm from A and on the line through O at 10°" in told
     assert "independent multibody solution" in told
+
+
+CURVE = """
+title: Car on a level curve
+plane: horizontal
+given: {m: 1500 kg, rho: 100 m, F: 3000 N}
+unknowns: {v: m/s}
+bodies: {car: {particle: [0, 0], mass: m}}
+loads:
+  - force: {body: car, magnitude: F, angle: 180 deg}
+instant: [at rest, a(car).x = -v^2/rho, v > 0]
+find: {v_max: v in km/h}
+"""
+
+
+def test_a_constant_in_a_given_acceleration_is_solved_for_on_the_page() -> None:
+    told = page(CURVE)
+    assert "2 equations, 2 unknowns: a_car,x, v" in told
+    assert "v = √(-ρ a_car,x) = √(-100 (-2)) = 14.14 m/s" in told
+    assert "v_max = v = 50.91 km/h" in told

@@ -280,8 +280,8 @@ class SolvingTelling:
 
 
 def is_given(block: SolvedBlock) -> bool:
-    """Is the block nothing but a datum of the file?"""
-    return all(w.given for w in block.equations)
+    """Is the block nothing but a datum of the file? One that tells an unknown by something else has to be solved."""
+    return all(w.given for w in block.equations) and set(block.unknowns) <= {w.left for w in block.equations}
 
 
 def is_told(block: SolvedBlock, stage: Stage) -> bool:
