@@ -366,6 +366,9 @@ class Problem:
     """Joints of the file that touch only before or after that time: where they would touch, a rim goes on all the same.
     """
 
+    placed: tuple[str, ...] = ()
+    """Coordinates that the file leaves open, put somewhere, as the answers are the same wherever they are."""
+
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:
         """Does what acts `during` a span act as the motion begins, though not before it alone?"""
         if during is None or not self.states:

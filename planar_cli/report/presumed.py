@@ -9,10 +9,11 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
-from planar_cli.problem.expression import JustAfter, Relation
+from planar_cli.problem.expression import JustAfter, Name, Relation
 from planar_cli.problem.scene import Problem, Round
-from planar_cli.report.blocks import Note, line
+from planar_cli.report.blocks import Line, Note, line
 from planar_cli.report.words import Phrases
+from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.conditions import without_factors
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -39,6 +40,8 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
             yield Note("Assume", line(phrases.math(above)))
     for words in dict.fromkeys(p.words for p in provisos if p.words and _in_words(p.positive)):
         yield Note("Assume", line(f"{words}; whether it is so depends on the letters"))
+    for put in _placed(part, phrases):
+        yield Note("Assume", put)
     if light := _without_mass(part):
         neglected = "it is neglected, or counted with another body"
         yield Note("Assume", line(f"No mass of {' and of '.join(light)} is given: {neglected}."))
@@ -75,6 +78,22 @@ def assumed_in_file(part: PartSolution) -> Iterator[sp.Expr]:
             sides = [scene.value(side) for side in (relation.left, relation.right)]
             if open_names & (sides[0].free_symbols | sides[1].free_symbols):
                 yield SIGNS[relation.operator](*sides, evaluate=False)
+
+
+def _placed(part: PartSolution, phrases: Phrases) -> Iterator[Line]:
+    """Where a coordinate was put that the file leaves open, and on which no answer rests."""
+    scene = part.instants[0].instant.scene
+    problem, ledger = scene.problem, scene.ledger
+    begun = problem.states[0].relations if problem.instant is None and problem.states else problem.instant or ()
+    for relation in begun:
+        name = relation.left.name if isinstance(relation, Relation) and isinstance(relation.left, Name) else ""
+        if name in problem.placed and isinstance(relation, Relation):
+            symbol = ledger.symbols[name]
+            place = in_unit(phrases.value(scene.value(relation.right)), ledger.units[symbol], problem.us)
+            where = "with any other" if problem.instant is not None else "wherever it begins"
+            place = "0" if place.startswith("0 ") else place
+            begins = "=" if problem.instant is not None else "begins at"
+            yield line(phrases.math(symbol), f" {begins} {place}; the answers are the same {where}")
 
 
 def _without_mass(part: PartSolution) -> dict[str, None]:

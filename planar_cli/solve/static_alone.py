@@ -33,7 +33,7 @@ def whatever_kinetic(solve: Callable[..., PartSolution], problem: Problem, *rest
     except (NoSolution, Undecided):
         raise NoSolution([kinetic_open("what happens", joints)]) from None
     for one, two in zip(part.found, other.found, strict=True):
-        if not _same(one, two):
+        if not same_answer(one, two):
             raise NoSolution([kinetic_open(one.name, joints)])
     return part
 
@@ -48,7 +48,8 @@ def _with_share(problem: Problem, joints: list[Any], divisor: int) -> Problem:
     return replace(problem, joints=tuple(completed(j) if j in joints else j for j in problem.joints))
 
 
-def _same(one: Found, other: Found) -> bool:
+def same_answer(one: Found, other: Found) -> bool:
+    """Is it the same, up to what the digits that are carried tell?"""
     if one.word != other.word or (one.values is None) != (other.values is None):
         return False
     if one.values is None or other.values is None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from planar_cli.errors import Mark, PlanarError, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import whatever_kinetic
+from planar_cli.solve.wherever import wherever
 
 
 def where_asked(solve: Callable[..., PartSolution], problem: Problem, case: str, *rest: Any) -> PartSolution:
@@ -16,7 +18,7 @@ def where_asked(solve: Callable[..., PartSolution], problem: Problem, case: str,
     the file, and what it keeps open.
     """
     try:
-        return whatever_kinetic(solve, problem, case, *rest)
+        return whatever_kinetic(partial(wherever, solve), problem, case, *rest)
     except Undecided as error:
         if has_place(error, problem.file):
             raise

@@ -138,6 +138,8 @@ def demand_passable(instant: Instant, trial: Trial, finds: tuple[Find, ...]) -> 
         for speed, rate in ((e.spin, e.spin_rate), (e.slide, e.slide_rate), (e.rise, e.rise_rate))
         if speed is not None and rate is not None
     }
+    pairs = instant.scene.evaluator.motions.values()
+    starts |= {speed: rates.get(rate, ZERO) for speed, rate in pairs if speed is not None and rate is not None}
     if blocked(instant, trial.system, starts):
         found = at_change_point(instant, trial, finds[0].mark)
         if found is not None:

@@ -53,11 +53,12 @@ class Joints:
     def __init__(self, instant: Instant, system: System) -> None:
         self.instant, self.system = instant, system
         self.value = instant.scene.valuations[0]
-        self.columns = list(system.tree.velocity_unknowns())
-        self.rows: list[Row] = []
-        for condition in self.conditions(VELOCITY):
-            for expr in condition.rows():
-                self.rows.append(number_row(linear_form(expr, set(self.columns)), self.columns, self.value))
+        told = [e for c in self.conditions(VELOCITY) for e in c.rows()]
+        # What is written with a coordinate may move as that does.
+        standing = {s for e in told for s in e.free_symbols}
+        rates = [s for s in instant.scene.evaluator.speeds if s in standing]
+        self.columns = [*system.tree.velocity_unknowns(), *rates]
+        self.rows: list[Row] = [number_row(linear_form(e, set(self.columns)), self.columns, self.value) for e in told]
         self.null: list[Vector] = list(solve([[*r[:-1], ZERO] for r in self.rows], len(self.columns)).null.values())
 
     def conditions(self, level: int) -> list[Condition]:
