@@ -10,8 +10,8 @@ from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING, SECOND_RATES
 
-CROSS, DOUBLED, CORIOLIS = " × ", " + 2 ", "a_cor"
-"""The product in v = ω × r; what stands before that of a Coriolis acceleration, and its name."""
+CROSS, DOUBLED, CORIOLIS, RELATIVE = " × ", " + 2 ", "a_cor", "a_rel"
+"""The product in v = ω × r; what stands before that of a Coriolis acceleration; its name and that of a_rel."""
 LENGTHS = {
     "rope": "A cord of constant length.",
     "link": "A link of constant length.",
@@ -66,11 +66,12 @@ def _printed(page: Sequence[Block]) -> Printed:
     levels: set[str] = set()
     coriolis = in_turn = False
     for block in page:
-        if not isinstance(block, Equation):
-            continue
         own = list(pieces_of(block))
         heads = [p.name for p in own if isinstance(p, Name)]
         texts = [p.text for p in own if isinstance(p, Text)]
+        if not isinstance(block, Equation):
+            coriolis |= RELATIVE in heads  # a_P = a_P′ + a_rel + 2 ω × v_rel, said before its component
+            continue
         names |= set(heads)
         in_turn |= "/dt" in texts
         if CROSS in texts:

@@ -274,7 +274,8 @@ class Telling:
         if self.vectors.components and w.place in self.scene.points:
             words = [*self.asked.absolute(w.place, level[0]), *words]
         words = [*vector_before(w, self.vectors, level), *words]
-        if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
+        frame = self.vectors.frame_of(w) if level != "velocity" else None
+        if frame is not None and self._is_told(frame, stage):
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and line_of.symbol in stage.zero:
@@ -291,6 +292,20 @@ class Telling:
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
         return [*words, Equation(sides, number, (), note)]
+
+    def _is_told(self, seen: tuple[str, str], stage: Stage) -> bool:
+        """Have the lines so far told how a point moves as a body sees it, and how that body turns?"""
+        point, frame = seen
+        relative, _ = self.system.quantities().seen_from(point, frame)
+        spin = self.vectors.motion.velocities[frame].angular
+        inside = spin.free_symbols | relative.x.free_symbols | relative.y.free_symbols
+        at_once = self.solving.merged | self.solving.nil
+        solved = {
+            x.symbol
+            for x in (x for b in stage.blocks for x in b.lines)
+            if x.equations and all((id(stage.algebra), n) in at_once for n in x.equations)
+        }
+        return not inside & (self.vectors.late - self.vectors.given - solved)
 
     def _nil(self, w: Written, found: SolvedLine, stage: Stage, number: int) -> Block:
         """A relation that says at sight that something is zero; what follows does without it."""
