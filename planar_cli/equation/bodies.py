@@ -14,6 +14,7 @@ from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.turning import WrittenAngles
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.geometry import Vec
@@ -53,6 +54,7 @@ class _Measures:
 
     point: Callable[[str], Vec]
     evaluator: Evaluator
+    written: WrittenAngles
     zero: sp.Expr = ZERO
 
     def value(self, side: Side) -> sp.Expr:
@@ -64,9 +66,11 @@ class _Measures:
     def unit_vector(self, angle: sp.Expr) -> Vec:
         return Vec(sp.cos(angle), sp.sin(angle))
 
-    def rod(self, reach: Vec) -> tuple[sp.Expr, sp.Expr]:
+    def rod(self, shape: Rod, reach: Vec) -> tuple[sp.Expr, sp.Expr]:
         square = reach.dot(reach)
-        return square if square.is_number else simplified(square), sp.atan2(reach.y, reach.x)
+        angle = None if shape.end is None else self.written.angle(shape.start, shape.end, reach)
+        angle = sp.atan2(reach.y, reach.x) if angle is None else angle
+        return square if square.is_number else simplified(square), angle
 
 
 class MassReader:
@@ -78,6 +82,7 @@ class MassReader:
         evaluator: Evaluator,
         points: Callable[[str], Vec],
         span: Callable[[str, str], sp.Expr | None],
+        written: WrittenAngles,
         gravity: sp.Expr,
         problem: Problem,
     ) -> None:
@@ -86,7 +91,7 @@ class MassReader:
         self.alone = len(heavy) == 1
         self.own_points = {p.name for p in problem.points}
         self.varying, self.placed = varying(problem), placed(problem)
-        self.measures = _Measures(points, evaluator)
+        self.measures = _Measures(points, evaluator, written)
         self.span = span
         self.cancelling: list[sp.Symbol] = []
 

@@ -330,7 +330,7 @@ class Quantities:
                 if v.x.value == 0 and v.y.value == 0:
                     text = "the angle of a vector that is zero: it has no direction"
                     raise refuse(part.mark, "PL556", text, "ask for `.mag`")
-                counted = counted_angle(self.scene, Vec(v.x.value, v.y.value)) if q.word == "r" else None
+                counted = counted_angle(self.scene, q, Vec(v.x.value, v.y.value)) if q.word == "r" else None
                 found = direction_angle(v)
                 return found if counted is None else Jet(counted, found.rate, found.second)
             case "along" | "across":

@@ -20,6 +20,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.places import AsDrawn, Jets, is_plain
 from planar_cli.equation.plain import longer, trigonometric
+from planar_cli.equation.turning import WrittenAngles
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.caught import demand_caught
 from planar_cli.problem.expression import Name, Side, Statement
@@ -76,7 +77,8 @@ class Scene(Decided):
         for point in problem.points:
             self.formula(point.name)
         heavy = self.gravity or ledger.symbols.get("g", sp.S.Zero)
-        reader = MassReader(ledger, evaluator, self.point, self.span, heavy, problem)
+        self.written = WrittenAngles(self)
+        reader = MassReader(ledger, evaluator, self.point, self.span, self.written, heavy, problem)
         for body in problem.bodies:
             self.bodies[body.name] = reader.read(body)
         self.cancelling = reader.cancelling

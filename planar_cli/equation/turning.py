@@ -1,4 +1,6 @@
-"""The angle of a place vector that counts its turns, where the vector is written with an angle that goes on.
+"""The angle of a place vector that counts its turns, from the angle with which the file writes it.
+
+Where the vector is written with an angle that goes on:
 
 (a cos φ - b sin φ, a sin φ + b cos φ)  has the angle  φ + atan2(b, a),   a and b constant, or b = 0 and a > 0
 """
@@ -13,7 +15,10 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.written_directions import ORIGIN, WrittenDirections
 
 if TYPE_CHECKING:
     from planar_cli.equation.scene import Scene
@@ -24,14 +29,39 @@ ROUNDING = Decimal("1e-30")
 """An angle that is nearer to -180 deg than this [rad] is 180 deg."""
 
 
-def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
-    """The angle of a vector with its turns, between -180 and 180 deg where it is drawn; None: it is not written so."""
-    if scene.displacement is None:
+class WrittenAngles:
+    """The written directions of a file as expressions of a scene."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene, self._directions = scene, WrittenDirections(scene.problem)
+
+    def angle(self, origin: str, to: str, reach: Vec) -> sp.Expr | None:
+        """The angle with which the file writes the direction of the reach from one point (ORIGIN: of the axes) to
+        another; None: it writes none.
+        """
+        for written in self._directions.between(origin, to):
+            angle = self._scene.value(written.angle)
+            if written.sense:
+                return angle
+            along = self._scene.valuations[0].known(reach.x * sp.cos(angle) + reach.y * sp.sin(angle))
+            if along is None or along > 0:
+                return angle
         return None
-    ledger = scene.ledger
-    varying = {c.symbol for c in scene.displacement.coordinates} | {*ledger.coordinates, ledger.symbols["t"]}
+
+
+def counted_angle(scene: Scene, q: Quantity, v: Vec) -> sp.Expr | None:
+    """The angle of the vector r(…) with its turns: where it is drawn as the file writes it, else between -180 and
+    180 deg; None: only its components tell it.
+    """
+    origin = q.things[1] if len(q.things) == 2 and q.things[1] != GROUND else ORIGIN
+    drawn = scene.written.angle(origin, q.things[0], Vec(scene.as_drawn(v.x), scene.as_drawn(v.y)))
+    varying = {*scene.ledger.coordinates, scene.ledger.symbols["t"]}
+    if scene.displacement is not None:
+        varying |= {c.symbol for c in scene.displacement.coordinates}
+    if scene.displacement is None or not (sp.sympify(v.x).free_symbols | sp.sympify(v.y).free_symbols) & varying:
+        return drawn
     found = written_angle(v, varying, lambda along: scene.sign(along) > 0)
-    return None if found is None else found + _whole_turns(scene, v, found)
+    return None if found is None else found + _whole_turns(scene, sp.atan2(v.y, v.x) if drawn is None else drawn, found)
 
 
 def written_angle(v: Vec, varying: Set[sp.Symbol], positive: Callable[[sp.Expr], bool]) -> sp.Expr | None:
@@ -51,13 +81,13 @@ def written_angle(v: Vec, varying: Set[sp.Symbol], positive: Callable[[sp.Expr],
     return None
 
 
-def _whole_turns(scene: Scene, v: Vec, angle: sp.Expr) -> sp.Expr:
-    """What is to be added so that the angle lies in (-180, 180] deg in the drawn position."""
+def _whole_turns(scene: Scene, drawn: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    """What is to be added so that the angle is the drawn one in the drawn position."""
     assert scene.displacement is not None
     value = scene.valuations[0]
     begun = {c.symbol: value.known(c.drawn) for c in scene.displacement.coordinates if c.drawn is not None}
     value = value.extended({s: number for s, number in begun.items() if number is not None})
-    here, there = value.known(angle), value.known(sp.atan2(v.y, v.x))
+    here, there = value.known(angle), value.known(drawn)
     if here is None or there is None:
         return sp.S.Zero
     if there + PI < ROUNDING:

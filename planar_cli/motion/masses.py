@@ -15,7 +15,7 @@ from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.masses import placed
-from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Shape
+from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Rod, Shape
 from planar_cli.problem.uniform import Uniform, uniform
 from planar_cli.records import record
 
@@ -66,10 +66,13 @@ class _Measures:
     def unit_vector(self, angle: Term) -> Vec:
         return unit_vector(self.drawing.sides.graph, angle)
 
-    def rod(self, reach: Vec) -> tuple[Term, Term]:
+    def rod(self, shape: Rod, reach: Vec) -> tuple[Term, Term]:
         graph = self.drawing.sides.graph
         length = length_of(graph, reach)
-        return length * length, graph.call("atan2", graph.of(reach.y), graph.of(reach.x))
+        angle = None if shape.end is None else self.drawing.written_direction(shape.start, shape.end, reach)
+        if angle is None:
+            angle = graph.call("atan2", graph.of(reach.y), graph.of(reach.x))
+        return length * length, angle
 
 
 def drawn_bodies(drawing: Drawing) -> dict[str, Drawn]:

@@ -13,6 +13,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.located import length_in, located
 from planar_cli.problem.scene import At, Particle, Place, Point, Problem
 from planar_cli.problem.walk import walk
+from planar_cli.problem.written_directions import WrittenDirections
 from planar_cli.records import changing
 from planar_cli.units import parse_unit
 
@@ -42,6 +43,18 @@ class Drawing:
     places: dict[str, Vec] = field(default_factory=dict)
     """The places that were asked for, by name."""
     _building: list[str] = field(default_factory=list)
+
+    def written_direction(self, origin: str, to: str, reach: Vec) -> Term | None:
+        """The angle with which the file writes the direction of the reach from one point to another; None: it writes
+        none.
+        """
+        graph = self.sides.graph
+        for written in WrittenDirections(self.problem).between(origin, to):
+            angle = self.sides.value(written.angle)
+            along = graph.of(reach.dot(unit_vector(graph, angle))).value
+            if along > 0 or (written.sense and along == 0):
+                return angle
+        return None
 
     def point(self, name: str) -> Vec:
         """The place of a point; a particle that is given by coordinates is a point of its own name."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from planar_cli.errors import refuse
 from planar_cli.motion.carried import TINIEST, Carried
-from planar_cli.motion.places import unit_vector
+from planar_cli.motion.places import Drawing, unit_vector
 from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation, Side
@@ -15,6 +16,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import ALL, GROUND
+from planar_cli.problem.written_directions import ORIGIN
 from planar_cli.records import record
 
 OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
@@ -277,18 +279,24 @@ class Quantities:
             case "angle":
                 # The direction of a place counts its turns.
                 x, y = graph.of(v.x), graph.of(v.y)
-                return self._direction_of_place(y, x) if q.word == "r" else graph.call("atan2", y, x)
+                return self._direction_of_place(q, y, x) if q.word == "r" else graph.call("atan2", y, x)
             case "along" | "r":
                 return graph.of(v.dot(self._direction(part, q)))
             case "across" | "theta":
                 return graph.of(self._direction(part, q).cross(v))
         return self._natural(v, part, q)
 
-    def _direction_of_place(self, y: Term, x: Term) -> Term:
-        """The angle of (x, y) with its turns, counted once for all that ask for it."""
+    def _direction_of_place(self, q: Quantity, y: Term, x: Term) -> Term:
+        """The angle of (x, y) with its turns from the written one, counted once for all that ask for it."""
         graph, inside = self.scene.graph, (y, x, self.scene.time)
-        known = next((t for t in graph.turned.values() if t.args == inside), None)
-        return graph.turning(y, x, 0.0, self.scene.time) if known is None else known
+        origin = q.things[1] if len(q.things) == 2 and q.things[1] != GROUND else ORIGIN
+        drawing = Drawing(self.scene.problem, self.scene.sides, self.scene.free)
+        written = drawing.written_direction(origin, q.things[0], Vec(x, y))
+        near = 0.0 if written is None else written.value
+        for name, term in graph.turned.items():
+            if term.args == inside and abs(graph.turnings[name].start - near) <= math.pi:
+                return term
+        return graph.turning(y, x, 0.0, self.scene.time, near)
 
     def _natural(self, v: Vec, part: Part, q: Quantity) -> Term:
         """.t along the velocity, .n towards the centre of curvature."""

@@ -223,12 +223,12 @@ class Graph:
         self.tables[f"{name}_slope"] = self.tables[name].slopes()
         return name
 
-    def turning(self, y: Term, x: Term, drawn: float | None = None, time: Term | None = None) -> Term:
+    def turning(self, y: Term, x: Term, drawn: float | None = None, time: Term | None = None, near: float = 0) -> Term:
         """The direction of (x, y) as an angle that goes on over many turns, counted from the angle `drawn`; left out,
-        from the reference configuration. `time`: of one in no equation of motion, which a step may turn far.
+        from the reference configuration, where it is within half a turn of `near`. `time`: of one in no equation of
+        motion, which a step may turn far.
         """
-        name = f"turn{len(self.turnings)}"
-        start = math.atan2(y.value, x.value)
+        name, start = f"turn{len(self.turnings)}", Turning(near, near).at(y.value, x.value)
         self.turnings[name] = Turning(start, start)
         self.turned[name] = self.call(name, y, x, *(() if time is None else (time,)))
         return self.turned[name] - (start if drawn is None else drawn)

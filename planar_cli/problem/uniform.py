@@ -41,8 +41,8 @@ class Measures(Protocol):
     def unit_vector(self, angle: Any) -> Vec:
         """(cos, sin) of an angle."""
 
-    def rod(self, reach: Vec) -> tuple[Any, Any]:
-        """The squared length and the direction of a rod from end to end."""
+    def rod(self, shape: Rod, reach: Vec) -> tuple[Any, Any]:
+        """The squared length of a rod from end to end, and its direction, as the file writes it if it does."""
 
     @property
     def zero(self) -> Any: ...
@@ -79,7 +79,7 @@ def _rod(shape: Rod, measures: Measures) -> Uniform:
     start = measures.point(shape.start)
     if shape.end is not None:
         reach = measures.point(shape.end) - start
-        length_squared, angle = measures.rod(reach)
+        length_squared, angle = measures.rod(shape, reach)
     else:
         angle, length = _or_zero(shape.angle, measures), _or_zero(shape.length, measures)
         reach, length_squared = measures.unit_vector(angle) * length, length * length
