@@ -109,7 +109,7 @@ class Router:
                 if x in letters(rate) or rate == 0:
                     continue
                 datum = simplified(-residual.subs(x, 0) / rate)
-                if datum == 0 or (datum.is_Symbol and e.kind in DATA):
+                if datum == 0 or (datum.is_Symbol and e.kind in DATA and not e.told):
                     found[x] = datum
                     found = {k: v.xreplace({x: datum}) for k, v in found.items()}
                     changed = True

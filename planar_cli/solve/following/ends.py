@@ -94,8 +94,9 @@ class EndSearch:
         watched += [(s, "it stops sliding") for s in regime.slips]
         found = []
         here = segment.at(time)
-        by_letter = sizes.by_letter(regime.letters, self.course.ledger.units)
-        letters = {s: here[s] for s in regime.letters}
+        letters, units = {s: here[s] for s in regime.letters}, self.course.ledger.units
+        # From rest, the way to here is the first that shows how fast things move.
+        by_letter = sizes.passing(letters, units, segment.length).by_letter(regime.letters, units)
         for expr, words in watched:
             if expr.free_symbols & set(regime.letters):
                 number, size = measured([expr], letters, by_letter, self.value)[0]

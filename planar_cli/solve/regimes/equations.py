@@ -61,6 +61,8 @@ class Equation:
     """What it costs beside its kind; a balance, whose kind is the word of its principle, costs nothing else."""
     offered: frozenset[str] = frozenset()
     """The principles of which it is a law, by their words; none for data, geometry and blows."""
+    told: bool = False
+    """Is it told by a line of its own, even where it only gives something another name?"""
 
     @property
     def cost(self) -> float:
@@ -332,7 +334,8 @@ def drawn_equations(regime: Regime, first: Stop) -> Iterator[Equation]:
             continue
         if c.drawn is not None and not c.drawn.free_symbols & {k.symbol for k in regime.coordinates}:
             residual = first.letters[c.symbol] - c.drawn
-            yield Equation(residual, "drawn", "as drawn", first.name, family=("drawn", c.symbol.name), rank=1)
+            family = ("drawn", c.symbol.name)
+            yield Equation(residual, "drawn", "as drawn", first.name, family=family, rank=1, told=c.unit == "rad")
 
 
 def _placed_elsewhere(regime: Regime, first: Stop) -> frozenset[sp.Symbol]:
