@@ -14,7 +14,7 @@ from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.turning import WrittenAngles
+from planar_cli.equation.written_angles import WrittenAngles
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.geometry import Vec

@@ -20,7 +20,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.places import AsDrawn, Jets, is_plain
 from planar_cli.equation.plain import longer, trigonometric
-from planar_cli.equation.turning import WrittenAngles
+from planar_cli.equation.written_angles import WrittenAngles
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.caught import demand_caught
 from planar_cli.problem.expression import Name, Side, Statement

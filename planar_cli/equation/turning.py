@@ -18,7 +18,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.problem.written_directions import ORIGIN, WrittenDirections
+from planar_cli.problem.written_directions import ORIGIN
 
 if TYPE_CHECKING:
     from planar_cli.equation.scene import Scene
@@ -27,26 +27,6 @@ LONGEST = 60
 """Longer components are not looked through."""
 ROUNDING = Decimal("1e-30")
 """An angle that is nearer to -180 deg than this [rad] is 180 deg."""
-
-
-class WrittenAngles:
-    """The written directions of a file as expressions of a scene."""
-
-    def __init__(self, scene: Scene) -> None:
-        self._scene, self._directions = scene, WrittenDirections(scene.problem)
-
-    def angle(self, origin: str, to: str, reach: Vec) -> sp.Expr | None:
-        """The angle with which the file writes the direction of the reach from one point (ORIGIN: of the axes) to
-        another; None: it writes none.
-        """
-        for written in self._directions.between(origin, to):
-            angle = self._scene.value(written.angle)
-            if written.sense:
-                return angle
-            along = self._scene.valuations[0].known(reach.x * sp.cos(angle) + reach.y * sp.sin(angle))
-            if along is None or along > 0:
-                return angle
-        return None
 
 
 def counted_angle(scene: Scene, q: Quantity, v: Vec) -> sp.Expr | None:
@@ -61,7 +41,7 @@ def counted_angle(scene: Scene, q: Quantity, v: Vec) -> sp.Expr | None:
     if scene.displacement is None or not (sp.sympify(v.x).free_symbols | sp.sympify(v.y).free_symbols) & varying:
         return drawn
     found = written_angle(v, varying, lambda along: scene.sign(along) > 0)
-    return None if found is None else found + _whole_turns(scene, sp.atan2(v.y, v.x) if drawn is None else drawn, found)
+    return None if found is None else found + _whole_turns(scene, v, found, drawn)
 
 
 def written_angle(v: Vec, varying: Set[sp.Symbol], positive: Callable[[sp.Expr], bool]) -> sp.Expr | None:
@@ -81,16 +61,16 @@ def written_angle(v: Vec, varying: Set[sp.Symbol], positive: Callable[[sp.Expr],
     return None
 
 
-def _whole_turns(scene: Scene, drawn: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """What is to be added so that the angle is the drawn one in the drawn position."""
+def _whole_turns(scene: Scene, v: Vec, angle: sp.Expr, drawn: sp.Expr | None) -> sp.Expr:
+    """What is to be added so that the angle is the drawn one in the drawn position; None: that in (-180, 180] deg."""
     assert scene.displacement is not None
     value = scene.valuations[0]
     begun = {c.symbol: value.known(c.drawn) for c in scene.displacement.coordinates if c.drawn is not None}
     value = value.extended({s: number for s, number in begun.items() if number is not None})
-    here, there = value.known(angle), value.known(drawn)
+    here, there = value.known(angle), value.known(sp.atan2(v.y, v.x) if drawn is None else drawn)
     if here is None or there is None:
         return sp.S.Zero
-    if there + PI < ROUNDING:
+    if drawn is None and there + PI < ROUNDING:
         there += 2 * PI
     turns = (there - here) / (2 * PI)
     return 2 * sp.pi * int(turns.to_integral_value())

@@ -178,7 +178,7 @@ class WrittenDirections:
         tried: list[_Form] = []
         for chosen in reversed(onward):
             form, senses = forms[id(chosen)], set[int]()
-            if form in tried:
+            if any(_half_turns(form, other) == 0 for other in tried):
                 continue
             tried.append(form)
             for way, pieces in ((1, onward), (-1, back)):

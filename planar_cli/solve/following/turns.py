@@ -30,7 +30,9 @@ def count_turns(found: SolvedMotion) -> None:
         for symbol, q in reader.winding.items():
             other, state, value = reader.pending[symbol]
             angle = _angle(found, q, state)
-            turns = round((angle - math.remainder(angle, 2 * math.pi)) / (2 * math.pi))
+            number = found.value.known(other.at(found.course.stops[state], value))
+            told = math.remainder(angle, 2 * math.pi) if number is None else float(number)
+            turns = round((angle - told) / (2 * math.pi))
             reader.pending[symbol] = other, state, value + 2 * sp.pi * turns
         reader.winding.clear()
     for later in found.course.states[1:]:
