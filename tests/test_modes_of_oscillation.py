@@ -128,3 +128,41 @@ def test_the_page_tells_each_mode() -> None:
     assert "T_2 = 2 π/ω_2 = 0.3883 s" in page
     assert "A_2/A_1 = 1.618" in page
     assert "T = 1.017 s, 0.3883 s" in page
+
+
+DAMPERS = """  - damper: {between: [W, P], coefficient: c}
+  - damper: {between: [P, Q], coefficient: d}"""
+
+
+def test_damping_ratios_and_decrements_of_each_mode() -> None:
+    """With c/k the same everywhere ζ = c ω_0/(2 k), δ = 2 π ζ/√(1 - ζ²)."""
+    names = "given: {m: 1 kg, k: 100 N/m, c: 0.5 N*s/m, d: 0.5 N*s/m}"
+    found = solve(two("z: damping_ratio(rest), d: decrement(rest)", names, DAMPERS))
+    ratios = [0.0025 * 10 * (math.sqrt(5) + s) / 2 for s in (-1, 1)]
+    assert [float(v) for v in found["z"].values or ()] == pytest.approx(ratios)
+    decrements = [2 * math.pi * z / math.sqrt(1 - z**2) for z in ratios]
+    assert [float(v) for v in found["d"].values or ()] == pytest.approx(decrements)
+
+
+def test_dampers_that_share_the_modes_in_letters() -> None:
+    """ω_0² = (3 ∓ √5)/2 k/m, c = (3 ∓ √5)/2 c/m."""
+    names = "symbols: {m: kg, k: N/m, c: N*s/m}"
+    text = two("w: frequency(rest) in rad/s, z: damping_ratio(rest)", names, DAMPERS.replace("d}", "c}"))
+    found = solve(text)
+    numbers = {"m": 2, "k": 7, "c": sp.Rational(1, 3)}
+    for k, part in enumerate((3 - sp.sqrt(5), 3 + sp.sqrt(5))):
+        natural, damping = sp.sqrt(part / 2 * sp.Rational(7, 2)), part / 2 / 6
+        for name, factor, truth in (
+            ("w", 2 * sp.pi, sp.sqrt(natural**2 - damping**2 / 4)),
+            ("z", 1, damping / (2 * natural)),
+        ):
+            formula = (found[name].expressions or ())[k]
+            value = formula.subs({s: numbers[s.name] for s in formula.free_symbols})
+            assert float(value) in (pytest.approx(float(truth)), pytest.approx(float(truth / factor)))
+
+
+def test_dampers_that_couple_the_modes_have_no_formula() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(two("z: damping_ratio(rest)", "symbols: {m: kg, k: N/m, c: N*s/m, d: N*s/m}", DAMPERS))
+    assert "no short formula in letters" in error.value.diagnostics[0].message
+    assert "give numbers for the letters" in (error.value.diagnostics[0].hint or "")

@@ -14,7 +14,7 @@ from planar_cli.problem.formulas import Formula
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.problem.words import OF_EACH_MODE
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.units import PURE
 
 
@@ -43,7 +43,7 @@ def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
     kind = check_found(find.found, kinds.of, [])
     what = find.found.what
     vector = isinstance(what, Side) and is_vector(what, scope, [])
-    modes = isinstance(what, Quantity) and what.word in OF_EACH_MODE
+    modes = isinstance(what, Quantity) and what.word in OF_SWINGS
     if isinstance(answer.value, tuple) and len(answer.value) > 2 and not modes:
         text = f"a vector has two parts, here are {len(answer.value)}"
         yield Diagnostic(answer.mark, "PL341", text, "write `[3 m, 4 m]`")

@@ -19,10 +19,8 @@ _THINGS = (
     " mass I KE PE momentum H power work impulse heat path_length"
 )
 
-OF_EACH_MODE = ("period", "frequency")
-"""What each mode of small oscillation has, where there are several."""
-OF_SWINGS = (*OF_EACH_MODE, "decrement", "damping_ratio")
-"""Quantities of small oscillations of one freedom about an equilibrium state."""
+OF_SWINGS = ("period", "frequency", "decrement", "damping_ratio")
+"""Quantities of small oscillations about an equilibrium state. Each mode has its own, where there are several."""
 
 # What stands in the bracket of each quantity: one or two names, a side, a relation, or a state.
 QUANTITIES: Mapping[str, Form] = MappingProxyType(

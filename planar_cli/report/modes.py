@@ -36,16 +36,18 @@ def _indexed(name: str, i: int) -> sp.Symbol:
 
 
 def _linear_parts(found: OscillationTrace, modes: Modes, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
-    """δ̈_i = -Σ a_ij δ_j."""
+    """δ̈_i = -Σ a_ij δ_j - Σ c_ij δ̇_j."""
     count = range(len(modes.matrix))
     small, rates = [_indexed("delta", i) for i in count], [sp.Symbol(f"delta_{i + 1}_ddot", real=True) for i in count]
+    paces = [sp.Symbol(f"delta_{i + 1}_dot", real=True) for i in count]
     own = [line(phrases.math(r), " = ", phrases.math(rate)) for r, (rate, _) in zip(rates, found.motion, strict=True)]
     yield Paragraph(
         line("For small deviations ", *_listed([(phrases.math(s),) for s in small]), " with ", *_listed(own), ":")
     )
-    for rate, row in zip(rates, modes.matrix, strict=True):
-        law = sp.Add(*(-a * s for a, s in zip(row, small, strict=True)))
-        yield Equation((phrases.math(rate), _written(law, small, phrases, symbolic)))
+    for i, (rate, row) in enumerate(zip(rates, modes.matrix, strict=True)):
+        damped = zip(modes.rates[i], paces, strict=True) if modes.rates else ()
+        law = sp.Add(*(-a * s for a, s in (*zip(row, small, strict=True), *damped)))
+        yield Equation((phrases.math(rate), _written(law, [*small, *paces], phrases, symbolic)))
 
 
 def _listed(parts: Sequence[Line]) -> Line:
@@ -65,9 +67,12 @@ def _written(expr: sp.Expr, letters: Sequence[sp.Symbol], phrases: Phrases, symb
 def _determinant(modes: Modes, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
     """The characteristic equation in ω², in letters and in numbers."""
     amplitudes = _listed([(phrases.math(_indexed("A", i)),) for i in range(len(modes.matrix))])
+    shares = "The dampers share the modes as the springs do, so that these are those without damping. " * bool(
+        modes.rates
+    )
     yield Paragraph(
         line(
-            "In a mode all deviations vary as cos ωt, with the amplitudes ",
+            f"{shares}In a mode all deviations vary as cos ωt, with the amplitudes ",
             *amplitudes,
             ". These differ from zero only where the determinant of their coefficients vanishes:",
         )
@@ -110,6 +115,8 @@ def _mode(
 ) -> Iterator[Block]:
     """One mode: its circular frequency, its period or frequency, and the ratio of the amplitudes."""
     omega, expr = _indexed("omega", i), modes.frequencies[i]
+    if modes.rates:
+        yield from _damped(modes, i, phrases)
     shown = () if symbolic else (Value(value(expr), "rad/s", phrases.figures),)
     formula: list[Math] = []
     if modes.squares and (symbolic or not longer(expr, LONG)):
@@ -123,7 +130,37 @@ def _mode(
             told = of.xreplace({omega: expr})
             last = phrases.math(simplified(told)) if symbolic else Value(value(told), unit, phrases.figures)
             yield Equation((phrases.math(_indexed(name, i)), phrases.math(of), last))
+    yield from _damping(modes, i, omega, value, phrases, symbolic)
     yield from _ratio(found, modes, i, value, phrases, symbolic)
+
+
+def _damped(modes: Modes, i: int, phrases: Phrases) -> Iterator[Block]:
+    """One mode of which damping changes nothing but the frequency: ω_0², c, and ω² = ω_0² - c²/4."""
+    yield Equation((phrases.math(_indexed("omega_0", i) ** 2), phrases.math(modes.squares[i])))
+    natural, damping = _indexed("omega_0", i), _indexed("c", i)
+    yield Equation((phrases.math(damping), phrases.math(2 * modes.decays[i])))
+    where = line("where ", phrases.math(damping), " < ", phrases.math(2 * natural))
+    omega = phrases.math(sp.sqrt(natural**2 - damping**2 / 4))
+    yield Equation((phrases.math(_indexed("omega", i)), omega), None, (), where)
+
+
+def _damping(
+    modes: Modes, i: int, omega: sp.Symbol, value: Valuation, phrases: Phrases, symbolic: bool
+) -> Iterator[Block]:
+    """Its logarithmic decrement and damping ratio, by the root λ = -β ± i ω or by c = 2 β."""
+    if not modes.words & {"decrement", "damping_ratio"}:
+        return
+    beta, rate = _indexed("beta", i), modes.decays[i] if modes.decays else sp.S.Zero
+    told = phrases.math(rate) if symbolic else Value(value(rate), "1/s", phrases.figures)
+    yield Equation((phrases.math(beta), told), None, (), line("it dies away as e^(-β t)"))
+    for word, name, of in (
+        ("decrement", "delta", 2 * sp.pi * beta / omega),
+        ("damping_ratio", "zeta", beta / sp.sqrt(beta**2 + omega**2)),
+    ):
+        if word in modes.words:
+            number = simplified(of.xreplace({omega: modes.frequencies[i], beta: rate}))
+            last = phrases.math(number) if symbolic else Value(value(number), "", phrases.figures)
+            yield Equation((phrases.math(_indexed(name, i)), phrases.math(of), last))
 
 
 def _ratio(

@@ -26,8 +26,9 @@ Small oscillations about it
   tells stiffness and damping: `[equilibrium, x = 0, period(rest) = T, decrement(rest) = log(x_1/x_2)]`.
 
   With several freedoms each mode has its period: `T: period(hang)` is answered by all of them, the longest first, and
-  `frequency(hang)` by all frequencies, the lowest first; a key says `T: [1.23 s, 0.45 s]`. Inside a formula, or stated,
-  a period has to be the only one. In letters there are formulas for two modes without damping. A rotation that enters
+  `frequency(hang)` by all frequencies, the lowest first, `decrement(hang)` and `damping_ratio(hang)` in the same order;
+  a key says `T: [1.23 s, 0.45 s]`. Inside a formula, or stated, a period has to be the only one. In letters there are
+  formulas for two modes without damping, or with dampers that share them as the springs do. A rotation that enters
   no force has no mode; nor, where `stable(…)` is not asked, has a travel that enters none. Where the motion creeps
   back without oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small
   oscillations.

@@ -127,7 +127,7 @@ class Answering:
         sizes = tuple(asked.factor * e for e in mode_sizes(about, what.word, self.value))
         symbolic = any(self.course.parameters() & e.free_symbols for e in sizes)
         values = None if symbolic else tuple(self.value.settled(e, e) for e in sizes)
-        told = symbolic or (has_formula(about) and not any(longer(e, CLOSED_OPS) for e in sizes))
+        told = symbolic or (has_formula(about, self.value) and not any(longer(e, CLOSED_OPS) for e in sizes))
         return Found(find.name, "list", unit, values, sizes if told else None, "", find)
 
     def _demand_state(self, asked: AskedFind, closed: tuple[sp.Expr, ...]) -> None:

@@ -26,7 +26,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
-from planar_cli.problem.words import OF_EACH_MODE, OF_SWINGS
+from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import Verdict
 from planar_cli.solve.regimes.regime import Regime
@@ -269,7 +269,7 @@ def asked_of_modes(problem: Problem, found: Oscillation, q: Quantity) -> bool:
     """Is a period or frequency about an equilibrium with several freedoms asked for by itself, so that each mode
     answers? Inside a formula it would have to be one number.
     """
-    if found.single or q.word not in OF_EACH_MODE:
+    if found.single or q.word not in OF_SWINGS:
         return False
     asked = (f.found.what for f in problem.find)
     inside = (n for what in asked for n in walk(what) if n is not what and isinstance(n, Quantity))
@@ -295,10 +295,7 @@ def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
     state = found.stop.name
     if not found.single:
         text = f"{len(found.speeds)} freedoms have no single period about {state}"
-        alone = q.word in OF_EACH_MODE
-        hint = (
-            f"ask `{q.word}({state})` by itself: then each mode has its answer" if alone else "ask `stable(…)` instead"
-        )
+        hint = f"ask `{q.word}({state})` by itself: then each mode has its answer"
         if isinstance(value, Sample):
             raise _no_period(q.mark, text, hint)
         periods = [f"{mpmath.nstr(2 * mpmath.pi / abs(r.imag), 6)} s" for r in roots_of(found, value) if r.imag > SLOW]

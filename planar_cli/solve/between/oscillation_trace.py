@@ -38,15 +38,19 @@ class Modes:
     """Several freedoms that swing: s̈ + A s = 0 without damping, s = a cos ωt, det(A - ω² I) = 0."""
 
     matrix: tuple[tuple[sp.Expr, ...], ...]
-    """A, row by row, 1/s²; empty with damping."""
+    """A, row by row, 1/s²; empty with damping that changes the modes."""
+    rates: tuple[tuple[sp.Expr, ...], ...]
+    """C of s̈ + C ṡ + A s = 0, 1/s, where damping leaves the modes as they are; else empty."""
+    decays: tuple[sp.Expr, ...]
+    """c/2 of every mode, 1/s, which dies away as e^(-c t/2); empty without damping."""
     polynomial: tuple[sp.Expr, ...]
     """p and q of ω⁴ - p ω² + q = 0 of two freedoms; empty: no formula."""
     squares: tuple[sp.Expr, ...]
-    """Its roots ω²; empty: no formula."""
+    """Its roots ω², without damping; empty: no formula."""
     frequencies: tuple[sp.Expr, ...]
     """ω of every mode, rad/s, the lowest first."""
     words: frozenset[str]
-    """What is asked of them: period, frequency; with `circular` in rad/s alone."""
+    """What is asked of them: period, frequency, decrement, damping_ratio; with `circular` in rad/s alone."""
 
 
 @record
