@@ -44,6 +44,32 @@ instant: [theta = -90 deg, at rest, a(A).x = a]
 find: {alpha: alpha(bar), A_x: reaction(A/bar).x}
 """
 
+ON_A_MOTOR = """
+title: An arm that turns steadily on a motor that falls
+plane: vertical
+given: {e: 0.1 m, w: 10 rad/s}
+coordinates: {y: m, phi: rad}
+points: {O: [0, y], E: {from: O, distance: e, angle: phi}}
+bodies:
+  motor: {particle: OMASS}
+  arm: {rod: [O, E], mass: 1 kg}
+joints:
+  - guide: {point: O, along: 90 deg}
+  - pin: {at: O, between: [motor, arm]}
+motion: [phi = w*t]
+states:
+  1: [t = 0, y = 0, dot(y) = 0]
+  2: [t = 2 s]
+find: {y: y @ 2}
+"""
+
+
+@pytest.mark.parametrize(("mass", "kilograms"), [("", 0.0), (", mass: 10 kg", 10.0)])
+def test_a_coordinate_that_motion_gives_in_time_beside_one_that_is_free(mass: str, kilograms: float) -> None:
+    found = solve(ON_A_MOTOR.replace("MASS", mass))
+    along_arm = 0.05 * (10 * 2 - math.sin(20)) / (kilograms + 1)
+    assert float(found["y"].values[0]) == pytest.approx(along_arm - 9.81 * 2)
+
 
 @pytest.mark.parametrize("mass", ["", ", mass: 2000 kg"])
 def test_a_crate_slides_on_a_driven_lorry(mass: str) -> None:

@@ -52,14 +52,20 @@ class Letters:
         scene = self.regime.general.instant.scene
         for name, frame in self.layout.frames.items():
             body = scene.bodies[name]
-            yield frame.x, sp.sympify(body.center.x)
-            yield frame.y, sp.sympify(body.center.y)
+            yield frame.x, self._in_letters(body.center.x)
+            yield frame.y, self._in_letters(body.center.y)
             if frame.theta is not None:
-                yield frame.theta, sp.sympify(body.theta)
+                yield frame.theta, self._in_letters(body.theta)
         symbols = {s.name: s for s in self.coordinates}
         for name, (term, _) in self.model.scene.coordinates.items():
             if name in symbols and term in self.layout.numbers:
                 yield self.layout.numbers[term], symbols[name]
+
+    def _in_letters(self, place: sp.Expr) -> sp.Expr:
+        """A place in t and coordinates that vary freely: one that `motion` gives as a function of time is no letter."""
+        expr = sp.sympify(place)
+        told = set(self.regime.general.instant.scene.ledger.coordinates) - set(self.coordinates)
+        return self.regime.in_letters(expr) if expr.free_symbols & told else expr
 
     @property
     def coordinates(self) -> tuple[sp.Symbol, ...]:
