@@ -49,7 +49,7 @@ def test_the_same_assumption_is_not_told_to_fail() -> None:
     """A ball in a loop that does not press outwards presses inwards: the contact holds all the same."""
     page = Terminal(width=240).render(narrate(worked(ROOT / "problems/particles/bead-in-loop.yaml")[0]))
     assert "Fails" not in page
-    assert "Assume      ball at P stays in contact" in page
+    assert "Assume      ball at P stays in contact, inside loop\n" in page
 
 
 def test_energies_that_were_solved_together_with_other_equations_are_put_in() -> None:

@@ -303,9 +303,15 @@ class Touching:
         found = []
         for side in sides:
             self._face(side)
-            found += [replace(mode, side=side) for mode in self._pressing()]
+            found += [replace(mode, side=side, where=self._where()) for mode in self._pressing()]
         self._face(sides[0])
         return (*found, self._apart())
+
+    def _where(self) -> str:
+        """On which side of the circle, by its name in the file."""
+        assert self.base.center is not None, "only a circle has two sides"
+        inside = self.scene.sign((self.base.center - self.place).dot(self.normal)) > 0
+        return f"{'inside' if inside else 'outside'} {next(p for p in self.contact.between if p != self.mover.body)}"
 
     def _pressing(self) -> list[Mode]:
         stick = [] if self.smooth else [self._stick()]

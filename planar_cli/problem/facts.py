@@ -239,7 +239,7 @@ class Mode:
     speed of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the
     assumption as a sentence. `touching`: what still holds of the velocities at this instant where a contact is about to
     part, a face to tip, a rope to slacken. `side`: where the drawing leaves it open on which side of its partner a body
-    presses, +1 or -1 for the side of this mode; else 0.
+    presses, +1 or -1 for the side of this mode; else 0. `where`: that side in words, `inside loop`; else "".
     """
 
     name: str
@@ -250,6 +250,7 @@ class Mode:
     direction: int = 0
     touching: Facts = Facts()
     side: int = 0
+    where: str = ""
 
     @property
     def parted(self) -> bool:

@@ -26,17 +26,25 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
             return [*notes, *([Note("Assume", line("; ".join(rest)))] if rest else [])]
         if list(assumed) == words:
             # Only the side on which a contact presses is another one.
-            return [Note("Assume", line("; ".join(words)))]
+            return [Note("Assume", line("; ".join(_placed(trial))))]
         return [
             Note("Assume", line("; ".join(assumed))),
             Note("Fails", _objection(_on_its_side(natural, instant), phrases)),
-            Note("Instead", line("; ".join(words))),
+            Note("Instead", line("; ".join(_placed(trial)))),
         ]
-    return [Note("Assume", line("; ".join(words)))] if words else []
+    return [Note("Assume", line("; ".join(_placed(trial))))] if words else []
 
 
 def _words(trial: Trial) -> list[str]:
     return list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
+
+
+def _placed(trial: Trial) -> list[str]:
+    """The words with the side on which a particle presses, where its place leaves that open: ball at P stays in
+    contact, inside loop.
+    """
+    modes = [m for m in trial.system.modes.values() if m.words]
+    return list(dict.fromkeys(", ".join(filter(None, (m.words, m.where))) for m in modes))
 
 
 def _on_its_side(natural: Trial, instant: InstantSolution) -> Trial:

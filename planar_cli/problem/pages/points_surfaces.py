@@ -30,7 +30,9 @@ Surfaces
 
     surfaces:
       floor: {through: P, angle: 0 deg}                 a straight line
-      drum: {center: O, radius: R}                      a circle; bodies are inside or outside as drawn
+      drum: {center: O, radius: R}                      a circle; bodies are inside or outside as drawn, a
+                                                        particle on the side on which it presses: one that must be
+                                                        outside lies on a disk that is welded to the ground
       bowl: {y: c*x^2}                                  a curve, x is its variable
       spiral: {r: b*theta}                              a curve in polar coordinates, theta is its variable
       top: {through: Q, angle: 0 deg, body: cart}       fixed to a moving body
