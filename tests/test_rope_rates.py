@@ -26,3 +26,23 @@ def test_the_parts_that_turn_are_named_with_their_lengths() -> None:
     assert "4 a_B/5 = 0.64 v_A²/AC + 0.36 v_B²/CB" in page
     assert "= 4 (-5)² / (5 · 5) + 0.45 · 3.75² / 5 = 5.266 ft/s²" in page
     assert "4.2125" not in page
+
+
+LEVEL = """
+title: Cord over a wheel, of which only the speed is known
+plane: vertical
+points: {A: [-0.2 m, -1 m], B: [0.2 m, -1 m], O: [0, 0]}
+bodies: {a: {particle: A}, b: {particle: B}, w: {disk: O, radius: 0.2 m}}
+joints:
+  - rope: {path: [A, over w, B]}
+  - pin: {at: O, between: [w, ground]}
+  - guide: {point: A, along: 90 deg}
+  - guide: {point: B, along: 90 deg}
+instant: [v(A).y = -2 m/s]
+find: {v: v(B).y}
+"""
+
+
+def test_where_no_acceleration_is_told_the_rope_is_told_all_the_same() -> None:
+    page = Terminal(110).render(narrate(solve_problem(load_text(LEVEL)[0])))
+    assert "v = v_B = 2 m/s upward" in page

@@ -80,7 +80,8 @@ def solved_for(
     left, right = sides
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
-    if phrases.value.is_zero(symbol):
+    # Of a formula that holds throughout there is no number, and a zero needs none.
+    if phrases.value.known(symbol) is None or phrases.value.is_zero(symbol):
         return None
     terms = Collected(frozenset(unknowns), phrases).terms(left - right) or {}
     (power, *more) = [m for m in terms if symbol in m.free_symbols] or (None,)

@@ -95,7 +95,7 @@ def _rest(
     value, factor = numeric.phrases.value, rate.coeff(found.symbol, 1)
     rest = factor * found.symbol - rate
     whole = rate.xreplace(parts)
-    same = any(value.is_zero(whole - sign * w.residual) for sign in (1, -1))
+    same = any(value.vanishes(whole - sign * w.residual) for sign in (1, -1))
     if factor == 0 or not factor.is_Rational or found.symbol in rest.free_symbols or not same or longer(rest, LONGEST):
         return None
     if not is_clean(numeric.phrases.ledger, rest.subs(dict.fromkeys(parts, 1))):
