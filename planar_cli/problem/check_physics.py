@@ -45,18 +45,38 @@ MASSES = ("the mass", "the weight", "the moment of inertia")
 
 NO_PLANE = frozenset("x y r v theta omega mass I IC KE momentum H path_length".split())
 """Quantities of one instant that no weight has a part in."""
+OF_MOTION = NO_PLANE | frozenset("a alpha coriolis rho dot ddot path hodograph mean count".split())
+"""Those in which it has none where the motion is told as such."""
+ACCELERATIONS = frozenset(("a", "alpha", "ddot"))
 
 
 def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
     """`plane` is required once a body has mass, and more is asked than places and velocities of one instant."""
     if scope.problem.plane is not None or _needs_no_plane(scope):
         return
-    heavy = next((body for body in scope.problem.bodies if has_mass(body)), None)
+    if not is_told_as_motion(scope.problem):
+        yield from no_plane(scope.problem)
+
+
+def no_plane(problem: Problem) -> Iterator[Diagnostic]:
+    """Of a file with masses: that weight may act or not."""
+    heavy = next((body for body in problem.bodies if has_mass(body)), None)
     if heavy is not None:
         message = f"the body {heavy.name} has mass, and the file does not say in which plane all this happens"
         yield Diagnostic(
             heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`"
         )
+
+
+def is_told_as_motion(problem: Problem) -> bool:
+    """Are places and motion asked alone, of what moves as `motion` or stated accelerations say? Whether these tell all
+    of it, so that weight has no part, is found as it is solved.
+    """
+    stated = [*(problem.instant or ()), *(r for state in problem.states for r in state.relations)]
+    given = (q.word for r in stated if isinstance(r, Relation) for q in walk(r) if isinstance(q, Quantity))
+    if problem.loads or not problem.find or not (problem.motion or ACCELERATIONS & set(given)):
+        return False
+    return {n.word for find in problem.find for n in walk(find.found.what) if isinstance(n, Quantity)} <= OF_MOTION
 
 
 def _needs_no_plane(scope: Scope) -> bool:

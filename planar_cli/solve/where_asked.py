@@ -8,6 +8,7 @@ from typing import Any
 
 from planar_cli.errors import Mark, PlanarError, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.in_either_plane import in_either_plane
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import whatever_kinetic
 from planar_cli.solve.wherever import wherever
@@ -18,7 +19,7 @@ def where_asked(solve: Callable[..., PartSolution], problem: Problem, case: str,
     the file, and what it keeps open.
     """
     try:
-        return whatever_kinetic(partial(wherever, solve), problem, case, *rest)
+        return whatever_kinetic(partial(in_either_plane, partial(wherever, solve)), problem, case, *rest)
     except Undecided as error:
         if has_place(error, problem.file):
             raise

@@ -28,7 +28,7 @@ sign along a slope          .along(direction); there is no hidden "positive up t
 .t, .n at zero speed        undefined; on a circle use .across
 370 deg or 10 deg           theta(b) and r(P).angle count turns; other angles lie in (-180, 180]
 a body without mass         is massless; `mass: any` where it must cancel
-plane forgotten             required once a body has mass
+plane forgotten             required where weight or a motion with mass matters
 a contact without mu        say it: `mu: 0` is smooth
 at: C, on: floor            `between: [spool, floor], at: C`
 a rope over a heavy pulley  one rope has one tension: two ropes wound on the pulley when it does not slip

@@ -2,7 +2,7 @@
 
   title, text        words; `text` is what the student reads
   source, note       words: where the problem comes from; how the answers were found
-  plane              `vertical` (weight acts, -y) or `horizontal`; required once a body has mass
+  plane              `vertical` (weight acts, -y) or `horizontal`; required where weight or a motion with mass matters
   given              known, with a number: a value, or an expression of names
                          given: {m: 50 kg, b: 2*l, g: 1.62 m/s^2}
   symbols            known, kept as letters: name: unit (`1` = pure number). They are positive; angles lie between 0 and

@@ -1,0 +1,57 @@
+"""Bodies with mass in a file that names no plane, where motion alone is asked.
+
+Where the motion is told as such, no mass has a part in it, and no weight. Else the answers must be the same with weight
+and without it: so a momentum or a kinetic energy is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.errors import NoSolution, Undecided
+from planar_cli.problem.check_physics import is_told_as_motion, no_plane
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import Body, Composite, Problem
+from planar_cli.problem.walk import walk
+from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.solve.static_alone import same_answer
+
+OF_MASSES = frozenset(("mass", "I", "KE", "momentum", "H"))
+
+
+def in_either_plane(solve: Callable[..., PartSolution], problem: Problem, *rest: Any) -> PartSolution:
+    """One part without weight. NoSolution: with it the answers would be others, so that the file must say which."""
+    lacking = list(no_plane(problem)) if problem.plane is None and is_told_as_motion(problem) else []
+    if not lacking:
+        return solve(problem, *rest)
+    if not asks_for_masses(problem):
+        try:
+            return solve(without_masses(problem), *rest)
+        except (NoSolution, Undecided):
+            # Masses have a part in it.
+            pass
+    try:
+        part, other = (solve(p, *rest) for p in (problem, replace(problem, plane="vertical")))
+    except (NoSolution, Undecided) as error:
+        raise NoSolution(lacking) from error
+    if all(same_answer(one, two) for one, two in zip(part.found, other.found, strict=True)):
+        return part
+    raise NoSolution(lacking)
+
+
+def asks_for_masses(problem: Problem) -> bool:
+    """Is anything asked that masses are in?"""
+    asked = (node for find in problem.find for node in walk(find.found.what))
+    return any(isinstance(node, Quantity) and node.word in OF_MASSES for node in asked)
+
+
+def without_masses(problem: Problem) -> Problem:
+    """The problem with the masses of its bodies left out; that of a composite tells where its centre is."""
+    bodies = tuple(b if isinstance(b.shape, Composite) else _light(b) for b in problem.bodies)
+    return replace(problem, bodies=bodies)
+
+
+def _light(body: Body) -> Body:
+    return replace(body, mass=None, weight=None, any_mass=False, inertia=None, gyration=None, any_inertia=False)
