@@ -163,7 +163,8 @@ _NAMES = {
 _PHYSICS = {
     "PL450": (
         "Where a body has mass and weight may have a part, the file says `plane: vertical` (weight acts, -y) or "
-        "`plane: horizontal` (seen from above). Places, a motion that is told as such, and moments of inertia need none."
+        "`plane: horizontal` (seen from above). Places, a motion that is told as such, and "
+        "moments of inertia need none."
     ),
     "PL451": (
         "A particle without mass cannot be moved by forces. Give it a mass (`mass: any` where it cancels), or"

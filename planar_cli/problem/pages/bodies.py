@@ -36,5 +36,6 @@ Examples
       wheel: {parts: [{disk: O, radius: 0.3 m, mass: 10 kg}, {particle: P, mass: 2 kg}]}
       plate: {parts: [{plate: G, width: b, height: h, mass: 9 kg}, {disk: H, radius: r, mass: -1 kg}]}
 
-Where weight may act, `plane` is required: not for places, kinematics and moments of inertia. A body without mass moves only as joints, motion and states say.
+Where weight may act, `plane` is required: not for places, kinematics and moments of inertia. A body without mass
+moves only as joints, motion and states say.
 """
