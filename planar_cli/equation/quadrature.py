@@ -168,7 +168,7 @@ def breaks(switches: Sequence[Callable[[Decimal], Decimal]], a: Decimal, b: Deci
             if ys[i] == 0:
                 inside.append(xs[i])
             elif ys[i] * ys[i + 1] < 0:
-                inside.append(_bisected(g, xs[i], xs[i + 1]))
+                inside.append(_changes(g, xs[i], xs[i + 1], ys[i], ys[i + 1]))
     same = max(abs(a), abs(b)).scaleb(ROUNDED - getcontext().prec)
     places = [a]
     for x in sorted(set(inside), reverse=b < a):
@@ -177,17 +177,22 @@ def breaks(switches: Sequence[Callable[[Decimal], Decimal]], a: Decimal, b: Deci
     return [*places, b]
 
 
-def _bisected(g: Callable[[Decimal], Decimal], a: Decimal, b: Decimal) -> Decimal:
-    above = g(a) > 0
-    for _ in range(230):
+def _changes(g: Callable[[Decimal], Decimal], a: Decimal, b: Decimal, ga: Decimal, gb: Decimal) -> Decimal:
+    """Where the sign changes between a and b: secants within the bracket (Illinois), every third time its middle."""
+    least = max(abs(a), abs(b)).scaleb(1 - getcontext().prec)
+    for turn in range(1, 700):
         middle = (a + b) / 2
-        if middle in (a, b):
+        if middle in (a, b) or abs(b - a) <= least:
             break
-        y = g(middle)
+        x = middle if turn % 3 == 0 else b - gb * (b - a) / (gb - ga)
+        # So that the other end comes near as well.
+        x = min(max(x, min(a, b) + least / 4), max(a, b) - least / 4)
+        y = g(x)
         if y == 0:
-            return middle
-        if (y > 0) == above:
-            a = middle
+            return x
+        if (y > 0) == (gb > 0):
+            ga /= 2
         else:
-            b = middle
+            a, ga = b, gb
+        b, gb = x, y
     return (a + b) / 2

@@ -32,6 +32,8 @@ Choice = tuple[int, ...]
 Member = Joint | Load
 DIRECTED = 8
 """A step is cut at least into so many parts where directions count their turns."""
+MANY = 100.0
+"""Where bodies turn further than that in a step [rad], it is looked up how far the angles that are counted do."""
 MOST_TURNED = 1e5
 """Of a step that turns a body further than that [rad] turns are no longer counted one by one."""
 STILL = 1e-12
@@ -77,6 +79,8 @@ class Model:
         self._independent: dict[tuple[str, ...], Independent] = {}
         self._turnings: Code | None = None
         self._turned = 0
+        self._quick: dict[tuple[Term, ...], Code] = {}
+        """The rates of the angles that are counted."""
 
     # --- what a motion asks ------------------------------------------------------------------------------------------
 
@@ -152,7 +156,25 @@ class Model:
         """In how many parts no body turns further than a radian."""
         turns = self._turns
         fastest = max((max(abs(step.y0[i]), abs(step.y1[i])) for i in turns), default=0.0)
-        return 1 + int(min(fastest * abs(step.t1 - step.t0), MOST_TURNED))
+        turned = fastest * abs(step.t1 - step.t0)
+        if turned > MANY and self.graph.turned:
+            turned = min(turned, self._angles_turn(step))
+        return 1 + int(min(turned, MOST_TURNED))
+
+    def _angles_turn(self, step: Step) -> float:
+        """About how far the angle that turns most goes in a step: a body may turn fast, and no angle with it."""
+        turned = tuple(self.graph.turned.values())
+        if turned not in self._quick:
+            rates = self.graph.rates(turned, self.layout.rates())
+            self._quick[turned] = compiled(rates, self.layout.state, self.layout.time)
+        length = step.t1 - step.t0
+        times = [step.t0 + length * k / DIRECTED for k in range(DIRECTED + 1)]
+        try:
+            rates_there = [rate for t in times for rate in self._quick[turned].function(t, step.at(t))]
+        except ZeroDivisionError:
+            # A place comes through the one from which it is seen.
+            return math.inf
+        return abs(length) * max(map(abs, rates_there))
 
     def _angles(self, t: float, y: Sequence[float]) -> Iterable[tuple[str, float]]:
         """The angles that go on over many turns, by their names in the code."""

@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.calculus.first import Root, roots
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import SLACK
-from planar_cli.errors import NoValue
+from planar_cli.errors import NotReached, NoValue
 from planar_cli.motion.segment import Segment
 from planar_cli.records import changing
 from planar_cli.solve.regimes.regime import Regime, number_function
@@ -174,18 +174,23 @@ def _drawn(regime: Regime, state: State, value: Valuation) -> float:
     return max(found)
 
 
-def events(g: Callable[[float], float], segment: FollowedSegment, until: float | None = None) -> Iterator[Root]:
-    """Roots along a segment in order, as far as it was followed."""
+def events(
+    g: Callable[[float], float], segment: FollowedSegment, until: float | None = None, evaluations: int | None = None
+) -> Iterator[Root]:
+    """Roots along a segment in order, as far as it was followed. NotReached: after so many `evaluations` it is not
+    searched to its end.
+    """
     followed = max((piece.t1 for piece in segment.pieces), default=segment.t0)
     end = followed if until is None else min(followed, until)
     if end <= segment.t0:
         return
     try:
-        for root in roots(g, segment.t0, end, scale_of(segment)):
+        for root in roots(g, segment.t0, end, scale_of(segment), evaluations=evaluations):
             if root.value > segment.t0 and not _died_out(g, root.value, segment):
                 yield root
-    except NoValue:
-        return
+    except NoValue as error:
+        if evaluations is not None and isinstance(error, NotReached):
+            raise
 
 
 def _died_out(g: Callable[[float], float], t: float, segment: FollowedSegment) -> bool:

@@ -6,10 +6,8 @@ that is seen from their rank at a general place. Data contradict each other wher
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Collection, Iterable
 from decimal import Decimal
-from itertools import islice
 
 import sympy as sp
 
@@ -22,7 +20,6 @@ from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.balances import StateBalance
-from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
@@ -31,10 +28,10 @@ from planar_cli.solve.diagnosis.failures import explain_failure, singular_positi
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality, without_inequalities
 from planar_cli.solve.diagnosis.held_in_blows import what_to_write
 from planar_cli.solve.diagnosis.limits_of_modes import sought_at_start
+from planar_cli.solve.diagnosis.missed import apart_by, how_near
 from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.undated import mode_at_a_time
-from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, listed, unit_of
-from planar_cli.solve.following.follower import Follower
+from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.instant import make_instant, search_modes
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.equations import Equation
@@ -43,10 +40,6 @@ from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
 AGREES = Decimal("1e-7")
-SAMPLES, CLOSER = 60, 5
-ROOTS = 20
-BEFORE = 1e-6
-"""What happens within this part of a stretch before its end happens at its end."""
 
 
 # --- a datum is missing ----------------------------------------------------------------------------------------------
@@ -222,23 +215,13 @@ def _largest(course: RegimeSequence, value: Valuation, letters: Collection[sp.Sy
 def _contradiction(course: StatedMotion, demand: Demand, number: Decimal) -> NoSolution:
     others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
     others = others or ["what is stated of the states before it"]
-    apart = _apart(course, demand, number)
+    apart = apart_by(course, demand, number)
     text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}{apart and f': {apart}'}"
     return _wrong(demand.mark, "PL624", text, what_to_write(course.problem, demand.state))
 
 
 def _quoted(texts: list[str]) -> str:
     return ", ".join(t if t.startswith("what ") else f"`{t}`" for t in texts)
-
-
-def _apart(course: RegimeSequence, demand: Demand, number: Decimal) -> str:
-    """By how much the sides of a relation differ, in its own unit; "" for what has no two sides, or squares of them."""
-    stated = (s for state in course.problem.states if state.name == demand.state for s in state.relations)
-    relation = next((r for r in stated if isinstance(r, Relation) and r.mark == demand.mark), None)
-    if relation is None or has_magnitude(relation):
-        return ""
-    unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
-    return f"the sides differ by {in_unit(abs(number), unit, course.problem.us)}"
 
 
 def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:
@@ -294,7 +277,7 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     if not course.sought():
         passed = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in value.values}
         demand_agreement(course, value.extended(passed), passed, name)
-    hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
+    hint = "" if name in asked_about(course.problem) else how_near(course, followed, stop, value)
     if any(d.kind == "extreme" for d in demands):
         hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
@@ -306,87 +289,6 @@ def strikes_before(course: RegimeSequence, stretch: int, time: float, words: str
     text = f"before state {state.name}, at t = {time:.4g} s, something meets again, with a blow: {words}"
     hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
     return _wrong(state.mark, "PL706", text, hint)
-
-
-def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:
-    """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
-    equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
-    reader = _reader(course, followed, value)
-    for segment in followed.segments:
-        if (when := _common(reader, equations, stop, segment, segment.t1)) is not None:
-            return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
-    onward = followed.onward
-    found = []
-    for d in equations if onward is not None and onward.pieces else ():
-        assert onward is not None
-        try:
-            g = reader.along(d.residual, stop, onward)
-            first = next(events(g, onward), None)
-            if first is not None:
-                found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
-                continue
-            run = min(20 * scale_of(onward), max(p.t1 for p in onward.pieces) - onward.t0)
-            times = [onward.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
-            away, at = _nearest(g, times)
-            lasts = max(abs(g(t)) for t in times) - away <= BEFORE * away
-        except (NoValue, Unvalued):
-            return ""
-        apart = _apart(course, d, Decimal(repr(away)))
-        if lasts and apart:
-            found.append(f"from t = {onward.t0:.4g} s on `{d.text}` stays as far off: {apart}")
-        else:
-            found.append(f"`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}")
-    outcome = followed.run.trajectory.outcome if followed.run is not None else None
-    if outcome is not None and outcome.kind == "repeats":
-        found.append(outcome.words)
-    return "; ".join(dict.fromkeys(found))
-
-
-def _reader(course: MotionEquations, followed: Followed, value: Valuation) -> Follower:
-    """Who reads formulas along what was followed."""
-    reader = Follower(course, value)
-    reader.done.values = dict(followed.values)
-    return reader
-
-
-def passed_before(course: MotionEquations, followed: Followed, value: Valuation) -> bool:
-    """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
-    reader = _reader(course, followed, value)
-    for state, segment in zip(course.states[1:], followed.segments, strict=False):
-        stated = fixed_time(state.relations)
-        equations = [d for d in course.demands[state.name] if d.kind == "equation"]
-        others = [d for d in equations if stated is not None and d.text != stated.text]
-        until = segment.t1 - BEFORE * (segment.t1 - segment.t0)
-        if stated is not None and _common(reader, others, course.stops[state.name], segment, until) is not None:
-            return True
-    return False
-
-
-def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, float]:
-    """The smallest size of a function and when it has it: by samples, and again about the best of them."""
-    best, at = math.inf, times[0]
-    for _ in range(CLOSER):
-        k, (best, at) = min(enumerate((abs(g(t)), t) for t in times), key=lambda found: found[1])
-        low, high = times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)]
-        times = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
-    return best, at
-
-
-def _common(
-    reader: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
-) -> float | None:
-    """When all relations of a state hold on a stretch before it."""
-    if until <= segment.t0 or not equations or not reader.can_read(equations, stop, segment):
-        return None
-    gs = [reader.along(d.residual, stop, segment) for d in equations]
-    try:
-        for root in islice(events(gs[0], segment, until), ROOTS):
-            sizes = [reader.size(d.residual, stop, segment, root.value) for d in equations]
-            if all(is_zero(g, root.value, segment, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
-                return root.value
-    except NoValue:
-        pass
-    return None
 
 
 def _wrong(mark: Mark, code: str, text: str, hint: str = "") -> NoSolution:

@@ -17,12 +17,12 @@ from planar_cli.solve.following.traced import Traced, as_told
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Stretch, Workshop, spans_of
 
 
-def foreseen(problem: Problem, workshop: Workshop) -> Traced | None:
-    """The motion; None: the file does not tell all of it."""
+def foreseen(problem: Problem, workshop: Workshop, trial: bool = False) -> Traced | None:
+    """The motion; None: the file does not tell all of it. `trial`: it is only to tell which states are passed."""
     if problem.unknowns or not problem.states[1:]:
         return None
     letters = _letters(problem, workshop)
-    return as_told(problem, {**numbers_of(workshop.earlier, letters), **letters})
+    return as_told(problem, {**numbers_of(workshop.earlier, letters), **letters}, trial)
 
 
 def _letters(problem: Problem, workshop: Workshop) -> dict[str, float]:
@@ -48,7 +48,7 @@ def fitting_draws(problem: Problem, earlier: Mapping[str, Any]) -> tuple[int, bo
 def _passes(problem: Problem, earlier: Mapping[str, Any], seed: int, wide: bool) -> bool:
     """Does the motion pass all states with the draws of a seed?"""
     with seeded(seed, wide):
-        found = foreseen(problem, Workshop(earlier))
+        found = foreseen(problem, Workshop(earlier), trial=True)
     return found is not None and all(found.moment(s.name) is not None for s in problem.states)
 
 

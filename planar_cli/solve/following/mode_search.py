@@ -31,7 +31,8 @@ from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.held_in_blows import no_motion
 from planar_cli.solve.diagnosis.lacking import lacking
-from planar_cli.solve.diagnosis.motions import clash, demand_told, never, passed_before, strikes_before
+from planar_cli.solve.diagnosis.missed import passed_before
+from planar_cli.solve.diagnosis.motions import clash, demand_told, never, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows

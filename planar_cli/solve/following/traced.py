@@ -40,6 +40,8 @@ PATIENT = 20_000
 """After so many steps it is asked whether the next tolerance needs a quarter of them at most: then rounding made them
 short.
 """
+TRIED_TIMES = 100.0
+"""With numbers that are only tried it is followed over so many time scales."""
 AFTERWARDS = 2.0, 1000
 """For so many characteristic times, in so many steps at most, a motion is followed after the only state of a file."""
 FEW = 30.0
@@ -189,12 +191,12 @@ def traced(
         return str(undecided)
 
 
-def as_told(problem: Problem, values: Mapping[str, float]) -> Traced | None:
+def as_told(problem: Problem, values: Mapping[str, float], trial: bool = False) -> Traced | None:
     """The motion of a problem that tells its start itself; None: it can not be followed. `values`: numbers for its
-    letters, and of earlier finds.
+    letters, and of earlier finds; `trial`: as far and as well as tells which states are passed.
     """
     try:
-        found = _traced(prepared(problem, values), values)
+        found = _traced(prepared(problem, values), values, trial=trial)
     except (FileProblem, NoSolution, Undecided):
         # Whoever solves it tells what keeps it from being followed.
         return None
@@ -210,9 +212,15 @@ def _end(problem: Problem, times: Mapping[str, float], by: float) -> float | Non
     return None if math.isinf(by) else by
 
 
-def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = None, sought: bool = False) -> Traced:
+def _traced(
+    scene: Prepared,
+    values: Mapping[str, float],
+    until: float | None = None,
+    sought: bool = False,
+    trial: bool = False,
+) -> Traced:
     """The motion at the first tolerance at which it can be followed to its end; else at the first one. `until`: that
-    end, where it is known [s]; `sought`: is it one of many, for other numbers of a constant?
+    end, where it is known [s]; `sought`: is it one of many, for other numbers of a constant? `trial`: see `as_told`.
     """
     found: list[Traced] = []
     timed = all(fixed_time(s.relations) is not None for s in scene.problem.states[1:])
@@ -225,6 +233,8 @@ def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = 
         # Of what follows the only state the beginning is enough.
         times, most = AFTERWARDS
         tries = [(TOLERANCES[0], most)]
+    elif trial:
+        times, tries = TRIED_TIMES, [(TOLERANCES[-1], most)]
     for tolerance, steps in tries:
         settings = Settings(
             until, tolerance, values=values, times=times, estimate=False, most_steps=steps, momenta=not sought

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from decimal import Decimal
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import mpmath
 import sympy as sp
@@ -29,6 +29,8 @@ TINY = Decimal("1e-25")
 EDGE_STEPS = 40
 JUMP = Decimal("1e-12")
 """A function that is still so much of what it was at the ends of the interval has no root where its sign changes."""
+CLEARLY = 1e-20
+"""A determinant of rows of unit length that is larger than this is not zero."""
 KEPT = 2_000
 """So many polynomials are remembered: what lies on several branches of a motion is solved on each."""
 MOST_TURNS = 24
@@ -244,7 +246,7 @@ def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:
 
 
 def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
-    if poly.domain.is_Exact and poly.degree() > 0:
+    if poly.domain.is_Exact and poly.degree() > 0 and not (poly.domain.is_EX and _has_simple_roots(poly)):
         # Near a root that is there twice the iteration does not settle.
         poly = poly.sqf_part()
     with mpmath.workdps(DIGITS + 10):
@@ -260,6 +262,21 @@ def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
         size = max([abs(r) for r in roots] + [mpmath.mpf(1e-30)])
         real = [r.real for r in roots if abs(mpmath.im(r)) < mpmath.mpf("1e-22") * size]
         return [Decimal(mpmath.nstr(mpmath.re(r), DIGITS)) for r in real]
+
+
+def _has_simple_roots(poly: sp.Poly) -> bool:
+    """Have a polynomial and its derivative clearly no root in common, by the determinant of their coefficients?
+
+    Where these are sines and the like, the exact answer takes longer than all else.
+    """
+    n = poly.degree()
+    with mpmath.workdps(DIGITS):
+        rows = []
+        for one, times in ((poly, n - 1), (poly.diff(), n)):
+            numbers = [mpmath.mpmathify(sp.N(c, DIGITS)) for c in one.all_coeffs()]
+            length = mpmath.sqrt(sum(abs(c) ** 2 for c in numbers))
+            rows += [[0] * i + [c / length for c in numbers] + [0] * (times - 1 - i) for i in range(times)]
+        return bool(abs(mpmath.det(mpmath.matrix(rows))) > CLEARLY)
 
 
 def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
@@ -285,8 +302,15 @@ def _vanishes(numbers: sp.Expr, x: sp.Symbol, v: Decimal) -> bool:
 
 
 def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[Decimal]:
-    """Changes of sign over a wide range, each refined by bisection and secants."""
+    """Changes of sign over a wide range, each refined by bisection and secants. What changes its sign is told by few
+    digits of an integral; where it does, by all of them.
+    """
 
+    @cache
+    def rough(v: Decimal) -> Decimal | None:
+        return value.extended({x: v}).roughly().known(expr)
+
+    @cache
     def f(v: Decimal) -> Decimal | None:
         return value.extended({x: v}).known(expr)
 
@@ -297,8 +321,9 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
         grid = [*(-p for p in reversed(powers)), *powers]
     found = []
     last: tuple[Decimal, Decimal] | None = None
-    for v in _with_edges(f, grid):
-        y = f(v)
+    looked = rough if expr.has(sp.Integral) else f
+    for v in _with_edges(looked, grid):
+        y = looked(v)
         if y is None:
             last = None
             continue

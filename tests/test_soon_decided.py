@@ -1,0 +1,124 @@
+"""What seems easy and once took minutes: states that are never reached, roots whose numbers are sines, far turns."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from math import cos, radians, sin
+
+import pytest
+import sympy as sp
+from answered import solve
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.quadrature import breaks
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.solve.instant.roots import real_roots
+
+IN_SLOTS = """
+title: Rod in two slots with a spring
+plane: vertical
+given: {m: 10 kg, l: 0.4 m, k: 800 N/m, l_0: 0.3 m}
+points: {A: [0, l/sqrt(2)], B: [l/sqrt(2), 0], C: [l + l_0, 0]}
+bodies: {AB: {rod: [A, B], mass: m}}
+joints:
+  - guide: {point: A, along: 90 deg}
+  - guide: {point: B, along: 0 deg}
+loads:
+  - spring: {between: [C, B], stiffness: k, natural_length: l_0}
+states:
+  1: [at rest]
+  2: [STATED]
+find: {omega: omega(AB) @ 2}
+"""
+YOYO = """
+title: Yo-yo
+plane: vertical
+given: {m: 0.5 kg, R: 60 mm, r: 10 mm, k_G: 40 mm, h: 0.8 m}
+points: {G: [0, 0], T: [r, 0], A: [r, 0.3 m]}
+bodies: {yoyo: {disk: G, radius: R, hub: r, mass: m, radius_of_gyration: k_G}}
+joints:
+  - rope: {path: [A, T on yoyo], name: thread}
+states:
+  1: [at rest]
+  2: [y(G) = h]
+find: {v: v(G).mag @ 2}
+"""
+ON_A_WEDGE = """
+title: Block down a free wedge
+plane: vertical
+symbols: {M: kg, m: kg, h: m, alpha: deg}
+points: {P: [0, h], Q: [h/tan(alpha), 0]}
+surfaces: {face: {through: P, angle: -alpha, body: wedge}}
+bodies:
+  wedge: {points: [Q], center: [h/4, h/4], mass: M}
+  block: {particle: P, mass: m}
+joints:
+  - guide: {body: wedge, along: 0 deg}
+  - contact: {between: [block, face], at: P, mu: 0}
+states:
+  1: [t = 0, at rest]
+  2: [y(wedge) = h]
+find: {v: v(wedge).x @ 2}
+"""
+
+
+def why(text: str) -> Diagnostic:
+    """Why there is no solution."""
+    with pytest.raises(NoSolution) as refused:
+        solve(text)
+    return refused.value.diagnostics[0]
+
+
+def test_what_holds_all_the_time_tells_no_instant() -> None:
+    found = why(IN_SLOTS.replace("STATED", "y(B) = 0"))
+    assert found.code == "PL621"
+    assert found.hint.startswith("`y(B) = 0` holds all the time, and tells no instant")
+
+
+def test_how_near_a_motion_comes_that_swings() -> None:
+    found = why(IN_SLOTS.replace("STATED", "x(B) = 0.5 m"))
+    assert found.code == "PL621"
+    assert "`x(B) = 0.5 m` is nearest at t = " in found.hint
+
+
+@pytest.mark.parametrize("text", [YOYO, ON_A_WEDGE])
+def test_a_motion_that_goes_on_without_end_never_gets_there(text: str) -> None:
+    assert why(text).code == "PL621"
+
+
+# --- roots -----------------------------------------------------------------------------------------------------------
+
+
+def roots_of(expr: sp.Expr, x: sp.Symbol) -> list[float]:
+    """All roots of an angle [rad]."""
+    return [float(root.value) for root in real_roots(expr, x, Valuation({}), False, True)]
+
+
+def test_roots_with_sines_of_any_angle() -> None:
+    x = sp.Symbol("x", real=True)
+    off = sp.pi * sp.Rational(963, 1800)
+    found = roots_of(sp.sin(x) * sp.cos(x - off) - sp.cos(x) / 5 - sp.Rational(1, 7), x)
+    assert len(found) == 2
+    for v in found:
+        assert sin(v) * cos(v - radians(96.3)) - cos(v) / 5 == pytest.approx(1 / 7)
+
+
+def test_a_root_that_is_there_twice() -> None:
+    x = sp.Symbol("x", real=True)
+    found = roots_of(sp.expand((sp.sin(x) * sp.cos(x) - sp.sqrt(3) / 4) ** 2), x)
+    assert sorted(round(v * 180 / float(sp.pi)) for v in found) == [-150, -120, 30, 60]
+
+
+@pytest.mark.parametrize(
+    ("switch", "place"),
+    [
+        (lambda x: x * x - 2, Decimal(2).sqrt()),
+        (lambda x: (x - 1) ** 3 + x - 1, Decimal(1)),
+        (lambda x: (x * x - 2) ** 5, Decimal(2).sqrt()),
+        (lambda x: Decimal(1) if 3 * x > 1 else Decimal(-5), Decimal(1) / 3),
+        (lambda x: x - Decimal("1e-20"), Decimal("1e-20")),
+    ],
+)
+def test_where_an_integrand_changes(switch: object, place: Decimal) -> None:
+    found = breaks([switch], Decimal(0), Decimal("3.1"))
+    assert abs(found[1] - place) <= Decimal("1e-55")
