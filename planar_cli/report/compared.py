@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.exact import Sample
 from planar_cli.problem.expression import Relation
 from planar_cli.report.blocks import Block, Equation, Line, Name, line
 from planar_cli.report.clean import common_dimension
@@ -28,7 +29,9 @@ def compared_sides(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
         left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
         right = left - asked.parts[0]
         dimension = common_dimension(phrases.ledger, *(s for s in (left, right) if not s.is_number))
-        if dimension is None or any(phrases.value.known(p) is None for p in (left, right)):
+        # What has no number, such as a mass that cancels, was drawn: a value with it is nobody's.
+        told = phrases.value.without(phrases.value.drawn) if isinstance(phrases.value, Sample) else phrases.value
+        if dimension is None or any(told.known(p) is None for p in (left, right)):
             continue
         holds = _holds(phrases, what.operator, left - right)
         sign = (SIGNS if holds else OTHERWISE)[what.operator]

@@ -87,10 +87,11 @@ def followed_part(
     ends: bool = False,
 ) -> PartSolution | None:
     """All finds of a part read off its motion; None where that does not answer all of them. NoSolution, where it is
-    asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states.
+    asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states. What rests from
+    the start on ends nothing: from an unstable equilibrium a slight touch may lead on.
     """
     found = simulate(problem, Settings(values=earlier, momenta=True, most_steps=most_steps), units)
-    if ends and found.run.trajectory.outcome.kind in FINAL:
+    if ends and found.run.trajectory.outcome.kind in FINAL and found.run.trajectory.outcome.t > 0:
         _demand_all_reached(problem, found.run)
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
         return None

@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.counting import operations
-from planar_cli.equation.exact import Settled, Valuation
+from planar_cli.equation.exact import Sample, Settled, Valuation
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import (
     letters,
@@ -36,7 +36,7 @@ from planar_cli.solve.between.trace import SpanIntegral
 from planar_cli.solve.curves.paths import CurveReader
 from planar_cli.solve.diagnosis.unsettled import settled_by
 from planar_cli.solve.following.starts import started
-from planar_cli.solve.instant.truth import holds
+from planar_cli.solve.instant.truth import holds, signed_alike
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
@@ -98,6 +98,8 @@ class Answering:
         if passing is not None:
             parts = [put_in(p, passing) for p in parts]
         closed = tuple(closed_formula(p, self.route, self.course) for p in parts)
+        if isinstance(what, Relation) and isinstance(value, Sample):
+            closed = tuple(signed_alike(c, value.drawn) for c in closed)
         self._demand_state(asked, closed)
         self._demand_limits(find, closed, value)
         by = settled_by(self.course, find, closed, value, self.spans)

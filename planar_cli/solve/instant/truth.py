@@ -33,6 +33,20 @@ def holds(
     return truths.pop()
 
 
+def signed_alike(side: sp.Expr, drawn: Iterable[sp.Symbol]) -> sp.Expr:
+    """The same without factors that are powers of positive letters without numbers, such as a mass: it compares with
+    zero alike.
+    """
+    letters = {s for s in drawn if s.is_positive}
+    own = [f for f in sp.Mul.make_args(sp.factor_terms(side)) if not _is_power(f, letters)]
+    return sp.Mul(*own)
+
+
+def _is_power(factor: sp.Expr, letters: set[sp.Symbol]) -> bool:
+    base, _ = factor.as_base_exp()
+    return base in letters
+
+
 def _told(operator: str, closed: Sequence[sp.Expr], draw: Valuation) -> bool | None:
     """None: with these numbers there is no such motion."""
     try:
