@@ -221,3 +221,29 @@ find: {x: r(D/A).angle}
     written = WrittenDirections(problem)
     assert not any(written.between(*pair) for pair in [("A", "B"), ("A", "D"), (ORIGIN, "C"), ("A", "F"), ("C", "A")])
     assert [w.sense for w in written.between("A", "E")] == [1]
+
+
+LED = """
+title: Rod written with a coordinate
+plane: vertical
+coordinates: {{phi: deg}}
+points: {{A: [0, 0], B: {{from: A, distance: 1 m, angle: phi}}}}
+bodies: {{rod: {{rod: [A, B], mass: 2 kg}}}}
+joints:
+  - pin: {{at: A, between: [ground, rod]}}
+{rest}
+"""
+
+
+@pytest.mark.parametrize("said", ["theta(rod) = 210 deg", "r(B).angle = 210 deg", "phi = 210 deg"])
+def test_what_tells_a_coordinate_at_one_instant(said: str) -> None:
+    rest = f"instant: [{said}, at rest]\nfind: {{phi_1: phi, theta: theta(rod), there: r(B).angle}}"
+    assert in_degrees(solve(LED.format(rest=rest)), "phi_1", "theta", "there") == pytest.approx([210, 210, 210])
+
+
+def test_a_direction_tells_where_a_coordinate_begins() -> None:
+    rest = """states: {1: [r(B).angle = 210 deg, at rest], 2: [phi = 270 deg]}
+find: {phi_1: phi @ 1, there: r(B).angle @ 2, omega: omega(rod) @ 2}"""
+    found = solve(LED.format(rest=rest))
+    assert in_degrees(found, "phi_1", "there") == pytest.approx([210, 270])
+    assert first(found["omega"]) == pytest.approx(sqrt(3 * 9.81 / 2))

@@ -17,7 +17,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.jets import Jet, constant, vector_jet
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.polar import dotted, vector_equations
+from planar_cli.equation.polar import dotted, tells_turns, vector_equations
 from planar_cli.equation.quantities import LATER, Quantities
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.written_points import is_written
@@ -174,14 +174,15 @@ def _residual(
 ) -> tuple[sp.Expr | Vec, sp.Expr | None]:
     """What vanishes, differentiated so many times; what must not be negative is asked of the relation itself."""
     sense: sp.Expr | None = None
-    if isinstance(item, VectorStatement):
+    if isinstance(item, VectorStatement) and not tells_turns(item, read):
         vanishing, sense = vector_equations(item, read)
         if not isinstance(vanishing, Vec) and item.angle is None:
             rooted = _rooted(item, read, scene) if not times else None
             # Half the rate of v² is v · a.
             vanishing = rooted or vanishing * constant(sp.Rational(1, 2) if times else 1)
     else:
-        vanishing = gap(read(item.left), read(item.right))
+        relation = item.relations[0] if isinstance(item, VectorStatement) else item
+        vanishing = gap(read(relation.left), read(relation.right))
     sense = None if times else sense
     if isinstance(vanishing, Vec):
         return Vec(dotted(vanishing.x, times), dotted(vanishing.y, times)), sense

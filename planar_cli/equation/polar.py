@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.jets import Jet, magnitude
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Part, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import VectorStatement, vector_behind
 
@@ -33,6 +34,15 @@ def vector_equations(statement: VectorStatement, read: Read) -> tuple[Jet | Vec,
     assert angle is not None
     u = read(other) if other is not None else _unit(read(angle))
     return v.x * u.y - v.y * u.x, v.x.value * u.x.value + v.y.value * u.y.value
+
+
+def tells_turns(statement: VectorStatement, read: Read) -> bool:
+    """Does a statement about the direction of a place alone tell its turns as well, as it is written with an angle?"""
+    v = read(statement.vector)
+    if statement.vector.word != "r" or statement.size is not None or (v.x.value == 0 and v.y.value == 0):
+        return False
+    parts = (*statement.vector.parts, Part("angle", None, statement.vector.mark))
+    return not read(replace(statement.vector, parts=parts)).value.has(sp.atan2)
 
 
 def _unit(angle: Jet) -> Vec:

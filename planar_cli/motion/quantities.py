@@ -289,14 +289,22 @@ class Quantities:
     def _direction_of_place(self, q: Quantity, y: Term, x: Term) -> Term:
         """The angle of (x, y) with its turns from the written one, counted once for all that ask for it."""
         graph, inside = self.scene.graph, (y, x, self.scene.time)
-        origin = q.things[1] if len(q.things) == 2 and q.things[1] != GROUND else ORIGIN
-        drawing = Drawing(self.scene.problem, self.scene.sides, self.scene.free)
-        written = drawing.written_direction(origin, q.things[0], Vec(x, y))
+        written = self.written_direction(q, Vec(x, y))
+        if written is not None and not written.constant:
+            # Wherever it is, the written angle tells the turns, and the place itself what it is off by.
+            along = unit_vector(graph, written)
+            return written + graph.call("atan2", graph.of(along.cross(Vec(x, y))), graph.of(along.dot(Vec(x, y))))
         near = 0.0 if written is None else written.value
         for name, term in graph.turned.items():
             if term.args == inside and abs(graph.turnings[name].start - near) <= math.pi:
                 return term
         return graph.turning(y, x, 0.0, self.scene.time, near)
+
+    def written_direction(self, q: Quantity, place: Vec) -> Term | None:
+        """The angle with which the file writes the direction of r(…), which is this vector; None: it writes none."""
+        origin = q.things[1] if len(q.things) == 2 and q.things[1] != GROUND else ORIGIN
+        drawing = Drawing(self.scene.problem, self.scene.sides, self.scene.free)
+        return drawing.written_direction(origin, q.things[0], place)
 
     def _natural(self, v: Vec, part: Part, q: Quantity) -> Term:
         """.t along the velocity, .n towards the centre of curvature."""
