@@ -127,7 +127,9 @@ def _taking_hold(problem: Problem) -> Iterator[str]:
 
 
 def _turning_with(part: PartSolution) -> Iterator[str]:
-    """Forces of a fixed direction at the rim of a wheel that turns between states: the pull of a cord is another."""
+    """Forces of a fixed direction at the rim or the hub of a wheel that turns between states, where a cord would pull
+    otherwise.
+    """
     for instant in part.instants[:1]:
         scene, turning = instant.instant.scene, instant.trial.system.motion
         wheels = {b.name: b.shape for b in scene.problem.bodies if isinstance(b.shape, Round)}
@@ -136,9 +138,10 @@ def _turning_with(part: PartSolution) -> Iterator[str]:
             fixed = getattr(load, "angle", None) is not None and getattr(load, "relative_to", None) is None
             if load.kind != "force" or not (at and fixed) or body not in wheels:
                 continue
-            arm, radius = scene.point(at) - scene.point(wheels[body].center), scene.value(wheels[body].radius)
-            if scene.is_zero(arm.dot(arm) - radius**2):
-                told = "a cord would go on pulling where it leaves the rim"
+            arm, wheel = scene.point(at) - scene.point(wheels[body].center), wheels[body]
+            radii = {"rim": wheel.radius} | ({} if wheel.hub is None else {"hub": wheel.hub})
+            for where in (w for w, r in radii.items() if scene.is_zero(arm.dot(arm) - scene.value(r) ** 2)):
+                told = f"a cord would go on pulling where it leaves the {where}"
                 yield f"The force at {at} moves on with that point of {body}; {told}."
 
 
