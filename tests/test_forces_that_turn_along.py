@@ -1,4 +1,4 @@
-"""A force of a fixed direction at the rim or the hub of a wheel is not the pull of a cord: the page says where it goes."""
+"""A force of a fixed direction at the rim or the hub of a wheel is not the pull of a cord: that is told."""
 
 from __future__ import annotations
 

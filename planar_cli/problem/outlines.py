@@ -175,14 +175,17 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
         out = point - center
         fits = scene.are_same(as_first(scene, out.dot(out)), radius * radius)
         _demand_told(fits, scene, out.dot(out) - radius * radius, surface, mark)
-        _demand_on(fits, surface, mark, "its distance from the centre is the radius")
+        away = "" if fits else gap(scene, scene.length(out) - radius)
+        _demand_on(fits, surface, mark, "its distance from the centre is the radius", away and f", but {away} off")
         if surface.speed is not None:
             text, hint = f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead"
             raise refuse(mark, "PL543", text, hint)
         return Outline("arc", body, (out / scene.length(out)).turned(), 1 / radius, center, shape.center)
     bend = scene.bend(surface, shape, point)
     off = bend.place - point
-    _demand_on(scene.is_zero(off.x) and scene.is_zero(off.y), surface, mark, "")
+    fits = scene.is_zero(off.x) and scene.is_zero(off.y)
+    away = "" if fits else gap(scene, scene.length(off))
+    _demand_on(fits, surface, mark, "write its place with the formula of the curve", away and f", but {away} off")
     kind, drift = "straight" if scene.vanishes(bend.curvature) else "arc", _drift(scene, surface, bend.tangent)
     curve = Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
     return replace(curve, sharpening=bend.sharpening)
@@ -219,7 +222,11 @@ def _round(scene: Outlined, body: str, shape: Round | Sector, point: Vec, mark: 
         where, hint = "arc", f"its distance from {center} is the radius"
     else:
         where, hint = "rim", "its distance from the centre is the radius or the hub"
-    raise refuse(mark, "PL522", f"the point of contact is not on the {where} of {body}", hint)
+    out = point - scene.carried(body, center)
+    away = gap(scene, scene.length(out) - scene.value(shape.radius))
+    raise refuse(
+        mark, "PL522", f"the point of contact is not on the {where} of {body}{away and f', but {away} off'}", hint
+    )
 
 
 def _rim(scene: Outlined, body: str, shape: Round | Sector, point: Vec) -> Outline | None:
@@ -244,7 +251,10 @@ def _plate(scene: Outlined, body: str, shape: Plate, point: Vec, mark: Mark) -> 
     edges = edges_at(scene, body, shape, point)
     if not edges:
         hint = "let `at` be the corner that touches, or a point of the edge: half the height below the centre, say"
-        raise refuse(mark, "PL522", f"the point of contact is not on an edge of {body}", hint)
+        out, along = point - scene.carried(body, shape.center), scene.along_plate(body, shape)
+        ahead, across = gap(scene, along.dot(out)), gap(scene, along.cross(out))
+        away = ahead and f", but {ahead} from its centre along the width and {across} along the height"
+        raise refuse(mark, "PL522", f"the point of contact is not on an edge of {body}{away}", hint)
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 
 
