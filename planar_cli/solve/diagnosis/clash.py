@@ -56,7 +56,8 @@ def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
     bodies, joints = parts_of(instant, texts)
     laws = [f"the equations of motion of {listed(bodies)}"] if bodies else []
     held = [f"the joints {listed(joints)}" if len(joints) > 1 else f"the joint {joints[0]}"] if joints else []
-    words = [*laws, *held, *(f"`{r.text}`" for r in given)]
+    rests = [t for t in texts if t.endswith("at rest")]
+    words = [*laws, *held, *(f"`{t}`" for t in (*(r.text for r in given), *rests))]
     at = next((r.mark for r in given if r.mark != NOWHERE), mark)
     hint = "leave one of these out, or make its value an unknown" if given else "a support or a load may be missing"
     if not given and bodies and _light(instant, bodies):
