@@ -28,6 +28,8 @@ class Stream(Load):
 
         The mass of a body that a stream fills or empties is written by its own formula, `mass: M - q*t`; the stream
         does not change it. The moment of inertia goes with the mass (an `inertia` without `t` is that at t = 0).
+        Where all streams on a body act `during: 1->2`, the formula is that of the times between these states; before
+        and after them its mass stays what it is there. State 2 then has a time, `[t = T]`.
         Pressures at the ends of a pipe are forces of their own.
 
         A mass may also go with places, `x(P)`, `y(P)`, `theta(b)` or coordinates: of a chain that is lifted out of a

@@ -27,6 +27,7 @@ from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, evaluate, ordered
 from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.held_masses import while_flowing
 from planar_cli.problem.order_of_states import struck_at_once
 from planar_cli.problem.scene import Problem
 
@@ -331,6 +332,7 @@ def stages_of(
     them open.
     """
     values = in_equilibrium(problem, values)
+    problem = while_flowing(problem)
     scene = MovingScene(problem, values, speeds=speeds)
     stages = SceneStages(scene)
     automaton = stages.automaton((problem.states[0].name,) if problem.states else ())

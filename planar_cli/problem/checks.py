@@ -19,6 +19,7 @@ from planar_cli.problem.check_loads import (
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
+    flows_are_dated,
     magnitudes_are_not_negative,
     masses_come_from_somewhere,
     members_act,
@@ -57,6 +58,7 @@ CHECKS: tuple[Check, ...] = (
     members_found,
     formulas_name_known_things,
     plane_is_given,
+    flows_are_dated,
     masses_come_from_somewhere,
     particles_move,
     coefficients,

@@ -59,8 +59,8 @@ _STATES = {
     ),
     "PL634": (
         "A mass that varies, `mass: M - q*t`, is used up before this state. Either the time is wrong, or what flows "
-        "out ends earlier: a formula that stays the same after the time T is `M - q*(t + T - abs(t - T))/2`, and the "
-        "stream then acts `during: 1->2`."
+        "out ends earlier: let the stream act `during: 1->2`, where state 2 has a time, `[t = T]`. From there on the "
+        "mass stays what it is then."
     ),
 }
 

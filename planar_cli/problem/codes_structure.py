@@ -217,6 +217,10 @@ _PHYSICS = {
         "a pin elsewhere, or of which a pin holds only some, it is two points as soon as they move: name a second "
         "one at the same place."
     ),
+    "PL468": (
+        "A mass that is written with the time changes while its stream flows. Before and after that it stays what it is "
+        "in the state in which the stream begins or ends, so that this state has a time, `[t = 20 s]`."
+    ),
 }
 
 CODES_STRUCTURE: Mapping[str, str] = MappingProxyType({**_FORM, **_NAMES, **_PHYSICS})

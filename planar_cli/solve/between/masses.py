@@ -22,13 +22,14 @@ def demand_mass(course: RegimeSequence, value: Valuation) -> None:
         mark = next(b.mark for b in course.problem.bodies if b.name == body.name)
         for state, when in times.items():
             there = value.extended({time: when})
-            for what, expr, unit in (("mass", body.mass, "kg"), ("moment of inertia", body.inertia, "kg m²")):
+            then = course.readers[state].regime.general.instant.scene.bodies[body.name]
+            for what, expr, unit in (("mass", then.mass, "kg"), ("moment of inertia", then.inertia, "kg m²")):
                 number = there.known(expr)
                 if number is not None and (number < 0 or (number == 0 and what == "mass")):
                     text = f"the {what} of {body.name} is {number:.4g} {unit} in state {state}, at t = {when:.4g} s"
                     hint = (
-                        "let the state come earlier, or let the flow end at a time T: "
-                        "from there on `M - q*(t + T - abs(t - T))/2` stays the same"
+                        "let the state come earlier; or let the flow end before it, the stream `during: 1->2` and 2 a "
+                        "state `[t = T]`: from there on the mass stays"
                     )
                     raise NoSolution([Diagnostic(mark, "PL634", text, hint)])
 

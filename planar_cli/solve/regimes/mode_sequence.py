@@ -12,6 +12,7 @@ from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
+from planar_cli.problem.held_masses import Held, held_from
 from planar_cli.problem.order_of_states import as_listed
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import changing, record
@@ -27,13 +28,16 @@ class Span:
 
     problem: Problem
     always: tuple[Statement, ...]
+    held: Held = ()
+    """Masses that no stream changes meanwhile."""
 
     @property
     def key(self) -> tuple[Any, ...]:
         """Tells spans apart in which different things act."""
         members = (*self.always, *self.problem.joints, *self.problem.loads)
         # What an impact leaves is made for each span anew.
-        return tuple((x.name, x.during) if isinstance(x, LastingContact) else id(x) for x in members)
+        acting = ((x.name, x.during) if isinstance(x, LastingContact) else id(x) for x in members)
+        return (*acting, *self.held)
 
 
 @record
@@ -168,7 +172,8 @@ def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | N
 
 def acting_after(problem: Problem, state: State) -> Span:
     """What acts from a state on, though no state may follow."""
-    return _span(problem, acting_from(problem, state), lasting_from(problem, state))
+    massed, held = held_from(problem, state)
+    return replace(_span(massed, acting_from(problem, state), lasting_from(problem, state)), held=held)
 
 
 def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool], lasting: tuple[Joint, ...] = ()) -> Span:
@@ -194,14 +199,17 @@ def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Sp
     now = acting_from(problem, before)
     joints = tuple(j for j in problem.joints if now(j.during) or j in after.problem.joints)
     loads = tuple(x for x in problem.loads if x.strikes and now(x.during))
-    return Span(replace(problem, joints=joints, loads=loads), after.always), after
+    massed, held = held_from(problem, before)
+    return Span(replace(massed, joints=joints, loads=loads), after.always, held), after
 
 
 def arriving_at(problem: Problem, state: State) -> Span:
     """What acts as a state is reached: joints that begin there do not hold yet."""
     order = {s.name: i for i, s in enumerate(as_listed(problem.states))}
     now, here = acting_from(problem, state), order.get(state.name, 0)
-    return _span(problem, lambda during: during is None or (now(during) and order[during[0]] < here))
+    massed, held = held_from(problem, state)
+    acting = _span(massed, lambda during: during is None or (now(during) and order[during[0]] < here))
+    return replace(acting, held=held)
 
 
 @changing
