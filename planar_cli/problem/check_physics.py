@@ -10,10 +10,8 @@ from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import AtRest, Binary, Equilibrium, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.held_masses import flows, time_of
 from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
 from planar_cli.problem.masses import placed
-from planar_cli.problem.order_of_states import as_listed
 from planar_cli.problem.scene import (
     GROUND,
     At,
@@ -112,22 +110,6 @@ def masses_come_from_somewhere(scope: Scope) -> Iterator[Diagnostic]:
         if body.name in placed(problem) - fed and has_mass(body):
             text = f"the mass of {body.name} changes as it moves, and nothing says how mass comes or goes"
             yield Diagnostic(body.mark, "PL464", text, "add a `stream`, as `planar explain stream` shows for a chain")
-
-
-def flows_are_dated(scope: Scope) -> Iterator[Diagnostic]:
-    """What mass is left of a body when its stream has ended, or before it begins, is told by the time of that state."""
-    problem = scope.problem
-    if not (spans := flows(problem)):
-        return
-    order = [s.name for s in as_listed(problem.states)]
-    for body, (since, until) in spans.items():
-        for state, verb in ((since, "begins"), (until, "ends")):
-            if state not in (order[0], order[-1]) and time_of(problem, state) is None:
-                text = (
-                    f"the stream on {body} {verb} in state {state}, and the file does not tell when: its mass is open"
-                )
-                mark = next(b.mark for b in problem.bodies if b.name == body)
-                yield Diagnostic(mark, "PL468", text, f"give state {state} a time, `{state}: [t = 20 s]`")
 
 
 def particles_move(scope: Scope) -> Iterator[Diagnostic]:

@@ -8,6 +8,7 @@ from planar_cli.errors import Diagnostic
 from planar_cli.problem.chains import long_chains
 from planar_cli.problem.check_answers import check_answers
 from planar_cli.problem.check_dimensions import dimensions_agree
+from planar_cli.problem.check_flows import flows_are_dated
 from planar_cli.problem.check_formulas import formulas_name_known_things
 from planar_cli.problem.check_loads import (
     coordinates_move_something,
@@ -19,7 +20,6 @@ from planar_cli.problem.check_loads import (
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
-    flows_are_dated,
     magnitudes_are_not_negative,
     masses_come_from_somewhere,
     members_act,

@@ -218,8 +218,8 @@ _PHYSICS = {
         "one at the same place."
     ),
     "PL468": (
-        "A mass that is written with the time changes while its stream flows. Before and after that it stays what it is "
-        "in the state in which the stream begins or ends, so that this state has a time, `[t = 20 s]`."
+        "A mass that is written with the time changes while its stream flows. Before and after that it stays what it "
+        "is in the state in which the stream begins or ends, so that this state has a time, `[t = 20 s]`."
     ),
 }
 
