@@ -409,3 +409,24 @@ def test_a_case_of_states_may_ask_about_one_instant() -> None:
     found = solve(THROWN)
     for name, truth in (("height", 8 / 9.81), ("rho", 25 / (9.81 * 0.6)), ("there", 8 / 1.62)):
         assert_close(found[name], truth)
+
+
+DROPPED = """plane: vertical
+bodies: {P: {particle: [0, 5 m], mass: 2 kg}}
+instant: [at rest]
+find: {a: a(P).y}
+cases:
+  moon:
+    given: {g: 1.62 m/s^2}
+    find: {there: a(P).y}
+  below:
+    states: {1: [at rest], 2: [y(P) = 0]}
+    find: {v: v(P).mag @ 2}
+"""
+
+
+def test_a_case_of_an_instant_may_have_states() -> None:
+    """The other case still has the instant."""
+    found = solve(DROPPED)
+    for name, truth in (("a", -9.81), ("there", -1.62), ("v", (2 * 9.81 * 5) ** 0.5)):
+        assert_close(found[name], truth)

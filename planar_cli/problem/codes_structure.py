@@ -128,7 +128,7 @@ _NAMES = {
     ),
     "PL430": (
         "`instant` says what holds at the one instant asked about; `states` names several. A file has one of the two; "
-        "a case of a file with states may have an `instant` in their place."
+        "a case may have the other one in its place."
     ),
     "PL431": (
         "This statement cannot stand here: `just after` belongs to `states`, `is largest` to `instant` and "

@@ -13,13 +13,14 @@ def merged(base: Mapping, case: Mapping) -> Mapping:
 
     A name that the case gives in `given`, `symbols`, `unknowns` or `coordinates` leaves the others of these four.
     The file's own `find` and `cases` are left out; a case has finds of its own. One that says what holds at a single
-    `instant` has that in place of the states of the file.
+    `instant` has that in place of the states of the file, and one with `states` has these in place of its instant.
     """
     moved = _moved(case)
     changes = {key.text: (key, value) for key, value in case.pairs}
     left_out = {"find", "cases", "answers"}
-    if "instant" in changes and "states" not in changes:
-        left_out.add("states")
+    for own, other in (("instant", "states"), ("states", "instant")):
+        if own in changes and other not in changes:
+            left_out.add(other)
     pairs: list[tuple[Scalar, Node]] = []
     for key, value in base.pairs:
         if key.text in left_out:

@@ -2,7 +2,8 @@
 
 A case holds any of the keys from `title` to `find`. Lists (joints, loads, motion, instant, assume) are added to, names
 (given, points, bodies, states …) replaced; a `given` name may become an unknown or a symbol. Nothing can be taken away:
-put what differs into the cases. Only a case with an `instant` of its own has it in place of the file's `states`.
+put what differs into the cases. Only a case with an `instant` of its own has it in place of the file's `states`, and
+one with `states` of its own has them in place of the file's `instant`.
 
     cases:
       no_friction:

@@ -21,8 +21,8 @@ Units
   with `*`, `/` and `^`; a broken power stands in a bracket: `m^(1/2)/s^(3/2)`. After `/`, or with a `*` inside a
   longer expression, number and unit need brackets: `x^2/(2 m)`, `(2 N*m) + M`. The tonne is `tonne`; `lb` is a mass
   and `lbf` a force. There is no `%` and no degree sign. A number without a unit is a pure number; where a unit is due
-  it is an error. Zero needs no unit. `inch` is `in` directly after a number; `in ft/s` at the end of a find is the unit
-  wanted.
+  it is an error. Zero needs no unit. An inch is written `3 in`; `in ft/s` at the end of a find is the unit wanted,
+  `in in` the inch.
 
 Signs
   x right, y up, angles and rotations counterclockwise from +x. `cw` after a unit is a minus, `ccw` a plus:
