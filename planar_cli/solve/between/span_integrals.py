@@ -112,9 +112,11 @@ class SpanSolver:
 
     def _between(self, a: Stop, b: Stop, asked: SpanQuantity) -> list[tuple[Stop, Stop, ExactSegment]]:
         """Part of a span without blows, cut where the regime changes."""
-        ta, tb = self.value(a.t), self.value(b.t)
+        q, ta, tb = asked.quantity, self.value.known(a.t), self.value.known(b.t)
+        if ta is None or tb is None:
+            text = f"{q.word}(…) @ {a.name}->{b.name} is taken over a time that no formula tells"
+            raise undecided_at(q.mark, text)
         if tb < ta:
-            q = asked.quantity
             text = f"state {b.name} comes before state {a.name}"
             raise NoSolution([Diagnostic(q.mark, "PL633", text, f"write `@ {b.name}->{a.name}`")])
         inside = [segment.start for segment in self.segments[1:] if ta < segment.t0 < tb]

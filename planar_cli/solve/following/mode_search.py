@@ -34,6 +34,7 @@ from planar_cli.solve.diagnosis.lacking import lacking
 from planar_cli.solve.diagnosis.missed import passed_before
 from planar_cli.solve.diagnosis.motions import clash, demand_told, never, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
+from planar_cli.solve.following.by_ways import followed_by_ways
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows
 from planar_cli.solve.following.departure import DEPARTS, departure_of, resting_until_struck
@@ -395,4 +396,5 @@ class ModeSearch(ModeChoice):
             self.lack = self.lack or error
             return None
         value = course.base().extended(led.values)
-        return self._refuted(course, value) or SolvedMotion(course, finds, led, None, value)
+        refuted = self._refuted(course, value)
+        return refuted or SolvedMotion(course, finds, led, followed_by_ways(course, led, value), value)
