@@ -58,18 +58,20 @@ def _with_own_masses(told: Line, problem: Problem) -> Line:
 
 
 def _equation(relation: Relation, figures: int) -> Iterator[Line]:
-    left, right = said(relation.left, figures) or _force(relation.left), said(relation.right, figures)
+    left, right = said(relation.left, figures) or _named(relation.left), said(relation.right, figures)
     number = number_of(relation.right)
     right = line("0") if number is not None and not number[0] and number[1] != "deg" else right
     if left and right:
         yield line(left, " = ", right)
 
 
-def _force(side: Side) -> Line:
-    """`the tension in cord`: a force of a joint has letters of its own only where a diagram shows it."""
-    if not isinstance(side, Quantity) or side.word not in FORCES or side.parts or side.at or len(side.things) != 1:
+def _named(side: Side) -> Line:
+    """What has no letters, or only where a diagram shows it: `the tension in cord`, `the way of P from 1 to 2`."""
+    if not isinstance(side, Quantity) or side.parts or len(side.things) != 1:
         return ()
-    return line(WORDS[side.word].format(side.things[0]))
+    if side.word == "path_length" and isinstance(side.at, tuple):
+        return line(f"{WORDS[side.word].format(side.things[0])} from {side.at[0]} to {side.at[1]}")
+    return line(WORDS[side.word].format(side.things[0])) if side.word in FORCES and not side.at else ()
 
 
 def laws_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:

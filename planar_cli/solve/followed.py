@@ -18,6 +18,7 @@ from planar_cli.problem.expression import JustAfter, Relation
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
+from planar_cli.simulate.dated_by_ways import dated_by_ways, tells_a_way
 from planar_cli.simulate.run import Run, Settings, begin, simulate
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.following.dated import is_told_by_a_span, told_by_what_follows
@@ -73,7 +74,8 @@ def can_be_followed(problem: Problem) -> bool:
     """Has everything a number, does the file name states to go to that a motion finds by itself, and no principle but
     Newton's?
     """
-    free = problem.method in (None, "newton") and not any(is_told_by_a_span(s) for s in problem.states)
+    free = problem.method in (None, "newton")
+    free = free and not any(is_told_by_a_span(s) and tells_a_way(s) is None for s in problem.states)
     free = free and not told_by_what_follows(problem)
     return free and bool(problem.states[1:]) and not (problem.symbols or problem.unknowns)
 
@@ -90,6 +92,10 @@ def followed_part(
     asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states. What rests from
     the start on ends nothing: from an unstable equilibrium a slight touch may lead on.
     """
+    timed = dated_by_ways(problem, earlier)
+    if timed is None:
+        return None
+    problem = timed
     found = simulate(problem, Settings(values=earlier, momenta=True, most_steps=most_steps), units)
     if ends and found.run.trajectory.outcome.kind in FINAL and found.run.trajectory.outcome.t > 0:
         _demand_all_reached(problem, found.run)
