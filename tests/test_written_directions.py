@@ -7,6 +7,7 @@ from math import degrees, sin, sqrt
 import pytest
 from answered import Answers, first, solve
 
+from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
 from planar_cli.problem.written_directions import ORIGIN, WrittenDirections
 from planar_cli.simulate.run import Settings, simulate
@@ -247,3 +248,13 @@ find: {phi_1: phi @ 1, there: r(B).angle @ 2, omega: omega(rod) @ 2}"""
     found = solve(LED.format(rest=rest))
     assert in_degrees(found, "phi_1", "there") == pytest.approx([210, 270])
     assert first(found["omega"]) == pytest.approx(sqrt(3 * 9.81 / 2))
+
+
+@pytest.mark.parametrize("said", ["theta(rod) = -150 deg", "r(B).angle = -150 deg"])
+def test_a_whole_turn_off_is_said(said: str) -> None:
+    place = "B: {from: A, distance: l, angle: 210 deg}"
+    with pytest.raises(NoSolution) as raised:
+        solve(ROD.format(points=place, rod=ENDS, end="theta(rod) = 270 deg", start=f"{said}, ", more=""))
+    (told,) = raised.value.diagnostics
+    assert told.message == f"state 1: `{said}` does not hold in the drawn position"
+    assert told.hint == "it is 1 whole turn off: an angle begins as the points are written"

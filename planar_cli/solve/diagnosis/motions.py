@@ -30,6 +30,7 @@ from planar_cli.solve.diagnosis.held_in_blows import what_to_write
 from planar_cli.solve.diagnosis.limits_of_modes import sought_at_start
 from planar_cli.solve.diagnosis.missed import apart_by, how_near
 from planar_cli.solve.diagnosis.placed import driven_with
+from planar_cli.solve.diagnosis.turns_off import turns_off
 from planar_cli.solve.diagnosis.undated import mode_at_a_time
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.instant import make_instant, search_modes
@@ -248,7 +249,12 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     last = found[-1]
     if len(texts) == 1 and _tells_the_drawing(last, equations):
         text = f"state {last.stop}: `{texts[0]}` does not hold in the drawn position"
-        return _wrong(last.mark, "PL609", text, "draw the points at the first state, or write one with a coordinate")
+        hint = "draw the points at the first state, or write one with a coordinate"
+        if turns := turns_off(course, last, equations):
+            hint = (
+                f"it is {abs(turns)} whole turn{'s' * (abs(turns) > 1)} off: an angle begins as the points are written"
+            )
+        return _wrong(last.mark, "PL609", text, hint)
     rest = _quoted(texts[:-1]) if len(texts) > 1 else "what else is known"
     text = f"state {last.stop}: `{texts[-1]}` contradicts {rest}"
     return _wrong(last.mark, "PL624", text, what_to_write(course.problem, last.stop))
