@@ -21,7 +21,7 @@ from planar_cli.solve.between.complete import completed
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
-from planar_cli.solve.between.methods import by_method, demand_reached
+from planar_cli.solve.between.methods import by_method, not_reached_by
 from planar_cli.solve.between.motion_trace import motion_trace
 from planar_cli.solve.between.provisos import course_provisos
 from planar_cli.solve.between.reached import reaching
@@ -31,6 +31,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.curves.formulas import at_given_time
 from planar_cli.solve.diagnosis.any_mass import demand_cancelled
+from planar_cli.solve.diagnosis.directions_left_open import by_method_alone
 from planar_cli.solve.diagnosis.left_open import moved_by_nothing
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws
@@ -162,7 +163,8 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     route = router.route(wanted)
     if method is not None:
         free = Router(equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
-        demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
+        if missing := not_reached_by(follows, route, wanted, lambda: free.route(wanted)):
+            raise by_method_alone(course, missing, allowed)
     return router, route
 
 

@@ -6,9 +6,7 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.derivation import Route
-from planar_cli.solve.instant.finish import not_reached
 from planar_cli.solve.regimes.equations import Equation
 
 
@@ -17,20 +15,20 @@ def by_method(equations: Sequence[Equation], method: str | None) -> tuple[Equati
     return tuple(e for e in equations if method is None or not e.offered or method in e.offered)
 
 
-def demand_reached(
-    problem: Problem, follows: bool, route: Route, targets: Sequence[sp.Symbol], free: Callable[[], Route]
-) -> None:
-    """FileProblem: a method that was named does not lead to something that is asked. What no plan leads to, not even
-    the one by all laws (`free`), comes from following the equations of motion in numbers, if the method `follows` them.
+def not_reached_by(
+    follows: bool, route: Route, targets: Sequence[sp.Symbol], free: Callable[[], Route]
+) -> list[sp.Symbol]:
+    """What is asked and a method that was named does not lead to. What no plan leads to, not even the one by all laws
+    (`free`), comes from following the equations of motion in numbers, if the method `follows` them.
     """
     missing = _missing(route, targets)
-    if missing and follows:
-        missing = sorted(set(missing) - set(_missing(free(), targets)))
-    if missing:
-        raise not_reached(problem.method, missing, problem.find[0].mark)
+    if not (missing and follows):
+        return missing
+    never = _missing(free(), targets)
+    return [s for s in missing if s not in never]
 
 
-def _missing(route: Route, targets: Sequence[sp.Symbol]) -> list[str]:
-    """The names of what a route does not tell."""
+def _missing(route: Route, targets: Sequence[sp.Symbol]) -> list[sp.Symbol]:
+    """What a route does not tell."""
     told = {r.unknown for step in route.steps for r in step.results} | set(route.plain)
-    return sorted(s.name.replace("__", "_") for s in targets if s not in told)
+    return sorted((s for s in targets if s not in told), key=lambda s: s.name)

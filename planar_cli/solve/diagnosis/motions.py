@@ -104,7 +104,7 @@ def missing(course: MotionEquations) -> NoSolution | None:
         return _wrong(unsaid[0].mark, "PL623", f"nothing says when state {unsaid[0].name} is", hint)
     if not sought and not open_first:
         return _open_impact(course, loose)
-    names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
+    names = [s.name for s in sought] or list(dict.fromkeys(title_of(course, first, s) for s in open_first))
     mark = first.mark if not sought else _mark_of(course, sought[0])
     text = f"{listed(names)} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
     if (limit := sought_at_start(course.states[0], names)) is not None:
@@ -142,7 +142,7 @@ def demand_told(course: MotionEquations, finds: tuple[AskedFind, ...], told: Col
     untold = asked_letters(finds) & course.chain().unknowns - set(told)
     if untold:
         mark = course.problem.find[0].mark
-        titles = {s: _title(course, p, s) for p in course.stops.values() for s in p.letters.values() if s in untold}
+        titles = {s: title_of(course, p, s) for p in course.stops.values() for s in p.letters.values() if s in untold}
         names = listed(titles.get(s, s.name) for s in sorted(untold, key=str))
         raise missing(course) or Undecided(
             f"{mark.file}:{mark.line}: not decided, no formula leads from what is known to {names}; it may help to "
@@ -154,7 +154,7 @@ def _mark_of(course: RegimeSequence, sought: sp.Symbol) -> Mark:
     return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
 
 
-def _title(course: RegimeSequence, stop: Stop, own: sp.Symbol) -> str:
+def title_of(course: RegimeSequence, stop: Stop, own: sp.Symbol) -> str:
     """A letter of a state in words."""
     general = next(k for k, v in stop.letters.items() if v == own)
     where = f" in state {stop.name}" if stop.name else ""

@@ -29,6 +29,7 @@ from planar_cli.solve.between.needed_times import without_unneeded_times
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.diagnosis.directions_left_open import that_tell
 from planar_cli.solve.diagnosis.held_in_blows import no_motion
 from planar_cli.solve.diagnosis.lacking import lacking
 from planar_cli.solve.diagnosis.missed import passed_before
@@ -252,9 +253,8 @@ class ModeSearch(ModeChoice):
         if not self._alone:
             return None
         course = replace(course, equations=by_method(course.equations, course.problem.method))
-        letters = asked_letters(finds)
-        needed = letters & course.chain().unknowns
-        branches = [b for b in candidates(course) if needed <= set(b.values)]
+        needed = asked_letters(finds) & course.chain().unknowns
+        branches = that_tell(course, needed, candidates(course))
         if not branches:
             return None
         branch = max(branches, key=lambda b: onward(course, b))
