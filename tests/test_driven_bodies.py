@@ -63,6 +63,15 @@ states:
 find: {y: y @ 2}
 """
 
+AT_REST = ON_A_MOTOR.replace("coordinates: {y: m, phi: rad}\n", "").replace("[0, y]", "[0, 0]")
+AT_REST = AT_REST.replace("angle: phi", "angle: 0 deg").replace("phi = w*t", "theta(arm) = w*t")
+AT_REST = AT_REST.replace("y = 0, dot(y) = 0", "at rest").replace("y @ 2", "y(motor) @ 2")
+
+
+def test_beside_what_is_driven_a_body_that_can_be_at_rest_is() -> None:
+    found = solve(AT_REST.replace("MASS", ", mass: 10 kg"))
+    assert float(found["y"].values[0]) == pytest.approx(0.05 * (20 - math.sin(20)) / 11 - 9.81 * 2)
+
 
 @pytest.mark.parametrize(("mass", "kilograms"), [("", 0.0), (", mass: 10 kg", 10.0)])
 def test_a_coordinate_that_motion_gives_in_time_beside_one_that_is_free(mass: str, kilograms: float) -> None:

@@ -144,3 +144,9 @@ def test_a_height_that_stays_is_no_rest() -> None:
     page = _page("momentum/ball-with-backspin-that-rolls-up-a-ramp")
     assert re.search(r"y_G,2 = R = 0\.11 m +it does not change\n", page)
     assert "rests meanwhile" not in page
+
+
+def test_a_distance_in_polar_coordinates_is_not_negative() -> None:
+    page = _page("momentum/ball-on-a-cord-that-goes-slack")
+    assert "not -0.5108 m: a distance is not negative" in page
+    assert "reached first" not in page

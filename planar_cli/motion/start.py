@@ -19,6 +19,7 @@ from planar_cli.motion.hanging import rates_across_ropes
 from planar_cli.motion.model import Model
 from planar_cli.motion.other_side import open_terms, to_the_other_side
 from planar_cli.motion.places import points_of
+from planar_cli.motion.resting import resting
 from planar_cli.motion.terms import Term
 from planar_cli.motion.two_starts import demand_one_start
 from planar_cli.motion.zeros import AGREES, Equation, Zeros
@@ -206,6 +207,8 @@ class _Search:
             if not (at_rest and self._run(group)):
                 self._add(firm, group, numbers)
         if at_rest:
+            for group in resting(self.layout, self.zeros) if any(self.zeros.state[self.half :]) else ():
+                self._add(firm, group, numbers)
             return ()
         free = null_space(self.zeros.matrix(firm, numbers), self.half)
         moving = self._moved(free)

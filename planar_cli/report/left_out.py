@@ -12,7 +12,9 @@ import sympy as sp
 
 from planar_cli.equation.ledger import Kind
 from planar_cli.equation.system import System
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem import expression
+from planar_cli.problem.expression import Side
+from planar_cli.problem.scene import GROUND, Polar
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.stated_bounds import stated_bound
 from planar_cli.report.turning_values import other_kind
@@ -102,9 +104,22 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
         return _later(found, r, others, earlier, told)
     if kind is Kind.SPEED and all(v * r.value < 0 for v in others):
         return _sense(found, r, general, stop)
+    if kind is Kind.COORDINATE and r.value > 0 and all(v < 0 for v in others) and _is_radius(found, general):
+        return line("a distance is not negative")
     if kind is Kind.COORDINATE and earlier is not None:
         return _on_the_way(found, r, others, earlier, told)
     return _by_sign(r.value, others)
+
+
+def _is_radius(found: MotionTrace, coordinate: sp.Symbol) -> bool:
+    """Is it the first of two polar coordinates of a point, so that the other one tells its direction?"""
+    names = {c.name for c in found.problem.coordinates} - {coordinate.name}
+    polar = [p.place for p in found.problem.points if isinstance(p.place, Polar)]
+    return any(_is_name(p.distance, {coordinate.name}) and _is_name(p.angle, names) for p in polar)
+
+
+def _is_name(side: Side, names: Collection[str]) -> bool:
+    return isinstance(side, expression.Name) and side.name in names
 
 
 def _later(
