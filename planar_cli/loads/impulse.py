@@ -8,6 +8,7 @@ from typing import ClassVar
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Wrench
+from planar_cli.problem.headings import heading
 from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
 from planar_cli.problem.setting import MovingSetting, Setting
 
@@ -19,7 +20,8 @@ class Impulse(Load):
     Meaning
         `body` gets the impulse `magnitude` at its point `at` in the direction `angle`, or the angular impulse
         `moment`, between the states of `during`; the second of them is `just after` the first. A particle needs no
-        `at`. A force that acts for some time is a `force` with `during`.
+        `at`. A direction that turns with a body is counted from its angle, `theta(rod) + 90 deg`. A force that acts
+        for some time is a `force` with `during`.
 
     YAML
         title: Rod struck while hanging
@@ -60,7 +62,7 @@ class Impulse(Load):
     body: str = key(BodyKey(), "the body that is struck; left out where one alone can be meant", default="")
     at: str | None = key(PointKey(), "the point that is struck; a particle needs none", default=None)
     magnitude: Side | None = key(SideKey("N*s"), "the impulse", default=None)
-    angle: Side | None = key(SideKey("deg", angle=True), "its direction from +x, counterclockwise", default=None)
+    angle: Side | None = key(SideKey("deg", angle=True, turns=True), "its direction from +x", default=None)
     moment: Side | None = key(SideKey("N*m*s"), "an angular impulse, counterclockwise positive", default=None)
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
@@ -81,4 +83,4 @@ class Impulse(Load):
         assert self.magnitude is not None
         assert self.angle is not None
         size = scene.value(self.magnitude)
-        return (Wrench(self.name, "impulse", self.body, point, scene.unit(self.angle) * size, 0, size),)
+        return (Wrench(self.name, "impulse", self.body, point, heading(scene, self.angle) * size, 0, size),)
