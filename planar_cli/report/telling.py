@@ -183,7 +183,7 @@ class Telling:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
         relations = [w for w in relations if not kinetic or not self._of_forces(w)]
-        relations.sort(key=lambda w: w.source == "extreme")
+        relations = derivatives_after(sorted(relations, key=lambda w: w.source == "extreme"))
         ends = [found[0] for w in relations if (found := named_end(w, last, self.system)) is not None]
         rates = [*(self._explicit(x, last) for x in last.lines if x in ends), *self._equations(relations, last)]
         rates += self._centres(last) if kinetic else ()
@@ -380,3 +380,14 @@ class Telling:
             return told
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
+
+
+def derivatives_after(relations: list[Written]) -> list[Written]:
+    """The same, what the file gives before its derivatives, in the places that they had together."""
+    found = list(relations)
+    for words in dict.fromkeys(w.words or w.lead for w in relations if w.source == "given" and w.times):
+        places = [i for i, w in enumerate(relations) if w.source == "given" and (w.words or w.lead) == words]
+        own = sorted((relations[i] for i in places), key=lambda w: w.times)
+        for i, w in zip(places, own, strict=True):
+            found[i] = w
+    return found

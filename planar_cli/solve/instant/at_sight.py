@@ -46,7 +46,7 @@ class Nil:
 @record
 class Offered:
     """All candidates in the columns that are left. `zero`: what left; `first`: the relations that say so of what is
-    asked for, or of that on which an answer rests.
+    asked for, or of that on which an answer rests; `idle`: those that say so of the rest.
     """
 
     offers: Offers
@@ -54,6 +54,7 @@ class Offered:
     columns: Numbers
     zero: tuple[sp.Symbol, ...] = ()
     first: tuple[Nil, ...] = ()
+    idle: tuple[Nil, ...] = ()
 
 
 def offered(make: Callable[[Numbers], Offers], columns: Numbers, targets: set[sp.Symbol]) -> Offered:
@@ -62,6 +63,7 @@ def offered(make: Callable[[Numbers], Offers], columns: Numbers, targets: set[sp
     """
     zero: tuple[sp.Symbol, ...] = ()
     first: tuple[Nil, ...] = ()
+    others: dict[sp.Symbol, Nil] = {}
     while True:
         offers = make(columns)
         found = offers.all()
@@ -70,8 +72,9 @@ def offered(make: Callable[[Numbers], Offers], columns: Numbers, targets: set[sp
         idle = {nil.symbol for nil in nils if nil.symbol not in targets}
         moves = {nil.symbol: nil for nil in reversed(nils) if nil.counts(targets, set(offers.system.symbols.values()))}
         if not idle and not moves:
-            return Offered(offers, found, columns, zero, first)
+            return Offered(offers, found, columns, zero, first, tuple(others.values()))
         first += tuple(moves[s] for s in columns.unknowns if s in moves)
+        others |= {nil.symbol: nil for nil in reversed(nils) if nil.symbol in idle and nil.symbol not in moves}
         gone = sorted({*idle, *moves}, key=lambda s: s.name)
         zero += tuple(gone)
         columns = columns.without(set(gone), columns.value.extended(dict.fromkeys(gone, Decimal(0))))

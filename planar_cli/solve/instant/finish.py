@@ -138,6 +138,10 @@ class Finisher:
         """A branch as the only stage."""
         branch, writer, offer = sought.branch, sought.writer, sought.offer
         nils = offer.first if offer is not None else ()
+        if offer is not None:
+            # Equations of what is sought are not linear, and hold what is zero as a letter.
+            held = {s for b in branch.blocks for w in b.equations for s in w.residual.free_symbols}
+            nils += tuple(n for n in offer.idle if n.symbol in held and n.candidate.condition is not None)
         return Stage(
             "acceleration",
             sought.plan,
