@@ -130,12 +130,12 @@ def test_answers(text: str, expected: dict[str, float]) -> None:
 
 
 def test_shapes_that_leave_it_open() -> None:
-    """A rod on a floor may touch with either end."""
+    """A rod that lies on a floor may touch with either end."""
     _, wrong = load_text(
         """
 title: Rod on a floor
 plane: vertical
-points: {A: [0, 0], B: [1 m, 1 m]}
+points: {A: [0, 0], B: [1 m, 0]}
 surfaces: {floor: {through: A, angle: 0 deg}}
 bodies: {rod: {rod: [A, B], mass: 2 kg}}
 joints:

@@ -32,7 +32,8 @@ from planar_cli.problem.read_members import read_joints, read_loads
 from planar_cli.problem.read_points import read_points, read_surfaces
 from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
+from planar_cli.problem.rod_ends import Ends
+from planar_cli.problem.scene import Body, Case, Point, Problem, Surface, Symbol
 from planar_cli.problem.touching_points import with_later_meetings, with_touching_points
 from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
 from planar_cli.problem.whose_load import with_bodies
@@ -170,7 +171,7 @@ def _read(file: str, whole: Fields) -> Problem:
     given = sections.given(whole)
     symbols, unknowns, coordinates = (sections.with_units(whole, key) for key in ("symbols", "unknowns", "coordinates"))
     numbers = frozenset(s.name for s in (*given, *symbols, *unknowns, *coordinates))
-    points, surfaces, bodies, joints, loads = _scene(whole, numbers)
+    points, surfaces, bodies, joints, loads = _scene(whole, given, numbers)
     resting = RestingPoints(bodies, points)
     title, text, source, note = (sections.words(whole, key) for key in WORDS)
     problem = Problem(
@@ -205,7 +206,7 @@ def _read(file: str, whole: Fields) -> Problem:
     return with_joints_called(with_later_meetings(with_placed_particles(with_assumed(problem))))
 
 
-def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
+def _scene(whole: Fields, given: tuple[Symbol, ...], numbers: frozenset[str]) -> Scene:
     """Points, surfaces, bodies, joints and loads."""
     everything = [node for key in KEYS if (node := whole.node(key)) is not None]
     sections = with_named_places({key: whole.node(key) for key in SCENE_KEYS}, everything)
@@ -225,7 +226,7 @@ def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
     read_point = () if points is None else read_points(points, report)
     standing = with_floor(read_joint, read_body, read_point, floor, report)
     read_surface = (*read_surface, *standing.surfaces)
-    touching = with_touching_points(standing.joints, read_body, read_surface, names_c, report)
+    touching = with_touching_points(standing.joints, read_body, read_surface, Ends(read_point, given), names_c, report)
     return (
         (*read_point, *standing.points, *touching[1]),
         read_surface,

@@ -2,7 +2,7 @@
 
 A particle touches where it is; a round rim, its hub or the arc of a sector at the foot on a straight edge, or on the
 line of centres of two; a plate with the middle of the edge that lies flush on another (if none does, the point is not
-on the plate).
+on the plate); a rod with the end that stands on the line.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import Any
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.reading import Report
+from planar_cli.problem.rod_ends import Ends
 from planar_cli.problem.scene import (
     GROUND,
     Body,
@@ -66,6 +67,7 @@ def with_touching_points(
     joints: tuple[Joint, ...],
     bodies: tuple[Body, ...],
     surfaces: tuple[Surface, ...],
+    ends: Ends,
     names: Iterator[str],
     report: Report,
 ) -> tuple[tuple[Joint, ...], tuple[Point, ...]]:
@@ -78,7 +80,7 @@ def with_touching_points(
         if not joint.touches or getattr(touching, "at", "given") != "":
             read.append(joint)
             continue
-        found = _place([shapes.get(name) for name in touching.between])
+        found = _place([shapes.get(name) for name in touching.between], ends)
         if isinstance(found, str):
             read.append(replace(touching, at=found))
         elif found is not None:
@@ -115,11 +117,17 @@ def with_later_meetings(problem: Problem) -> Problem:
     return replace(problem, points=tuple(map(later, problem.points)))
 
 
-def _place(partners: list[Body | Surface | None]) -> Place | str | None:
-    """The place of the point, or the name of a particle that touches there."""
+def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | None:
+    """The place of the point, or the name of a particle or of the end of a rod that touches there."""
     for partner in partners:
         if isinstance(partner, Body) and isinstance(partner.shape, Particle):
             return partner.shape.place if isinstance(partner.shape.place, str) else partner.name
+    match partners:
+        case [Body(shape=Rod() as rod), Surface(shape=Line() as ground)] | [
+            Surface(shape=Line() as ground),
+            Body(shape=Rod() as rod),
+        ]:
+            return ends.standing(rod, ground)
     edges = [_edge(partner) for partner in partners]
     match edges:
         case [_Rim() as a, _Rim() as b]:

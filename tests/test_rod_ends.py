@@ -1,0 +1,41 @@
+"""A rod touches a line with the end that stands there, by its name or by its place; `at` need not say it."""
+
+from __future__ import annotations
+
+import pytest
+from answered import first, solve
+
+from planar_cli.problem.structure import load_text
+
+LADDER = """
+title: Smooth ladder that slides down
+plane: vertical
+given: {m: 20 kg, l: 4 m, beta: 60 deg}
+points: {A: [0, 0], B: {from: A, distance: l, angle: beta}}
+surfaces: {floor: {through: A, angle: 0 deg}, wall: {through: B, angle: 90 deg}}
+bodies: {ladder: {rod: [A, B], mass: m}}
+joints:
+  - contact: {between: [ladder, floor], mu: 0}
+  - contact: {between: [wall, ladder], mu: 0}
+instant: [at rest]
+find: {alpha: alpha(ladder), N: N(A)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("floor", "wall"),
+    [("A", "B"), ("[0, 0]", "B"), ("[-1 m, 0]", "[2 m, 5 m]"), ("[3 m, 0]", "[l*cos(beta), 0]")],
+)
+def test_the_end_that_stands_there_is_meant(floor: str, wall: str) -> None:
+    """alpha = -3 g cos beta/(2 l), as for every rod that slides between a floor and a wall at right angles."""
+    text = LADDER.replace("through: A", f"through: {floor}").replace("through: B", f"through: {wall}")
+    found = solve(text)
+    assert first(found["alpha"]) == pytest.approx(-3 * 9.81 / 4 / 4)
+    # The mass centre comes down with alpha l cos(beta)/2.
+    assert first(found["N"]) == pytest.approx(20 * (9.81 - 3 * 9.81 / 16 * 4 / 4))
+
+
+@pytest.mark.parametrize("floor", ["[0, 1 m]", "[0, -1 m]"])
+def test_where_no_end_is_known_to_stand_the_point_is_asked_for(floor: str) -> None:
+    _, wrong = load_text(LADDER.replace("through: A", f"through: {floor}"))
+    assert [(d.code, d.mark.line) for d in wrong][:1] == [("PL311", 9)]
