@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import unicodedata
+
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -22,7 +24,7 @@ find: {v_S: v(S).y, a_S: a(S).y}
 def test_a_relation_stands_before_its_derivatives() -> None:
     problem, wrong = load_text(HOIST)
     assert problem is not None, wrong
-    told = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
+    told = unicodedata.normalize("NFC", " ".join(Terminal().render(narrate(solve_problem(problem))).split()))
     relation = "Given: h - y + the distance of A from D = L"
     marks = [f"{relation} (", f"{relation}, differentiated (", f"{relation}, differentiated twice ("]
     assert sorted(marks, key=told.index) == marks
