@@ -106,7 +106,7 @@ find: {w: omega(bar) @ 2}
             "the rolling of wheel and the ground: in a horizontal plane the ground is no floor",
         ),
         (
-            LADDER.replace(", at: B", ""),
+            LADDER.replace(", at: B", "").replace("[A, B]", "[A, 60 deg], length: 2 m"),
             "the contact of ladder and the ground: the point where ladder touches it is open",
         ),
         (

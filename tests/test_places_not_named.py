@@ -130,16 +130,15 @@ def test_answers(text: str, expected: dict[str, float]) -> None:
 
 
 def test_shapes_that_leave_it_open() -> None:
-    """A rod that lies on a floor may touch with either end."""
+    """Of two rods that touch, either may stand on the other."""
     _, wrong = load_text(
         """
-title: Rod on a floor
+title: Rod that leans on another
 plane: vertical
-points: {A: [0, 0], B: [1 m, 0]}
-surfaces: {floor: {through: A, angle: 0 deg}}
-bodies: {rod: {rod: [A, B], mass: 2 kg}}
+points: {A: [0, 0], B: [1 m, 1 m], C: [1 m, 0]}
+bodies: {rod: {rod: [A, B], mass: 2 kg}, post: {rod: [C, B], mass: 2 kg}}
 joints:
-  - contact: {between: [rod, floor], mu: 0.3}
+  - contact: {between: [rod, post], mu: 0.3}
 instant: [at rest]
 find: {a: alpha(rod)}
 """

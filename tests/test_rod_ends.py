@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import first, solve
 
-from planar_cli.problem.structure import load_text
+from planar_cli.errors import FileProblem
 
 LADDER = """
 title: Smooth ladder that slides down
@@ -36,6 +36,7 @@ def test_the_end_that_stands_there_is_meant(floor: str, wall: str) -> None:
 
 
 @pytest.mark.parametrize("floor", ["[0, 1 m]", "[0, -1 m]"])
-def test_where_no_end_is_known_to_stand_the_point_is_asked_for(floor: str) -> None:
-    _, wrong = load_text(LADDER.replace("through: A", f"through: {floor}"))
-    assert [(d.code, d.mark.line) for d in wrong][:1] == [("PL311", 9)]
+def test_where_no_end_stands_the_point_is_asked_for(floor: str) -> None:
+    with pytest.raises(FileProblem) as refused:
+        solve(LADDER.replace("through: A", f"through: {floor}").replace("N(A)", "N(ladder)"))
+    assert refused.value.diagnostics[0].message == "neither end of ladder is on floor"

@@ -21,11 +21,12 @@ class Contact(Joint):
 
     Meaning
         A body stands, leans or slides on another, or on a surface, at the point `at`; it may be left out for a
-        particle, and for a round rim on an edge or another rim. Say what friction there is: `mu` (static and kinetic;
-        0 is smooth), or `mu_s` and `mu_k` (`mu_k` alone: it slides; `mu_s` alone: does it slide, or at its limit), or
-        `friction`, a fixed limit of the force. Which case holds is found, and asked by `mode(j)`: stick, slip, apart,
-        or tip for a block. From one surface to another: one contact `during: 1->2`, the next `during: 2->3`. The
-        corner between them is taken as rounded, so that the speed is kept; with a state `just after 2` it is a blow.
+        particle, for a round rim on an edge or another rim, and for a plate or a rod that stands on a line with an
+        edge, a corner or one end. Say what friction there is: `mu` (static and kinetic; 0 is smooth), or `mu_s` and
+        `mu_k` (`mu_k` alone: it slides; `mu_s` alone: does it slide, or at its limit), or `friction`, a fixed limit of
+        the force. Which case holds is found, and asked by `mode(j)`: stick, slip, apart, or tip for a block. From one
+        surface to another: one contact `during: 1->2`, the next `during: 2->3`. The corner between them is taken as
+        rounded, so that the speed is kept; with a state `just after 2` it is a blow.
 
     YAML
         title: Does the ladder slip?

@@ -16,7 +16,7 @@ from planar_cli.motion.sides import names_in
 from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
+from planar_cli.problem.scene import GROUND, At, Foot, Midpoint, Point, Polar, Rims, Tip, Towards, TwoFacts
 from planar_cli.records import changing, record
 
 
@@ -116,6 +116,10 @@ class Coordinates:
             case Foot(center, through, angle, towards):
                 others = [n for n in (center, through, towards) if n]
                 return (angle is not None and self._written(angle)) or any(self._follows_named(n) for n in others)
+            case Tip(_, _, ends, plate, through, angle, towards):
+                others = [n for n in (*ends, plate.center if plate is not None else "", through, towards) if n]
+                sides = [s for s in (angle, plate.angle if plate is not None else None) if s is not None]
+                return self._written(*sides) or any(self._follows_named(n) for n in others)
             case Rims(a, _, b, _):
                 return self._follows_named(a) or self._follows_named(b)
         raise TypeError(type(point.place).__name__)

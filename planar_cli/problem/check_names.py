@@ -26,6 +26,7 @@ from planar_cli.problem.scene import (
     Polar,
     Rims,
     Round,
+    Tip,
     Towards,
     TwoFacts,
 )
@@ -143,6 +144,9 @@ def points_of_place(place: Place) -> tuple[str, ...]:
             return (place.center, place.through, *((place.towards,) if place.towards else ()))
         case Rims():
             return (place.a, place.b)
+        case Tip():
+            center = () if place.plate is None else (place.plate.center,)
+            return (*place.ends, *center, *(n for n in (place.through, place.towards) if n))
         case _:
             return ()
 

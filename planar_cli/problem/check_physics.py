@@ -22,6 +22,7 @@ from planar_cli.problem.scene import (
     Polar,
     Problem,
     Symbol,
+    Tip,
     Towards,
     TwoFacts,
 )
@@ -188,6 +189,9 @@ def _parts(place: object) -> tuple[list[Side], list[str]]:
             return [*sides, *(side for _, side in facts)], [name for name, _ in facts]
         case Foot():
             return [], [n for n in (place.center, place.through, place.towards) if n]
+        case Tip():
+            center = "" if place.plate is None else place.plate.center
+            return [], [n for n in (*place.ends, center, place.through, place.towards) if n]
         case _:
             return [], [n for n in (getattr(place, "a", ""), getattr(place, "b", "")) if n]
 

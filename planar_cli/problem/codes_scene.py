@@ -80,8 +80,9 @@ _SCENE = {
     ),
     "PL535": (
         "A contact or rolling on the `ground` is on a horizontal floor, of a body that stands on it: a wheel, a "
-        "particle, an upright plate, or what touches it with the point `at`. Anything else needs a surface of its own: "
-        "`surfaces: {wall: {through: B, angle: 90 deg}}`."
+        "particle, a plate, a rod with one end, or what touches it with the point `at`. Anything else needs a surface "
+        "of its own: `surfaces: {wall: {through: B, angle: 90 deg}}`. A rod of which both ends are on a line, or none, "
+        "needs `at`."
     ),
     "PL537": (
         "A pin or weld to the ground with `during` from a later state holds the point of the body that is drawn at its "

@@ -1,8 +1,8 @@
 """The ground that a body touches, `between: [wheel, ground]`: a horizontal floor through the point where they touch.
 
 Only in a plane where down is told; a wheel touches the floor with its lowest point (a stepped one may stand on a rail
-with its hub), a plate that is drawn upright with
-the middle of its lower edge, a particle where it is.
+with its hub), a plate that is drawn upright with the middle of its lower edge, else with its lowest corner, a rod with
+its lower end, a particle where it is.
 """
 
 from __future__ import annotations
@@ -27,8 +27,10 @@ from planar_cli.problem.scene import (
     Plate,
     Point,
     Polar,
+    Rod,
     Round,
     Surface,
+    Tip,
 )
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
@@ -149,6 +151,10 @@ class _Reading:
             case Plate(center=center, height=height, angle=angle) if _is_zero(angle):
                 half = Binary("/", height, Number(Fraction(2), None, 1, mark), mark)
                 return self._point(Polar(center, half, down), mark)
+            case Plate() as plate:
+                return self._point(Tip(body.name, "", (), plate), mark)
+            case Rod(start=start, end=str(end)):
+                return self._point(Tip(body.name, "", (start, end), None), mark)
         return ""
 
     def _lower_rim(self, center: str, radius: Side, hub: Side) -> Side:

@@ -9,7 +9,8 @@ from planar_cli.base_units import in_base
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
+from planar_cli.problem.scene import At, Foot, Midpoint, Point, Polar, Rims, Tip, Towards, TwoFacts
+from planar_cli.problem.tips import tip
 from planar_cli.units import LENGTH, Unit, default_unit
 
 NEITHER = 1e-9
@@ -74,6 +75,8 @@ def located(point: Point, numbers: Numbers) -> Vec:
             return _touched(place, numbers)
         case Rims():
             return _between_rims(point, place, numbers)
+        case Tip():
+            return tip(point, place, numbers, _edge(place, numbers) if place.through else None)
     raise TypeError(type(place).__name__)
 
 
@@ -96,15 +99,19 @@ def _touched(place: Foot, numbers: Numbers) -> Vec:
 
 def _foot(place: Foot, numbers: Numbers) -> Vec:
     """The foot of the perpendicular from the centre on the edge."""
-    base = numbers.point(place.through)
-    if place.angle is not None:
-        along = numbers.unit_vector(numbers.value(place.angle))
-    else:
-        assert place.towards is not None
-        reach = numbers.point(place.towards) - base
-        along = reach / numbers.length(reach)
+    base, along = _edge(place, numbers)
     foot: Vec = base + along * (numbers.point(place.center) - base).dot(along)
     return foot
+
+
+def _edge(place: Foot | Tip, numbers: Numbers) -> tuple[Vec, Vec]:
+    """A point of a straight edge, and its direction."""
+    base = numbers.point(place.through)
+    if place.angle is not None:
+        return base, numbers.unit_vector(numbers.value(place.angle))
+    assert place.towards is not None
+    reach = numbers.point(place.towards) - base
+    return base, reach / numbers.length(reach)
 
 
 def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:

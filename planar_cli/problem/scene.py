@@ -108,7 +108,22 @@ class Rims:
     radii_b: tuple[Side, ...]
 
 
-Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims
+@record
+class Tip:
+    """Where `body` stands with an end of a rod, `ends`, or with a corner of `plate`: on the edge of the surface or body
+    `on` through `through`, that which lies on it; with both left empty, on the ground, the lowest one.
+    """
+
+    body: str
+    on: str
+    ends: tuple[str, ...]
+    plate: Plate | None
+    through: str = ""
+    angle: Side | None = None
+    towards: str | None = None
+
+
+Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims | Tip
 
 
 @record

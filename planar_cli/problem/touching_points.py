@@ -1,8 +1,8 @@
 """Where two bodies touch of which the file does not say it: only where the shapes leave no choice.
 
 A particle touches where it is; a round rim, its hub or the arc of a sector at the foot on a straight edge, or on the
-line of centres of two; a plate with the middle of the edge that lies flush on another (if none does, the point is not
-on the plate); a rod with the end that stands on the line.
+line of centres of two; a plate with the middle of the edge that lies flush on another, or else with the corner that
+stands on it; a rod with that of its ends which stands on a line.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from planar_cli.problem.scene import (
     Round,
     Sector,
     Surface,
+    Tip,
 )
 from planar_cli.records import record
 
@@ -43,11 +44,13 @@ FACES = "the middle of the face with which one stands on the other, such as `at:
 
 @record
 class _Straight:
-    """An edge through a point, at an angle or towards another point."""
+    """An edge through a point, at an angle or towards another point; of a rod with its ends."""
 
+    name: str
     through: str
     angle: Side | None
     towards: str | None
+    ends: tuple[str, ...] = ()
 
 
 @record
@@ -58,9 +61,10 @@ class _Rim:
 
 @record
 class _Face:
-    """An edge of a plate about its centre, which lies flush on a straight edge."""
+    """A plate, which lies flush on a straight edge or stands on it with a corner."""
 
-    center: str
+    body: str
+    plate: Plate
 
 
 def with_touching_points(
@@ -126,8 +130,8 @@ def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | N
         case [Body(shape=Rod() as rod), Surface(shape=Line() as ground)] | [
             Surface(shape=Line() as ground),
             Body(shape=Rod() as rod),
-        ]:
-            return ends.standing(rod, ground)
+        ] if end := ends.standing(rod, ground):
+            return end
     edges = [_edge(partner) for partner in partners]
     match edges:
         case [_Rim() as a, _Rim() as b]:
@@ -135,7 +139,11 @@ def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | N
         case [_Rim() as rim, _Straight() as line] | [_Straight() as line, _Rim() as rim]:
             return Foot(rim.center, line.through, line.angle, line.towards, rim.radii)
         case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
-            return Foot(face.center, line.through, line.angle, line.towards)
+            return Tip(face.body, line.name, (), face.plate, line.through, line.angle, line.towards)
+        case [_Straight(ends=(_, _)) as bar, _Straight(ends=()) as line]:
+            return Tip(bar.name, line.name, bar.ends, None, line.through, line.angle, line.towards)
+        case [_Straight(ends=()) as line, _Straight(ends=(_, _)) as bar]:
+            return Tip(bar.name, line.name, bar.ends, None, line.through, line.angle, line.towards)
     return None
 
 
@@ -150,18 +158,20 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
         case Body(shape=Composite(pieces)):
             rims = [piece.shape for piece in pieces if isinstance(piece.shape, Round)]
             return _rim(rims[0]) if len(rims) == 1 and not any(map(_has_edges, pieces)) else None
-        case Surface(shape=Line(through=through, angle=angle)):
-            return _Straight(through, angle, None)
+        case Surface(name=name, shape=Line(through=through, angle=angle)):
+            return _Straight(name, through, angle, None)
         case Surface(shape=Circle(center=center, radius=radius)):
             return _Rim(center, (radius,))
         case Body(shape=Round() as rim) | Body(shape=Outline(rim=Round() as rim)):
             return _rim(rim)
         case Body(shape=Sector(apex=apex, radius=radius)):
             return _Rim(apex, (radius,))
-        case Body(shape=Plate(center=center)):
-            return _Face(center)
-        case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:
-            return _Straight(start, None if end is not None else angle, end)
+        case Body(name=name, shape=Plate() as plate):
+            return _Face(name, plate)
+        case Body(name=name, shape=Rod(start=start, end=str(end))):
+            return _Straight(name, start, None, end, (start, end))
+        case Body(name=name, shape=Rod(start=start, angle=angle)) if angle is not None:
+            return _Straight(name, start, angle, None)
     return None
 
 
