@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
+from planar_cli.problem.check_names import points_of_place
 from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import AtRest, Binary, Equilibrium, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
@@ -17,12 +18,11 @@ from planar_cli.problem.scene import (
     At,
     Body,
     Composite,
-    Foot,
     Particle,
+    Place,
     Polar,
     Problem,
     Symbol,
-    Tip,
     Towards,
     TwoFacts,
 )
@@ -174,7 +174,7 @@ def _moves_with_coordinate(names: set[str], scope: Scope) -> bool:
     return False
 
 
-def _parts(place: object) -> tuple[list[Side], list[str]]:
+def _parts(place: Place) -> tuple[list[Side], list[str]]:
     match place:
         case At():
             return [place.x, place.y], []
@@ -187,13 +187,8 @@ def _parts(place: object) -> tuple[list[Side], list[str]]:
             sides = [s for s in (place.x, place.y) if s is not None]
             facts = (*place.lines, *place.distances)
             return [*sides, *(side for _, side in facts)], [name for name, _ in facts]
-        case Foot():
-            return [], [n for n in (place.center, place.through, place.towards) if n]
-        case Tip():
-            center = "" if place.plate is None else place.plate.center
-            return [], [n for n in (*place.ends, center, place.through, place.towards) if n]
         case _:
-            return [], [n for n in (getattr(place, "a", ""), getattr(place, "b", "")) if n]
+            return [], list(points_of_place(place))
 
 
 def coefficients(scope: Scope) -> Iterator[Diagnostic]:

@@ -110,9 +110,7 @@ class Rims:
 
 @record
 class Tip:
-    """Where `body` stands with an end of a rod, `ends`, or with a corner of `plate`: on the edge of the surface or body
-    `on` through `through`, that which lies on it; with both left empty, on the ground, the lowest one.
-    """
+    """The one of the ends of a rod, or corners of a plate, on the edge of `on`; without one, the lowest (ground)."""
 
     body: str
     on: str
