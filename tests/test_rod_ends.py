@@ -38,5 +38,5 @@ def test_the_end_that_stands_there_is_meant(floor: str, wall: str) -> None:
 @pytest.mark.parametrize("floor", ["[0, 1 m]", "[0, -1 m]"])
 def test_where_no_end_stands_the_point_is_asked_for(floor: str) -> None:
     with pytest.raises(FileProblem) as refused:
-        solve(LADDER.replace("through: A", f"through: {floor}").replace("N(A)", "N(ladder)"))
+        solve(LADDER.replace("through: A", f"through: {floor}").replace("N(A)", "alpha(ladder)"))
     assert refused.value.diagnostics[0].message == "neither end of ladder is on floor"
