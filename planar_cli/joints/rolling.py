@@ -70,6 +70,11 @@ class Rolling(Joint):
             a, b = b, a
         if a.tangent is None or b.tangent is None:
             corner = a.body if a.tangent is None else b.body
+            if len(scene.drawn_by(corner)) == 1:
+                (center,) = scene.drawn_by(corner)
+                text = f"{self.name}: {corner} has no radius: nothing but {center} tells its shape, and so no rim"
+                hint = f"write `{corner}: {{disk: {center}, radius: …}}`, the distance from {center} to where it rolls"
+                raise scene.refuse(self.mark, "PL523", text, hint)
             raise scene.refuse(
                 self.mark,
                 "PL523",

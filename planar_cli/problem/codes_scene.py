@@ -52,7 +52,9 @@ _SCENE = {
         "the radius nor the hub, or it is inside the rectangle. So must a cord leave a drum at a rim, at right angles "
         "to the radius there."
     ),
-    "PL523": "A corner can not roll. Rolling needs a round rim on a rim, a rack or a surface.",
+    "PL523": (
+        "A corner can not roll, nor a body without a radius. Rolling needs a round rim on a rim, a rack or a surface."
+    ),
     "PL524": "The point of a guide belongs to no body that could slide. Name it among the points of its body.",
     "PL525": "A rope can not end over or under a pulley; it ends at a point, or wound: `T on drum`.",
     "PL526": (
