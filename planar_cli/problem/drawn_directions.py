@@ -46,12 +46,16 @@ class DrawnDirections:
                 return found if found is None or part.kind == "along" else (-found[1], found[0])
         return None
 
+    def place(self, name: str) -> Pair | None:
+        """Where a point is drawn."""
+        return self._place(name, DEEPEST)
+
     def _at_angle(self, angle: Side) -> Pair | None:
         number = self.number(angle)
         return None if number is None else (math.cos(number), math.sin(number))
 
     def _pair(self, pair: PointPair) -> Pair | None:
-        to, origin = self._place(pair.to, DEEPEST), self._place(pair.origin, DEEPEST)
+        to, origin = self.place(pair.to), self.place(pair.origin)
         return None if to is None or origin is None else (to[0] - origin[0], to[1] - origin[1])
 
     def _place(self, name: str, depth: int) -> Pair | None:
