@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from math import cos, radians, sin
+from math import cos, radians, sin, sqrt
 
 import pytest
 import sympy as sp
-from answered import solve
+from answered import first, solve
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.quadrature import breaks
@@ -86,12 +86,48 @@ def test_a_motion_that_goes_on_without_end_never_gets_there(text: str) -> None:
     assert why(text).code == "PL621"
 
 
+# --- a rope ----------------------------------------------------------------------------------------------------------
+
+OFF_ITS_CIRCLE = """
+title: Bob that leaves its circle, until its string is tight again
+plane: vertical
+given: {L: 1 m}
+points: {O: [0, 0], P: [0, -L]}
+bodies: {bob: {particle: P, mass: 0.5 kg}}
+joints:
+  - rope: {path: [O, P], name: string}
+states:
+  1: [t = 0, v(bob).x = 6 m/s, v(bob).y = 0]
+  2: [mode(string) = slack]
+  3: [mode(string) = taut]
+find: {y_2: y(bob) @ 2, v_2: v(bob).mag @ 2, x_3: x(bob) @ 3, y_3: y(bob) @ 3}
+"""
+
+
+def test_a_string_that_is_tight_again() -> None:
+    found = {name: first(value) for name, value in solve(OFF_ITS_CIRCLE).items()}
+    # At the height h the pull ends, m v^2/L = m g h/L, and v^2 = v_0^2 - 2 g (L + h).
+    h = (36 - 2 * 9.81) / (3 * 9.81)
+    assert (found["y_2"], found["v_2"]) == pytest.approx((h, sqrt(9.81 * h)))
+    # Then it is thrown along the tangent; the rest is a parabola that comes back to the circle.
+    lift, way = sqrt(9.81 * h) * sqrt(1 - h * h), sqrt(9.81 * h) * h
+    t = 4 * lift / 9.81
+    assert (found["x_3"], found["y_3"]) == pytest.approx((sqrt(1 - h * h) - way * t, h + lift * t - 9.81 / 2 * t * t))
+    assert found["x_3"] ** 2 + found["y_3"] ** 2 == pytest.approx(1)
+
+
 # --- roots -----------------------------------------------------------------------------------------------------------
 
 
 def roots_of(expr: sp.Expr, x: sp.Symbol) -> list[float]:
     """All roots of an angle [rad]."""
     return [float(root.value) for root in real_roots(expr, x, Valuation({}), False, True)]
+
+
+def test_a_way_that_takes_no_time_ends_where_it_begins() -> None:
+    x, y = sp.symbols("x y", real=True)
+    time = 2 * sp.Integral(1 / sp.sqrt(sp.cos(y) - sp.Rational(1, 2)), (y, sp.Rational(1, 3), x))
+    assert [root.expression for root in real_roots(time, x, Valuation({}), False, False)] == [sp.Rational(1, 3)]
 
 
 def test_roots_with_sines_of_any_angle() -> None:

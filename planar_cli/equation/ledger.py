@@ -28,6 +28,8 @@ from planar_cli.units import PURE, Unit, parse_unit
 DRAWS, WIDER, MANY = 2, 10, 30
 ROUGH = Decimal("0.3")
 """An ordinary coefficient of friction."""
+UNPLACED = 40
+"""Where the joints can be closed at none of the first draws, no others are tried."""
 TRIES_FROM = 10_000
 """Streams of random numbers of all tries after the first begin here."""
 
@@ -232,6 +234,7 @@ class Ledger:
         # Letters of the file come first, so that they are the same in every scene of it.
         free = sorted([*self.letters, *self.sought], key=lambda s: self.roles[s].kind is not Kind.LETTER)
         found: list[Valuation] = []
+        unplaced = 0
         for k in range(tries if free else 1):
             # Each try has numbers of its own: another scene of the file, in which more or less is sought, draws the
             # same letters at the same try.
@@ -247,7 +250,8 @@ class Ledger:
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
                 found.append(placed)
-            if len(found) == (wanted if free else 1):
+            unplaced += placed is None
+            if len(found) == (wanted if free else 1) or (unplaced > UNPLACED and unplaced == k + 1):
                 break
         return tuple(found)
 

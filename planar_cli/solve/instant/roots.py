@@ -8,9 +8,8 @@ only.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
 from decimal import Decimal
-from functools import cache, lru_cache
+from functools import lru_cache
 
 import mpmath
 import sympy as sp
@@ -24,11 +23,9 @@ from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.factoring import factored
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
+from planar_cli.solve.instant.scan import scanned
 
 TINY = Decimal("1e-25")
-EDGE_STEPS = 40
-JUMP = Decimal("1e-12")
-"""A function that is still so much of what it was at the ends of the interval has no root where its sign changes."""
 CLEARLY = 1e-20
 """A determinant of rows of unit length that is larger than this is not zero."""
 KEPT = 2_000
@@ -48,6 +45,8 @@ class Root:
 
 def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, angle: bool) -> list[Root]:
     """The real roots of expr = 0, sorted; an angle lies in (-180°, 180°]."""
+    if (ends := _ends_of_a_way(expr, x)) is not None:
+        return real_roots(ends, x, value, symbolic, angle)
     # An integrand stays as it is: put over one denominator, its value takes ten times as long.
     held = {i: sp.Dummy("i", real=True) for i in sorted(expr.atoms(sp.Integral), key=sp.default_sort_key)}
     numerator = sp.fraction(together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
@@ -67,7 +66,19 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     half = _half_angle(numbers, x)
     if half is not None:
         return _distinct([Root(None, v) for v in half if _vanishes(numbers, x, v)], angle)
-    return _distinct([Root(None, v) for v in _scan(expr, x, value, angle)], angle)
+    return _distinct([Root(None, v) for v in scanned(expr, x, value, angle)], angle)
+
+
+def _ends_of_a_way(expr: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+    """The difference of the limits, if the expression is an integral of what is never negative, as a time on the way:
+    it vanishes only where they are the same.
+    """
+    number, integral = expr.as_independent(x, as_Add=False)
+    if not isinstance(integral, sp.Integral) or [len(limit) for limit in integral.limits] != [3] or number == 0:
+        return None
+    factors = sp.Mul.make_args(integral.function)
+    roots = (f.is_positive or (f.is_Pow and f.exp.is_Rational and f.exp.q == 2) for f in factors)
+    return integral.limits[0][2] - integral.limits[0][1] if all(roots) else None
 
 
 def _is_root(factor: sp.Expr) -> bool:
@@ -299,77 +310,3 @@ def _vanishes(numbers: sp.Expr, x: sp.Symbol, v: Decimal) -> bool:
     value = Valuation({x: v})
     number = value.known(numbers)
     return number is not None and abs(number) <= Decimal("1e-18") * max(value.size(numbers), Decimal("1e-30"))
-
-
-def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[Decimal]:
-    """Changes of sign over a wide range, each refined by bisection and secants. What changes its sign is told by few
-    digits of an integral; where it does, by all of them.
-    """
-
-    @cache
-    def rough(v: Decimal) -> Decimal | None:
-        return value.extended({x: v}).roughly().known(expr)
-
-    @cache
-    def f(v: Decimal) -> Decimal | None:
-        return value.extended({x: v}).known(expr)
-
-    if angle:
-        grid = [PI * Decimal(i) / 180 - PI for i in range(0, 361, 2)]
-    else:
-        powers = [Decimal(10) ** (Decimal(i) / 8) for i in range(-40, 49)]
-        grid = [*(-p for p in reversed(powers)), *powers]
-    found = []
-    last: tuple[Decimal, Decimal] | None = None
-    looked = rough if expr.has(sp.Integral) else f
-    for v in _with_edges(looked, grid):
-        y = looked(v)
-        if y is None:
-            last = None
-            continue
-        if y == 0:
-            found.append(v)
-        elif last is not None and (last[1] > 0) != (y > 0):
-            root = _refine(f, last[0], v)
-            if root is not None:
-                found.append(root)
-        last = (v, y)
-    return found
-
-
-def _with_edges(f: Callable[[Decimal], Decimal | None], grid: list[Decimal]) -> Iterator[Decimal]:
-    """The grid, closer and closer to where the function ceases to be real, as before a logarithm's end."""
-    before: Decimal | None = None
-    for v in grid:
-        if before is not None and (f(before) is None) != (f(v) is None):
-            inside, outside = (before, v) if f(v) is None else (v, before)
-            for _ in range(EDGE_STEPS):
-                middle = (inside + outside) / 2
-                inside, outside = (inside, middle) if f(middle) is None else (middle, outside)
-            start = before if f(v) is None else v
-            steps = [start + (inside - start) * (1 - Decimal(2) ** -k) for k in range(1, EDGE_STEPS, 2)]
-            yield from steps if f(v) is None else reversed(steps)
-        yield v
-        before = v
-
-
-def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> Decimal | None:
-    """The root between two numbers; None where the sign changes at a pole or a jump, as of atan2 at half a turn."""
-    fa, fb = f(a), f(b)
-    if fa is None or fb is None:
-        return None
-    most = max(abs(fa), abs(fb))
-    for _ in range(220):
-        middle = (a + b) / 2
-        fm = f(middle)
-        if fm is None:
-            return None
-        if fm == 0:
-            return middle
-        if abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
-            break
-        if (fa > 0) != (fm > 0):
-            b, fb = middle, fm
-        else:
-            a, fa = middle, fm
-    return None if min(abs(fa), abs(fb)) > JUMP * most else (a + b) / 2
