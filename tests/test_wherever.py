@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from answered import first, solve
 
@@ -53,6 +55,19 @@ loads:
 instant: [at rest]
 find: {a: a(cart).x}
 """
+DRIVEN = """
+title: Pendulum at rest relative to a cart that is driven
+plane: vertical
+coordinates: {s: m, phi: deg}
+points: {C: [s, 0], P: {from: C, distance: 1 m, angle: phi}}
+bodies: {cart: {particle: C, mass: 5 kg}, bob: {particle: P, mass: 2 kg}}
+joints:
+  - guide: {point: C, along: 0 deg}
+  - link: {between: [C, P]}
+motion: [ddot(s) = 3 m/s^2]
+instant: [ddot(phi) = 0, dot(phi) = 0, phi < 0, phi > -180 deg]
+find: {phi: phi}
+"""
 
 
 def page(text: str) -> str:
@@ -89,3 +104,9 @@ def test_where_an_answer_rests_on_it_it_must_be_told() -> None:
     with pytest.raises(NoSolution) as refused:
         solve(CART.replace("d: x(C) @ 2 - x(C) @ 1", "d: x(C) @ 2"))
     assert refused.value.diagnostics[0].code == "PL623"
+
+
+def test_the_place_of_what_is_driven_need_not_be_told_where_an_angle_is_sought() -> None:
+    """The link is along g - a, so that tan phi = -g/(-a): phi = -180 deg + arctan(g/a)."""
+    assert first(solve(DRIVEN)["phi"]) == pytest.approx(math.atan(9.81 / 3) - math.pi)
+    assert "s = 0; the answers are the same with any other" in page(DRIVEN)

@@ -16,6 +16,7 @@ from planar_cli.errors import NoSolution, PlanarError
 from planar_cli.problem.expression import Name, Number, Relation, Statement
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.walk import walk
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import same_answer
 from planar_cli.units import parse_unit
@@ -38,10 +39,14 @@ def wherever(solve: Callable[..., PartSolution], problem: Problem, *rest: Any) -
         return solve(problem, *rest)
     except NoSolution as error:
         untold = _untold(problem) if any(d.code in OPEN for d in error.diagnostics) else []
-        part = _anywhere(solve, problem, untold, rest) if untold else None
-        if part is None:
-            raise
-        return part
+        # Of one that is asked for, as the angle at which a pendulum hangs on a cart that is driven, the laws may tell.
+        asked = {n.name for f in problem.find for n in walk(f.found.what) if isinstance(n, Name)}
+        others = [c for c in untold if c.name not in asked]
+        for group in [untold] if others == untold else [untold, others]:
+            part = _anywhere(solve, problem, group, rest) if group else None
+            if part is not None:
+                return part
+        raise
 
 
 def _untold(problem: Problem) -> list[Symbol]:
