@@ -129,7 +129,7 @@ _QUANTITIES = {
         ".t and .n are along and across the velocity; where the speed is zero they mean nothing. On a circle "
         "use .across."
     ),
-    "PL557": "N, friction, reaction, moment and tension take the name of what acts then, not only before.",
+    "PL557": "N, friction, reaction, moment and tension take the name of what acts then, or up to then.",
     "PL558": "The joint does not act on the body after the slash.",
     "PL559": "The joint or load acts on two moving bodies; say on which its force is meant: reaction(B/AB).",
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",

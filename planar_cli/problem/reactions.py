@@ -35,7 +35,7 @@ class Reactions:
         name = q.things[0]
         if name not in self.joints.values():
             text = f"{name} does not act then"
-            hint = "at a state where a joint begins or ends to act, its forces are those just after it"
+            hint = "ask at a state from the one in which it begins to act to the one in which it ends"
             raise refuse(q.mark, "PL557", text, hint)
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 

@@ -23,6 +23,7 @@ from planar_cli.motion.regime import Regime
 from planar_cli.motion.routine import Routine
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.ended import told_before
 from planar_cli.problem.expression import Grouped, Number, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
@@ -207,6 +208,8 @@ class Measures:
         if moment is None:
             mark = _mark(side)
             raise Undecided(f"{mark.file}:{mark.line}: the state {state} is not reached, so this has no value")
+        if told_before(side, self.model.scene.problem, state):
+            moment = replace(moment, after=None)
         return self.at(side, moment)
 
     def quantities(self, regime: Regime | None) -> Quantities:

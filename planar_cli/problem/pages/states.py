@@ -34,7 +34,7 @@ Where what acts changes
   Places and velocities are the same before and after it. Accelerations, forces and modes may jump; at a state they are
   those just after it: of a block that has just come to rest on a slope, `mode(A) @ top` says whether it stays, and
   `a(block) @ top` is its acceleration downwards, or zero. What a state itself states, such as `N(C) = 0`, is read as
-  the body arrives.
+  the body arrives; so is the force of a joint that ends there: after `during: 1->2`, `N(C) @ 2` is the last one.
 
 Infinity
   `t = infinity` is where the motion tends: a terminal velocity, a place of rest. A speed is printed there that is never

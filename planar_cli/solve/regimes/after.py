@@ -1,7 +1,7 @@
 """On which side of an instant a quantity is read, where what acts changes there.
 
 Places and velocities are the same on both sides. Accelerations, forces and modes are those just after: of what begins.
-What a state itself states (N = 0 is reached) is read in what arrives.
+What a state itself states (N = 0 is reached) is read in what arrives, and so is the force of a joint that ends there.
 """
 
 from __future__ import annotations

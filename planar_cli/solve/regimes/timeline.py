@@ -18,6 +18,7 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import NOWHERE, Mark, refuse
 from planar_cli.problem.check_dimensions import about
+from planar_cli.problem.ended import told_before
 from planar_cli.problem.expression import (
     AtRest,
     Equilibrium,
@@ -142,7 +143,8 @@ class Reader:
         return found.value
 
     def _there(self, state: str, side: Side) -> Jet | Vec:
-        other = (self.tellers if changes_at_once(side) else self.readers)[state]
+        after = changes_at_once(side) and not told_before(side, self.problem, state)
+        other = (self.tellers if after else self.readers)[state]
         value = other.any(side)
         if isinstance(value, Vec):
             return Vec(*(constant(self._stand_in(other, state, p.value)) for p in (value.x, value.y)))
