@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from conftest import ROOT
+
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
+PROBLEMS = ROOT / "problems"
 TEE = """
 title: T of two rods
 PLANE
@@ -67,3 +70,21 @@ def test_a_constant_in_a_given_acceleration_is_solved_for_on_the_page() -> None:
     assert "2 equations, 2 unknowns: a_car,x, v" in told
     assert "v = √(-ρ a_car,x) = √(-100 (-2)) = 14.14 m/s" in told
     assert "v_max = v = 50.91 km/h" in told
+
+
+def test_a_given_acceleration_has_its_number() -> None:
+    text = CURVE
+    for old, new in (
+        ("magnitude: F", "magnitude: P"),
+        ("v > 0", "v = 20 m/s"),
+        ("{v: m/s}", "{v: m/s, P: N}"),
+        (", F: 3000 N", ""),
+        ("{v_max: v in km/h}", "{P: P}"),
+    ):
+        text = text.replace(old, new)
+    assert "given: a_car,x = -v²/ρ = -20²/100 = -4 m/s²" in page(text)
+
+
+def test_what_is_zero_at_sight_stands_in_no_check() -> None:
+    told = page((PROBLEMS / "particles" / "sphere-on-two-wires-in-a-circle.yaml").read_text())
+    assert "→ ΣF_x = -16.90 - 28.24 = -45.14 N, m a_axis = -45.14 N" in told

@@ -129,5 +129,8 @@ def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases) -> Lin
     change = phrases.certain(found.inertia)
     if not agree(terms, [change]):
         return ()
+    # What is zero at sight stands nowhere else on the page.
+    nothing = {s: sp.S.Zero for s in found.inertia.free_symbols if phrases.value.is_zero(s)}
+    inertia = found.inertia.xreplace(nothing)
     head = line(f"{body}: ", *found.lead, " = ", *chain(terms, unit, phrases))
-    return line(*head, ", ", phrases.math(found.inertia), " = ", *chain([change], unit, phrases)) if change else head
+    return line(*head, ", ", phrases.math(inertia), " = ", *chain([change], unit, phrases)) if change else head

@@ -45,11 +45,24 @@ class DataTelling:
         if not w.right.is_number or w.right == 0:
             role = self.scene.ledger.roles.get(w.right)
             sought = role is not None and role.kind is Kind.SOUGHT
-            return [Equation((letter, value), number, self._unknown(w.right) if sought else GIVEN)]
+            lead = self._unknown(w.right) if sought else GIVEN
+            return [Equation((letter, value, *self._worked_out(w)), number, lead)]
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
+
+    def _worked_out(self, w: Written) -> tuple[Inline | Line, ...]:
+        """A formula with its numbers and its value, where nothing in it is sought that the instant does not give."""
+        roles = self.scene.ledger.roles
+        sought = {s for s in w.right.free_symbols if s in roles and roles[s].kind is Kind.SOUGHT}
+        short = (-w.right).is_Symbol or w.right.is_Symbol or w.right.is_number
+        if short or self.phrases.symbolic or any(self._unknown(s) != GIVEN for s in sought):
+            return ()
+        if any(self.phrases.value.known(s) is None for s in w.right.free_symbols):
+            return ()
+        value = self.phrases.shown(w.left)
+        return (*self.phrases.substituted(w.right, value), value)
 
     def of_letter(self, w: Written, moving: frozenset[sp.Symbol], number: int) -> Equation | None:
         """given, w unknown: ω = w, where the file says that a velocity or acceleration is a letter which is sought."""
