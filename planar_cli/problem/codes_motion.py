@@ -83,6 +83,11 @@ _EQUILIBRIA = {
         "Where the derivative of what is to be largest vanishes it is smallest, or the other way round, so that it has "
         "no such value between the limits. Ask for the other, or state the limit itself."
     ),
+    "PL639": (
+        "A law of `motion` begins in a state in which what it drives has another speed. That changes at once only in "
+        "a blow, and what else takes part in it must be told: with an `impulse` of unknown magnitude, say, and a state "
+        "`just after` the one before it. What is driven and carries nothing may change its speed so."
+    ),
     "PL630": (
         "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
         "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."

@@ -23,6 +23,7 @@ from planar_cli.solve.between.integrated import apart, digits
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.diagnosis.any_mass import not_cancelled
+from planar_cli.solve.diagnosis.driven_jumps import driven_jump
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import DATA
 from planar_cli.solve.regimes.regime import Regime
@@ -59,6 +60,8 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
         known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
         if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
             _demand_cancelled(course, value, e.residual)
+            if (jump := driven_jump(course, value)) is not None:
+                raise NoSolution([jump])
             mark = course.states[0].mark
             text = f"the motion that was followed contradicts an equation: {e.words}"
             raise Disagreement(f"{mark.file}:{mark.line}: {text}")
