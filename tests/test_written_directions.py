@@ -178,6 +178,23 @@ find: {one: theta(one) @ 1, two: theta(two) @ 1, relative: theta(two/one) @ 1, e
     assert first(found["t"]) == pytest.approx(0.5235987755982988)
 
 
+@pytest.mark.parametrize("begun", [0, 2])
+def test_a_tie_that_goes_with_the_time_is_met_as_drawn(begun: float) -> None:
+    """The drawing tells both angles where what `motion` says of them together holds there."""
+    found = solve(f"""
+title: Crank on a crank
+points: {{A: [0, 0], B: {{from: A, distance: 1 m, angle: 210 deg}}, C: {{from: B, distance: 1 m, angle: 300 deg}}}}
+bodies: {{one: {{rod: [A, B]}}, two: {{rod: [B, C]}}}}
+joints:
+  - pin: {{at: A, between: [ground, one]}}
+  - pin: {{at: B, between: [one, two]}}
+motion: [omega(one) = 1 rad/s, 'theta(two/one) = 90 deg + 1 rad/s * (t - {begun} s)']
+states: {{1: [t = {begun} s], 2: [t = {begun + 1} s]}}
+find: {{two: theta(two) @ 1, later: theta(two) @ 2}}
+""")
+    assert in_degrees(found, "two", "later") == pytest.approx([300, 300 + degrees(2)])
+
+
 def test_a_particle_in_x_and_y() -> None:
     """On a circle with 2 rad/s, from 210 deg on: at 270 deg after π/6 s."""
     found = solve("""

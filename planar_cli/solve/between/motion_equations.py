@@ -9,6 +9,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import refuse
 from planar_cli.problem.scene import Round
 from planar_cli.records import record
@@ -193,6 +194,9 @@ def _placed(motion: StatedMotion) -> set[sp.Symbol]:
     first, told = motion.first, motion.placed[motion.first.name]
     found = {x for d in told for x in d.residual.free_symbols} - {first.t}
     drawn = {first.letters[c.symbol]: c.drawn for c in motion.regimes[0].coordinates if c.drawn is not None}
+    dated = [d.residual for d in motion.demands[first.name] if d.residual.free_symbols == {first.t}]
+    if dated and derivative(dated[0], first.t) == 1:
+        drawn[first.t] = first.t - dated[0]
     ties = len(found) > len(told) and found <= set(drawn)
     met = ties and all(motion.given().vanishes(d.residual.xreplace(drawn)) for d in told)
     return set() if met else found
