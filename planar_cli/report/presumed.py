@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.problem.expression import JustAfter, Name, Relation
+from planar_cli.problem.knots import balanced_knots
 from planar_cli.problem.scene import Problem, Round
 from planar_cli.report.blocks import Line, Note, line
 from planar_cli.report.words import Phrases
@@ -47,6 +48,8 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", line(f"No mass of {' and of '.join(light)} is given: {neglected}."))
     if part.motion is None:
         return
+    for knot in balanced_knots(part.motion.problem):
+        yield Note("Assume", line(f"{knot} has no mass: the pulls of the springs at it balance all the time."))
     for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     problem = part.motion.problem

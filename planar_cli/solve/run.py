@@ -15,7 +15,7 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NoValue, Undecided, refuse
-from planar_cli.problem.extreme_and_given import with_rates
+from planar_cli.problem.as_meant import as_meant
 from planar_cli.problem.instants_in_time import with_dated_instants
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
@@ -59,7 +59,7 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     """All finds of a problem, told by a method (None: the file's own, else the plan chooses). Raises FileProblem,
     NoSolution or Undecided.
     """
-    return best_placed(with_limits_at_start(with_rates(problem)), lambda p: _solved(p, method))
+    return best_placed(with_limits_at_start(as_meant(problem)), lambda p: _solved(p, method))
 
 
 def _solved(problem: Problem, method: str | None) -> Solution:

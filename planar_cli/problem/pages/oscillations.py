@@ -25,6 +25,9 @@ Small oscillations about it
   `period(hang) is smallest`; `frequency(hang) = 0` is critical damping. A record of an oscillation that dies away
   tells stiffness and damping: `[equilibrium, x = 0, period(rest) = T, decrement(rest) = log(x_1/x_2)]`.
 
+  Springs that join at a particle without mass, a knot on a `guide` along a fixed line, balance there all the time: that
+  makes one stiffness of them. A damper at such a knot, or a motion from state to state, needs a mass there.
+
   With several freedoms each mode has its period: `T: period(hang)` is answered by all of them, the longest first, and
   `frequency(hang)` by all frequencies, the lowest first, `decrement(hang)` and `damping_ratio(hang)` in the same order;
   a key says `T: [1.23 s, 0.45 s]`. Inside a formula, or stated, a period has to be the only one. In letters there are
