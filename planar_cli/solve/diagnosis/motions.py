@@ -271,7 +271,9 @@ def _tells_the_drawing(stated: Equation, equations: Iterable[Equation]) -> bool:
 
 
 def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSolution:
-    """Why the state that was missed does not come. NoSolution: a state before it is not as it is stated."""
+    """Why the state that was missed does not come. NoSolution: a state before it is not as it is stated. Undecided: the
+    motion was not followed to its end, so that the state may come later.
+    """
     name = followed.missed
     assert name is not None
     stop, demands = course.stops[name], course.demands[name]
@@ -283,6 +285,12 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     if not course.sought():
         passed = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in value.values}
         demand_agreement(course, value.extended(passed), passed, name)
+    outcome = followed.run.trajectory.outcome if followed.run is not None else None
+    if outcome is not None and outcome.kind == "long":
+        raise Undecided(
+            f"state {name} (`{texts}`) is not found: {outcome.words}, and the motion goes on; "
+            "`planar simulate --until` follows it further"
+        )
     hint = "" if name in asked_about(course.problem) else how_near(course, followed, stop, value)
     if any(d.kind == "extreme" for d in demands):
         hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
