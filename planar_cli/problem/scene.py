@@ -376,11 +376,11 @@ class Problem:
     strikers: tuple[Joint | Load, ...] = ()
     """Impacts and impulses of the file, in a problem of what acts while time passes."""
     idle: tuple[Joint, ...] = ()
-    """Joints of the file that touch only before or after that time: where they would touch, a rim goes on all the same.
-    """
-
+    """Joints of the file that touch only before or after that time: where they would touch, a rim goes on."""
     placed: tuple[str, ...] = ()
     """Coordinates that the file leaves open, put somewhere, as the answers are the same wherever they are."""
+    bounded: tuple[tuple[str, str], ...] = ()
+    """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:
         """Does what acts `during` a span act as the motion begins, though not before it alone?"""

@@ -53,7 +53,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     for state in part.motion.corners:
         yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
     problem = part.motion.problem
-    for told in (*_steady(problem), *_taking_hold(problem), *_turning_with(part)):
+    for told in (*_bounded(problem), *_steady(problem), *_taking_hold(problem), *_turning_with(part)):
         yield Note("Assume", line(told))
 
 
@@ -111,6 +111,12 @@ def _without_mass(part: PartSolution) -> dict[str, None]:
             if any(instant.value.known(p) != 0 for p in (v.x, v.y)):
                 found[name] = None
     return found
+
+
+def _bounded(problem: Problem) -> Iterator[str]:
+    """What is largest or smallest where an inequality only just holds."""
+    for extreme, bound in problem.bounded:
+        yield f"{extreme} where its bound is reached, {bound}; beyond that the inequality is false."
 
 
 def _steady(problem: Problem) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """The value of an unknown constant for which something is largest or smallest at a state that something else dates.
 
 The motion is followed for many values of the constant. The best of them is an interior one, where the derivative with
-respect to the constant vanishes, or the last one with which the state is still reached.
+respect to the constant vanishes, or the last one with which the state is still reached, and all inequalities hold.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from itertools import pairwise
 from planar_cli.problem.expression import Extreme
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import record
+from planar_cli.simulate.run import Run
 from planar_cli.simulate.shooting import motion_with, telling, values_tried
 from planar_cli.simulate.timetable import chooses
 
@@ -29,6 +30,8 @@ FLAT = 1e-8
 """What differs by less than this part of its size, between neighbouring values, is the same."""
 Size = Callable[[float], float | None]
 """What is to be largest, with a value of the constant; None: the state is not reached."""
+Allowed = Callable[[Run], bool]
+"""Do the inequalities of the file hold on a motion?"""
 
 
 @record
@@ -40,10 +43,10 @@ class Best:
     size: float
     """How large is what is to be largest."""
     state: str = ""
-    """The state that is no more reached beyond this value; "": the value lies among others that reach it."""
+    """The state that beyond this value is no more reached as it is told; "": the value lies among others that do."""
 
 
-def best_value(problem: Problem, known: Mapping[str, float]) -> Best | None:
+def best_value(problem: Problem, known: Mapping[str, float], allowed: Allowed) -> Best | None:
     """The best value of the only unknown; None: this is not what the file asks for, or none is best among those
     that are tried. `known`: numbers of other names.
     """
@@ -56,7 +59,7 @@ def best_value(problem: Problem, known: Mapping[str, float]) -> Best | None:
     extremes = [r for r in state.relations if isinstance(r, Extreme)]
     if len(extremes) != 1 or len(telling(state)) != 2:
         return None
-    size = _size(problem, state, extremes[0], known)
+    size = _size(problem, state, extremes[0], known, allowed)
     for values in values_tried(problem, problem.unknowns[0], known):
         found = _best(size, values)
         if found is not None:
@@ -64,7 +67,7 @@ def best_value(problem: Problem, known: Mapping[str, float]) -> Best | None:
     return None
 
 
-def _size(problem: Problem, state: State, extreme: Extreme, known: Mapping[str, float]) -> Size:
+def _size(problem: Problem, state: State, extreme: Extreme, known: Mapping[str, float], allowed: Allowed) -> Size:
     less = replace(state, relations=tuple(r for r in state.relations if r is not extreme))
     others = replace(problem, states=tuple(less if s is state else s for s in problem.states))
     name = problem.unknowns[0].name
@@ -72,7 +75,7 @@ def _size(problem: Problem, state: State, extreme: Extreme, known: Mapping[str, 
     def size(value: float) -> float | None:
         run = motion_with(others, {**known, name: value})
         moment = None if run is None else run.measures.moments.get(state.name)
-        if run is None or moment is None:
+        if run is None or moment is None or not allowed(run):
             return None
         return extreme.sense * run.measures.function(extreme.side, moment.regime)(moment.t, moment.y)[0]
 

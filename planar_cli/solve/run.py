@@ -139,7 +139,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         raise  # a third road does not settle what two of them see differently
     except (Undecided, NoSolution) as error:
         if problem.unknowns:
-            return _confirmed(problem, _shot(problem, case, units, earlier, error), earlier)
+            return _shot(problem, case, units, earlier, error)
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed. And that no
         # motion comes to a state does not stand against one that does.
         by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _steps_may_tell(error)
@@ -155,7 +155,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         if not problem.unknowns:
             raise
         # The equations are those of modes that do not happen: a constant that is open kept it from being followed.
-        return _confirmed(problem, _shot(problem, case, units, earlier, error), earlier)
+        return _shot(problem, case, units, earlier, error)
 
 
 def _steps_may_tell(error: NoSolution) -> bool:
@@ -170,19 +170,19 @@ def _shot(
     earlier: dict[str, Earlier],
     error: Undecided | NoSolution,
 ) -> PartSolution:
-    """One part whose unknown the equations of the first assumptions did not give: it is found by shooting, and then the
-    equations of what happens give it, or the motion alone. `error`: why not otherwise, raised where this fails too.
+    """One part whose unknown the first equations did not give: it is found by shooting, and then the equations of what
+    happens give it, or the motion alone. `error`: why not otherwise, raised where this fails too.
     """
     from planar_cli.solve.sought import by_motion, root_of
 
-    trial = root_of(problem, earlier, error)
+    sought = root_of(problem, earlier, error)
     try:
-        return _in_time(problem, case, units, earlier, trial)
+        part = _in_time(sought.problem, case, units, earlier, sought.values)
     except (Undecided, NoSolution):
-        part = by_motion(problem, case, units, earlier, trial)
-        if part is None:
+        if (followed := by_motion(sought.problem, case, units, earlier, sought.values)) is None:
             raise error from None
-        return part
+        part = followed
+    return _confirmed(sought.problem, part, earlier)
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, Earlier]) -> PartSolution:

@@ -14,7 +14,8 @@ from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.simulate.shooting_at_several import shooting_at_several
-from planar_cli.simulate.shooting_of_extremes import Best, best_value
+from planar_cli.simulate.shooting_of_extremes import Best
+from planar_cli.solve.bounds import Sought, at_bound, best_allowed
 from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
@@ -31,24 +32,24 @@ TURNED = "PL638"
 """That of what is stationary, and not as the file says: trial would only find where the motion ends."""
 
 
-def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> dict[str, float]:
-    """The numbers of the unknowns [SI] with which the motion passes all states, by their names.
+def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> Sought:
+    """The numbers of the unknowns [SI] with which the motion passes all states.
 
     Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
     """
     if _says(error, SEVERAL) or _says(error, TURNED):
         raise error
     if len(problem.unknowns) > 1:
-        return _roots_of_several(problem, earlier, error)
+        return Sought(problem, _roots_of_several(problem, earlier, error))
     try:
         idle = has_no_effect(problem, numbers_of(earlier))
-        best = None if idle else best_value(problem, numbers_of(earlier))
+        best = None if idle else best_allowed(problem, numbers_of(earlier))
         roots = None if idle or best is not None else shooting(problem, numbers_of(earlier))
     except PlanarError:
         # What keeps the motion from being followed is not what is wrong with the file.
         idle, roots, best = False, None, None
     if best is not None:
-        return _chosen(problem, best)
+        return _chosen(problem, best, numbers_of(earlier))
     if idle:
         unknown = problem.unknowns[0]
         text = f"{unknown.name} is open: what the states say is the same whatever it is"
@@ -70,7 +71,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     fits = within_a_turn(problem, unknown.name, roots, roots)
     if len(fits) > 1:
         raise _ambiguous(problem, [{unknown.name: root} for root in fits])
-    return {unknown.name: fits[0]}
+    return Sought(problem, {unknown.name: fits[0]})
 
 
 def _says(error: Undecided | NoSolution, code: str) -> bool:
@@ -78,16 +79,19 @@ def _says(error: Undecided | NoSolution, code: str) -> bool:
     return isinstance(error, NoSolution) and any(d.code == code for d in error.diagnostics)
 
 
-def _chosen(problem: Problem, best: Best) -> dict[str, float]:
+def _chosen(problem: Problem, best: Best, known: Mapping[str, float]) -> Sought:
     """The number with which something is largest or smallest, unless that is where a state is only just reached."""
     unknown = problem.unknowns[0]
     if best.state:
+        bounded = at_bound(problem, best, known)
+        if bounded is not None:
+            return bounded
         number = _number(unknown, best.value, problem.us, 3)
         state = next(s for s in problem.states if s.name == best.state)
         asked = next(r for r in state.relations if isinstance(r, Extreme))
         text = f"`{asked.text}` at about {number}, the last value with which state {best.state} is reached"
         raise NoSolution([Diagnostic(unknown.mark, OPEN, text, _what_ceases(problem))])
-    return {unknown.name: best.value}
+    return Sought(problem, {unknown.name: best.value})
 
 
 def _roots_of_several(

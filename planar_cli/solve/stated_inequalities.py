@@ -40,6 +40,11 @@ def demand_inequalities(problem: Problem, run: Run) -> None:
 
 
 def _wrong(problem: Problem, run: Run) -> Iterator[Diagnostic]:
+    return (_told(problem, state, relation, sides) for state, relation, sides in false_ones(problem, run))
+
+
+def false_ones(problem: Problem, run: Run) -> Iterator[tuple[str, Relation, tuple[float, float]]]:
+    """The inequalities that are false at their states, with the numbers of both sides [SI]."""
     for k, state in enumerate(problem.states):
         moment = run.measures.moments.get(state.name)
         for relation in state.relations if moment is not None else ():
@@ -50,7 +55,7 @@ def _wrong(problem: Problem, run: Run) -> Iterator[Diagnostic]:
                 sides = [_sides(run, relation, m) for m in meant]
                 if all(found is not None and _is_false(problem, run, relation, found) for found in sides):
                     assert sides[0] is not None
-                    yield _told(problem, state.name, relation, sides[0])
+                    yield state.name, relation, sides[0]
 
 
 def _wrong_modes(problem: Problem, run: Run) -> Iterator[Diagnostic]:

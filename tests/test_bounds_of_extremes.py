@@ -1,0 +1,38 @@
+"""What is largest or smallest where an inequality of its state only just holds (solve/bounds.py)."""
+
+from __future__ import annotations
+
+import pytest
+from answered import assert_close
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+BUFFER = """
+title: The stiffest buffer that presses with less than 60 N
+plane: horizontal
+unknowns: {k: N/m}
+points: {O: [0, 0], P: [1 m, 0]}
+bodies: {b: {particle: P, mass: 2 kg}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - spring: {between: [O, P], stiffness: k, natural_length: 1 m, name: buffer}
+states:
+  1: [v(b).x = -3 m/s]
+  2: [v(b).x = 0, "tension(buffer) >= -60 N", k is largest]
+find: {value: k}
+"""
+
+
+@pytest.mark.parametrize("limit", ["tension(buffer) >= -60 N", "-tension(buffer) < 60 N"])
+def test_a_force_that_stays_below_its_limit(limit: str) -> None:
+    """m v²/2 = F²/(2 k), so that k = F²/(m v²) = 3600/18 N/m."""
+    problem, wrong = load_text(BUFFER.replace("tension(buffer) >= -60 N", limit))
+    assert problem is not None, wrong
+    solution = solve_problem(problem)
+    assert_close(solution.parts[0].found[0], 200)
+    page = " ".join(Terminal(400).render(narrate(solution)).split())
+    assert "k is largest where its bound is reached, " + limit.replace(">=", "=").replace("<", "=") in page
