@@ -12,7 +12,7 @@ from planar_cli.errors import Diagnostic, NoValue
 from planar_cli.problem.expression import Extreme, Quantity
 from planar_cli.solve.diagnosis.meant import otherwise_meant
 from planar_cli.solve.diagnosis.open_data import demand
-from planar_cli.solve.diagnosis.words import in_general, listed, one_of, unknown_name
+from planar_cli.solve.diagnosis.words import in_general, listed, of_limits, one_of, unknown_name
 from planar_cli.solve.instant.beyond import STILL
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -52,7 +52,8 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
         return Diagnostic(mark, "PL606", f"{hanging[0]}; {demand(1)}", hint)
     if loose and not said:
         text = f"{find.name} is open: the equations do not determine {listed(names)}; {demand(1)}"
-        return Diagnostic(find.mark, "PL606", text, one_of(names) + in_general(instant.scene.problem))
+        problem = instant.scene.problem
+        return Diagnostic(find.mark, "PL606", text, one_of(names) + of_limits(problem, names) + in_general(problem))
     text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
     if (other := otherwise_meant(instant, said)) is not None:
         return Diagnostic(find.mark, "PL601", f"{text}; {other[0]}", other[1])

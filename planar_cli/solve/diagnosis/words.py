@@ -13,7 +13,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.setup import first_unit
 from planar_cli.equation.system import System
 from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Number, Quantity, Relation, Side
+from planar_cli.problem.expression import Name, Number, Quantity, Relation, Side
 from planar_cli.problem.facts import Push
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.problem.walk import walk
@@ -38,6 +38,13 @@ def one_of(words: Iterable[str]) -> str:
     """`give a`, or `give one of a, b`."""
     items = list(dict.fromkeys(words))
     return f"give {items[0]}" if len(items) == 1 else f"give one of {', '.join(items)}"
+
+
+def of_limits(problem: Problem, names: Iterable[str]) -> str:
+    """What else may be meant where a coefficient of friction is open: the least that there must be."""
+    sides = [getattr(j, key, None) for j in problem.joints for key in ("mu", "mu_s")]
+    known = {n.name for side in sides if side is not None for n in walk(side) if isinstance(n, Name)}
+    return "".join(f", or ask for the limit: `{k} is smallest`" for k in names if k in known)
 
 
 def in_general(problem: Problem) -> str:
