@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
 import pytest
-from answered import solve
+from answered import first, solve
 
 from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
@@ -61,6 +63,15 @@ def test_it_turns_round_where_more_acts() -> None:
     top = 5 * up
     down = 3 - up
     assert first_number(followed(BALL.replace("SIZE", "5 N"))) == pytest.approx(top - 7.31 * down**2 / 2)
+
+
+def test_the_way_back_is_told() -> None:
+    """The turn is found: v² = 2 · 7.31 m/s² · h on the way down."""
+    text = BALL.replace("SIZE", "5 N").replace("[t = 3 s]", "[y(ball) = 0]")
+    found = solve(text.replace("{y: y(ball) @ 2}", "{v: v(ball).y @ 2, t: t @ 2}"))
+    up, top = 10 / 12.31, 50 / 12.31
+    assert first(found["v"]) == pytest.approx(-sqrt(2 * 7.31 * top))
+    assert first(found["t"]) == pytest.approx(up + sqrt(2 * top / 7.31))
 
 
 def test_it_is_held_where_less_acts() -> None:

@@ -335,8 +335,8 @@ class Follower:
         if isinstance(stop, Outcome):
             self.outcome = stop
         elif stop is not None:
-            self.t, self.y = stop
-            self.automaton.note(*stop)
+            self.y = stop
+            self.automaton.note(self.t, self.y)
         return stop is not None
 
     def _reach(self, event: Event) -> None:

@@ -28,9 +28,9 @@ State = tuple[float, ...]
 
 def stopped(
     automaton: Automaton, regime: Regime, guards: Sequence[Guard], t: float, y: Sequence[float]
-) -> tuple[float, State] | Outcome | None:
-    """How the motion goes on from such a stop: time and state; or its end, where the resistance holds it. None: none of
-    the guards that have fallen looks for one, or something else moves or varies, so that more is to be told.
+) -> State | Outcome | None:
+    """The state with which the motion goes on from such a stop; or its end, where the resistance holds it. None: no
+    guard that has fallen looks for one, or something else moves or varies, so that more is to be told.
     """
     half = len(y) // 2
     speeds = zip(y[half:], automaton.scale[half:], strict=True)
@@ -41,7 +41,7 @@ def stopped(
     alone = _weighted(regime, weights, t, still)
     size = _product(alone, alone)
     if size <= NOTHING**2:
-        return t, still
+        return still
     step = SOON * automaton.time_scale
     moved = (*y[:half], *(step * a / w for a, w in zip(alone, weights, strict=True)))
     resisted = _weighted(regime, weights, t + step, moved)
@@ -49,7 +49,8 @@ def stopped(
     if any(abs(r - part * a) > NOTHING + SLOW * abs(a) for r, a in zip(resisted, alone, strict=True)):
         return None
     if part > 0:
-        return t + step, (*y[:half], *(step * r / w for r, w in zip(resisted, weights, strict=True)))
+        # It begins with the speed of an instant later, so that no time is left out.
+        return (*y[:half], *(step * r / w for r, w in zip(resisted, weights, strict=True)))
     who = next(g.joint for g in guards if g.kind == MOVES)
     return Outcome("held", f"from t = {t:.9g} s on nothing moves: {who} resists with more than what acts", t, who)
 
