@@ -33,8 +33,8 @@ a contact without mu        say it: `mu: 0` is smooth
 at: C, on: floor            `between: [spool, floor], at: C`
 a rope over a heavy pulley  one rope has one tension: two ropes wound on the pulley when it does not slip
 pulleys of no given size    `along: 90 deg`
-a banked road, a conical    a section across the way: `at rest`, and a body that carries the road or the hook has
-pendulum                    `a(road).x = -v^2/rho` towards the centre; the car or the bob goes with it
+a banked road, a conical    a section across the way: `at rest`, a body that carries the road or the hook with
+pendulum                    `a(road).x = -v^2/rho` towards the centre, and `a(bob).y = 0` on a single cord
 a cord that unwinds         `wound_at: T`; with `at: T` the force stays with the body's point
 a force for a short time    `impulse` with `just after` when nothing moves meanwhile, else `force` with `during`
 smallest coefficient,       `mu is smallest` with `mode(C) = stick`
