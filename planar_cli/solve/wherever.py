@@ -64,7 +64,9 @@ def _anywhere(
 ) -> PartSolution | None:
     """The part with these coordinates put somewhere; None: an answer is another one elsewhere, or there is none."""
     told = next((p for share in NATURAL if (p := _solved(solve, problem, untold, share, rest)) is not None), None)
-    if told is None:
+    # A formula in which such a coordinate stands is another number wherever it is put.
+    placed = {symbol.name for symbol in untold}
+    if told is None or any(s.name in placed for f in told.found for e in f.expressions or () for s in e.free_symbols):
         return None
     others = [p for share in ELSEWHERE if (p := _solved(solve, problem, untold, share, rest)) is not None]
     alike = all(same_answer(a, b) for p in others for a, b in zip(told.found, p.found, strict=True))
