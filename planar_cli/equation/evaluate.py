@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Kind, Ledger, exact
-from planar_cli.errors import Mark, refuse
+from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.evaluation import evaluated
 from planar_cli.problem.expression import (
     Binary,
@@ -125,7 +125,7 @@ class Evaluator:
             return left * right
         if side.operator == "/":
             if right.value == 0:
-                raise refuse(side.mark, "PL505", "division by zero")
+                raise divided_by_zero(side)
             return left / right
         if right.rate != 0:
             raise refuse(side.mark, "PL506", "an exponent that varies with time")
@@ -138,3 +138,14 @@ class Evaluator:
 
 
 _ONE = Fraction(1)
+
+
+def divided_by_zero(side: Binary) -> FileProblem:
+    """What is divided by a name or quantity that is zero there."""
+    below, name = side.right, ""
+    if isinstance(below, Name):
+        name = below.name
+    if isinstance(below, Quantity) and below.things and all(p.direction is None for p in below.parts):
+        name = f"{below.word}({'/'.join(below.things)}){''.join(f'.{p.kind}' for p in below.parts)}"
+    text = f"division by zero: {name} is 0 here" if name else "division by zero"
+    return refuse(side.mark, "PL505", text, "ask for what is above and below the line apart, or where it is not zero")

@@ -163,6 +163,27 @@ class KeySpec:
     required: bool
 
 
+def example_of(spec: KeySpec) -> str:
+    """What may stand at a key."""
+    match spec.type:
+        case SideKey(angle=True) | DirectionKey():
+            return "30 deg"
+        case SideKey(unit=unit) | MagnitudeKey(unit=unit):
+            return "0.3" if unit == "1" else f"20 {unit}"
+        case PointKey():
+            return "A"
+        case PointPairKey():
+            return "[A, B]"
+        case BodyKey():
+            return "b"
+        case PartnersKey():
+            return "[a, b]"
+        case RopePathKey():
+            return "[A, over D, B]"
+        case _:
+            return "…"
+
+
 SPELT = {"point": "at", "at": "point"}
 """Keys that mean another one, in entries that have only the other."""
 

@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem import reading
 from planar_cli.problem.fields import Fields
-from planar_cli.problem.keys import Choice, KeySpec, RopeStop, keys_of, spellings
+from planar_cli.problem.keys import Choice, KeySpec, RopeStop, example_of, keys_of, spellings
 from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.read_values import Names, read_value
 from planar_cli.problem.reading import Report
@@ -155,7 +155,11 @@ class _Entry:
         return Mapping(tuple(renamed), self.value.mark)
 
     def _value(self, fields: Fields, spec: KeySpec) -> Any:
-        node = fields.need(spec.name, spec.doc) if spec.required else fields.node(spec.name)
+        node = (
+            fields.need(spec.name, f"write `{spec.name}: {example_of(spec)}`: {spec.doc}")
+            if spec.required
+            else fields.node(spec.name)
+        )
         if node is None and not spec.required:
             return _field_of(self.member, spec).default
         return read_value(node, spec, fields, self.names)

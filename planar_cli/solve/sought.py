@@ -10,6 +10,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.expression import Extreme, Name, Relation
+from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
@@ -28,6 +29,8 @@ OPEN = "PL623"
 
 SEVERAL = "PL635"
 """That of several that fit: the file must choose, and trial finds only one of them."""
+AT_LIMIT = 1e-5
+"""By less than this part of their size an edge of reach, which is enclosed, differs from a limit that the file sets."""
 TURNED = "PL638"
 """That of what is stationary, and not as the file says: trial would only find where the motion ends."""
 
@@ -89,9 +92,34 @@ def _chosen(problem: Problem, best: Best, known: Mapping[str, float]) -> Sought:
         number = _number(unknown, best.value, problem.us, 3)
         state = next(s for s in problem.states if s.name == best.state)
         asked = next(r for r in state.relations if isinstance(r, Extreme))
+        if (limit := _limit_at(problem, unknown, best.value)) is not None:
+            text = f"`{asked.text}` at {number}, the end of what `{limit.text}` allows: beyond it would be more"
+            text = text if asked.sense > 0 else text.removesuffix("more") + "less"
+            end = limit.text.replace(limit.operator, "=", 1)
+            hint = f"write `{end}` in its place, or allow more"
+            raise NoSolution([Diagnostic(asked.mark, OPEN, text, hint)])
         text = f"`{asked.text}` at about {number}, the last value with which state {best.state} is reached"
         raise NoSolution([Diagnostic(unknown.mark, OPEN, text, _what_ceases(problem))])
     return Sought(problem, {unknown.name: best.value})
+
+
+def _limit_at(problem: Problem, unknown: Symbol, value: float) -> Relation | None:
+    """The inequality of the file that ends the range of a constant at this value [SI]; None: there is none."""
+    numbers = KnownValues({s.name: s for s in problem.given})
+    for relation in (*problem.assume, *(r for s in problem.states for r in s.relations)):
+        if not isinstance(relation, Relation) or relation.operator == "=":
+            continue
+        sides = (relation.left, relation.right)
+        bound = next((b for a, b in (sides, sides[::-1]) if isinstance(a, Name) and a.name == unknown.name), None)
+        try:
+            known = None if bound is None else numbers.value(bound)
+        except NoNumber:
+            continue
+        if known is not None:
+            limit = known.value if isinstance(known, Rough) else float(known)
+            if abs(limit - value) <= AT_LIMIT * max(abs(limit), abs(value)):
+                return relation
+    return None
 
 
 def _roots_of_several(
