@@ -62,6 +62,11 @@ _STATES = {
         "out ends earlier: let the stream act `during: 1->2`, where state 2 has a time, `[t = T]`. From there on the "
         "mass stays what it is then."
     ),
+    "PL626": (
+        "A blow in which nothing strikes leaves all as it was. Bodies strike from the side on which they are drawn; a "
+        "straight line has no end, and may be crossed on the way. A file of its own that begins in a state on the "
+        "other side of it has the blow."
+    ),
 }
 
 _EQUILIBRIA = {

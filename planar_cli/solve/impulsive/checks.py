@@ -55,13 +55,36 @@ def _checked(blow: Blow, value: Valuation, far: frozenset[str] | None) -> Iterat
         lost = _energy_lost(blow, trial, here)
         if lost < -SAME * _energy(blow, here):
             yield f"{name} makes kinetic energy: its data can not be right"
-    for joint in blow.struck.joints:
-        mode = trial.system.modes.get(joint.name)
-        if mode is not None and mode.name == "apart" and joint.strikes and joint.during:
-            yield f"{mode.words} at {blow.since.name}: no impulse there"
+    idle = list(_idle(blow, trial))
+    if idle and blow.since.name != blow.scene.problem.states[0].name and not _acts(blow, trial):
+        # From a later state the bodies may have changed sides since they were drawn.
+        raise NoSolution([_nothing_strikes(blow, joint, words) for joint, words in idle])
+    for _, words in idle:
+        yield f"{words} at {blow.since.name}: no impulse there"
     for other in _others(blow, trial, here, far):
         words = ", ".join(m.words for m in other.system.modes.values() if m.words)
         yield f"{name} may also end otherwise: {words}"
+
+
+def _idle(blow: Blow, trial: Trial) -> Iterator[tuple[Joint, str]]:
+    """The impacts that the file names for this blow and that do not act, with why."""
+    for joint in blow.struck.joints:
+        mode = trial.system.modes.get(joint.name)
+        if mode is not None and mode.name == "apart" and joint.strikes and joint.during:
+            yield joint, mode.words
+
+
+def _acts(blow: Blow, trial: Trial) -> bool:
+    """Is there any impulse in the blow?"""
+    return bool(blow.struck.scene.problem.loads) or any(trial.outcomes[0].push(name) for name in trial.system.symbols)
+
+
+def _nothing_strikes(blow: Blow, joint: Joint, words: str) -> Diagnostic:
+    text = (
+        f"{words} in state {blow.since.name}, seen from the side on which they are drawn: nothing happens in the blow"
+    )
+    hint = "a straight line has no end: begin the motion in a state on that side of it from which they strike"
+    return Diagnostic(joint.mark, "PL626", text, hint)
 
 
 def _demand_restitution(blow: Blow, trial: Trial, here: Valuation, name: str) -> None:
