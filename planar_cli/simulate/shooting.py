@@ -71,15 +71,15 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
     there are no others; None: the file has other unknowns, or not just one relation more than tells its states, or it
     is an extreme that chooses the constant. `known`: numbers of other names.
     """
-    shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
-    if not shots or any(chooses(problem, state) for state in problem.states):
+    ways = list(shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
+    if not ways or any(chooses(problem, state) for state in problem.states):
         return None
     unknown = problem.unknowns[0]
     for values in values_tried(problem, unknown, known):
         found: list[float] = []
         least = min(abs(v) for v in values if v)
         # A root may be one of a relation only that is left out of one of the states: each is tried.
-        for shot in shots:
+        for shot in ways:
             for at in _roots(_missed(shot, unknown.name, known), values):
                 root = 0.0 if abs(at) <= NOTHING * least else at
                 new = not any(abs(root - other) <= SAME * max(abs(other), least) for other in found)
@@ -94,14 +94,14 @@ def has_no_effect(problem: Problem, known: Mapping[str, float]) -> bool:
     """Is all that the states say the same with several values of the only unknown, on motions that do not
     pass them?
     """
-    shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
-    if not shots:
+    ways = list(shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
+    if not ways:
         return False
     values = next(values_tried(problem, problem.unknowns[0], known))
     # Not evenly: two angles with one cosine would tell nothing.
     tried = [values[round(k * GOLDEN % 1.0 * (len(values) - 1))] for k in range(1, PROBES + 1)]
     # Of a spring, say, that pushes only while it is compressed two of them might leave everything at rest.
-    probes = [p for v in tried if (p := _sides(shots[0].problem, {**known, problem.unknowns[0].name: v}))]
+    probes = [p for v in tried if (p := _sides(ways[0].problem, {**known, problem.unknowns[0].name: v}))]
     return len(probes) > 1 and all(_alike(one, other) for one, other in pairwise(probes))
 
 
@@ -131,7 +131,7 @@ def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
     return [last.t1, *(off for r in relations for off in run.measures.gap(r, regime)(last.t1, last.end))]
 
 
-def _shots(problem: Problem) -> Iterator[Shot]:
+def shots(problem: Problem) -> Iterator[Shot]:
     """The relation that is one too many for a motion with known constants, in every way of telling its state."""
     much = [(s, n) for s in problem.states[1:] if (n := len(telling(s)) - 1) > 0]
     if [n for _, n in much] != [1]:

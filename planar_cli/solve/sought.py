@@ -19,6 +19,7 @@ from planar_cli.simulate.shooting_of_extremes import Best
 from planar_cli.solve.bounds import Sought, at_bound, best_allowed
 from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.followed import can_be_followed, followed_part
+from planar_cli.solve.near_misses import how_near
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.within_a_turn import within_a_turn
 from planar_cli.units import parse_unit
@@ -67,7 +68,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "correct the data, or add the force that drives it")])
     if not roots:
         if isinstance(error, NoSolution) and any(d.code != OPEN for d in error.diagnostics):
-            raise error
+            raise how_near(problem, numbers_of(earlier), error)
         text = f"no motion is found that passes through these states, with none of many values of {unknown.name}"
         hint = f"follow it with a value that you expect: `planar simulate --set {unknown.name}=…`"
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, hint)]) from error
