@@ -27,7 +27,8 @@ Units
 Signs
   x right, y up, angles and rotations counterclockwise from +x. `cw` after a unit is a minus, `ccw` a plus:
   `6.186 rad/s^2 cw`. N and tension are positive when they press and pull. A force is the force *on* the body named; so
-  are work and impulse. theta(b) and r(P).angle count turns; all other angles lie in (-180, 180] deg.
+  are work and impulse. theta(b) and r(P).angle count turns, from the angle with which the file constructs the point:
+  with B at `angle: 210 deg` from A, a rod [A, B] begins at 210 deg. All other angles lie in (-180, 180] deg.
 
 Gravity
   `g` is 9.81 m/s^2 unless `given` says otherwise; in a file with `symbols` it stays a letter.
