@@ -46,6 +46,7 @@ from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
 from planar_cli.solve.where_asked import where_asked
+from planar_cli.solve.with_drivers import with_drivers
 
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
 """Verdicts that a motion which is followed to all states refutes."""
@@ -292,13 +293,7 @@ def solve_instant(
     instant = make_instant(problem, always, now, earlier, open_form)
     if instant.principle.general:
         instant.lift = _lift(problem, always, earlier)
-    if not (instant.drives_at_will and instant.add_drivers()):
-        try:
-            return _solve(instant, finds, units, state)
-        except NoSolution:
-            if not instant.add_drivers():
-                raise
-    return _solve(instant, finds, units, state)
+    return with_drivers(instant, lambda: _solve(instant, finds, units, state))
 
 
 def _lift(problem: Problem, always: tuple[Any, ...], earlier: dict[str, Earlier]) -> Lift:
