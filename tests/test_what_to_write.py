@@ -60,3 +60,10 @@ def test_the_largest_at_the_end_of_what_is_allowed() -> None:
     (why,) = refused.value.diagnostics
     assert why.message.startswith("`x(P) is largest` at phi = 30 deg, the end of what `phi <= 30 deg` allows")
     assert (why.hint or "").startswith("write `phi = 30 deg` in its place")
+
+
+def test_a_length_that_is_given_as_nothing() -> None:
+    text = ROD.replace("points:", "given: {l: 0 m}\npoints:").replace("[1 m, 0]", "[l, 0]")
+    with pytest.raises(FileProblem) as refused:
+        solve(text)
+    assert refused.value.diagnostics[0].message == "both ends of rod are at the same place"

@@ -103,7 +103,7 @@ class MassReader:
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             length = self.span(body.shape.start, body.shape.end)
             reach = self.points(body.shape.end) - self.points(body.shape.start)
-            if reach.x == 0 and reach.y == 0:
+            if all(sp.sympify(e).xreplace(dict(self.ledger.values)) == 0 for e in (reach.x, reach.y)):
                 text = f"both ends of {body.name} are at the same place"
                 raise refuse(body.mark, "PL615", text, "draw them apart")
             shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
