@@ -17,7 +17,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import GROUND, Polar
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.stated_bounds import stated_bound
-from planar_cli.report.turning_values import other_kind
+from planar_cli.report.turning_values import of_the_same_kind, other_kind
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 
@@ -52,6 +52,8 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
         yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", *why))
     elif kind is Kind.TIME:
         yield Paragraph(why if why[0] == Text(FIRST) else line("the root for which ", *why))
+        if (same := of_the_same_kind(found, r, left, phrases)) is not None:
+            yield same
     else:
         parts: list[Any] = ["not "]
         for i, root in enumerate(left[:MOST_ROOTS]):

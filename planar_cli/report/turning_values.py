@@ -24,10 +24,45 @@ def over_time(e: Relation) -> bool:
 
 def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
     """`not 3 T/4: there it is smallest`, where that is true of all other roots; None: it is not, or no such value."""
-    relations = [e for leg in found.route.steps if r in leg.results for e in leg.relations]
-    if len(relations) != 1 or not over_time(relations[0]) or not left:
+    relation = _condition(found, r) if left else None
+    senses = None if relation is None else _senses(found, r, relation, left)
+    if relation is None or senses is None or not all(sense < 0 for sense in senses):
         return None
-    slope = sp.diff(relations[0].residual, r.unknown)
+    kind = "smallest" if relation.words.endswith(LARGEST) else "largest"
+    return Paragraph(line("not ", *_listed(r, left, phrases), f": there it is {kind}"))
+
+
+def of_the_same_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
+    """`other local maxima: 2.526 s, 4.712 s`, the later ones among the roots that were found; None: there are none."""
+    later = [x for x in left if x.value > r.value]
+    relation = _condition(found, r) if later else None
+    senses = None if relation is None else _senses(found, r, relation, later)
+    alike = [x for x, sense in zip(later, senses or (), strict=bool(senses)) if sense > 0]
+    if relation is None or not alike:
+        return None
+    kind = "maxima" if relation.words.endswith(LARGEST) else "minima"
+    if len(alike) == 1:
+        kind = kind.replace("ima", "imum")
+    return Paragraph(
+        line(
+            f"another local {kind}" if len(alike) == 1 else f"other local {kind}",
+            " at ",
+            Math(r.unknown),
+            " = ",
+            *_listed(r, alike, phrases),
+        )
+    )
+
+
+def _condition(found: MotionTrace, r: Result) -> Relation | None:
+    """The condition of a largest or smallest value over time from which a letter was found; None: it was another."""
+    relations = [e for leg in found.route.steps if r in leg.results for e in leg.relations]
+    return relations[0] if len(relations) == 1 and over_time(relations[0]) else None
+
+
+def _senses(found: MotionTrace, r: Result, condition: Relation, others: list[Root]) -> list[Decimal] | None:
+    """By their signs whether other roots are of the kind of the one that was taken; None: it can not be told."""
+    slope = sp.diff(condition.residual, r.unknown)
     if any(found.value.known(s) is None for s in slope.free_symbols):
         return None
 
@@ -35,12 +70,14 @@ def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases
         return found.value.extended({r.unknown: at})(slope)
 
     own = sense(r.value)
-    if not own or not all(own * sense(x.value) < 0 for x in left):
-        return None
+    return [own * sense(x.value) for x in others] if own else None
+
+
+def _listed(r: Result, roots: list[Root], phrases: Phrases) -> list[str | Math | Line]:
+    """Roots, in letters where they have some, with commas between them."""
     parts: list[str | Math | Line] = []
-    for i, x in enumerate(left):
+    for i, x in enumerate(roots):
         letters = x.expression is not None and not x.expression.is_number
         shown = phrases.math(x.expression) if letters else phrases.shown(r.unknown, x.value)
         parts += [*([", "] if i else []), line(shown)]
-    kind = "smallest" if relations[0].words.endswith(LARGEST) else "largest"
-    return Paragraph(line("not ", *parts, f": there it is {kind}"))
+    return parts
