@@ -11,7 +11,7 @@ from answered import first, solve
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.quadrature import breaks
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.instant.roots import real_roots
 
 IN_SLOTS = """
@@ -84,6 +84,51 @@ def test_how_near_a_motion_comes_that_swings() -> None:
 @pytest.mark.parametrize("text", [YOYO, ON_A_WEDGE])
 def test_a_motion_that_goes_on_without_end_never_gets_there(text: str) -> None:
     assert why(text).code == "PL621"
+
+
+FREE_POST = """
+title: String that winds up on a post that nothing holds
+plane: horizontal
+given: {a: 0.1 m, L: 1 m, v_0: 2 m/s}
+points: {O: [0, 0], T: [0, a], P: [L, a]}
+bodies:
+  post: {disk: O, radius: a}
+  puck: {particle: P, mass: 0.3 kg}
+joints:
+  - rope: {path: [P, T on post], name: string}
+states:
+  1: [t = 0, v(puck).x = 0, v(puck).y = -v_0]
+  2: [r(puck).mag = sqrt(a^2 + (L/2)^2)]
+find: {t_2: t @ 2}
+"""
+DRIVEN = """
+title: Vibration in letters as the time goes on without end
+plane: horizontal
+symbols: {m: kg, k: N/m, c: N*s/m, F_0: N, w: rad/s}
+coordinates: {x: m}
+points: {W: [-1 m, 0], P: [x, 0]}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - spring: {between: [W, P], stiffness: k, natural_length: 1 m}
+  - damper: {between: [W, P], coefficient: c}
+  - force: {body: block, at: P, magnitude: F_0*sin(w*t), angle: 0 deg}
+states:
+  1: [t = 0, x = 0, at rest]
+  2: [t = infinity]
+find: {x_2: x @ 2}
+"""
+
+
+def test_what_nothing_holds_is_open() -> None:
+    found = why(FREE_POST)
+    assert (found.code, found.hint) == ("PL623", "say in state 1 how it moves: `at rest`, or velocities")
+
+
+def test_a_vibration_that_goes_on_has_no_end() -> None:
+    with pytest.raises(Undecided, match=r":17: x_2: as the time grows without end, no value was found"):
+        solve(DRIVEN)
 
 
 # --- a rope ----------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Balance, Source
 from planar_cli.records import record
@@ -93,7 +93,8 @@ def closed_balances(regime: Regime, offered: Sequence[Offered]) -> list[Closed]:
         closed = _closed(regime, one)
         if closed is None:
             continue
-        law = expanded(closed.total - sp.Add(*(f for _, f in closed.functions)))
+        law = closed.total - sp.Add(*(f for _, f in closed.functions))
+        law = law if wide(law) else expanded(law)
         others = [x for principle, x in seen if principle == one.principle and not longer(x, COMPARED)]
         if any(not (law / x).free_symbols & set(regime.letters) for x in others):
             continue

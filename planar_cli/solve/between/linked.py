@@ -41,7 +41,8 @@ def linked_blocks(
     speeds come last: with the laws in time the letters go one after the other.
     """
     equations = sorted(equations, key=lambda e: (e.kind in SQUARES, e.cost))
-    pool = [Reduced(expanded(e.residual), frozenset([i])) for i, e in enumerate(equations)]
+    residuals = [e.residual if _endless(e.residual) else expanded(e.residual) for e in equations]
+    pool = [Reduced(r, frozenset([i])) for i, r in enumerate(residuals)]
     left = set(unknowns)
     seen: set[tuple[int, ...]] = set()
     while True:
@@ -60,11 +61,16 @@ def linked_blocks(
         pool = [p for p in pool if p.residual != 0 and independent(equations[i] for i in p.members)]
 
 
+def _endless(residual: sp.Expr) -> bool:
+    """Is it too long to be multiplied out?"""
+    return longer(residual, ENDLESS) or wide(residual)
+
+
 def _put(p: Reduced, x: sp.Symbol, formula: sp.Expr, by: Reduced) -> Reduced:
     if x not in letters(p.residual):
         return p
     put = p.residual.xreplace({x: formula})
-    return Reduced(put if longer(put, ENDLESS) or wide(put) else tidy(expanded(put)), p.members | by.members)
+    return Reduced(put if _endless(put) else tidy(expanded(put)), p.members | by.members)
 
 
 def _next(

@@ -16,6 +16,9 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.following.traced import Traced, as_told
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Stretch, Workshop, spans_of
 
+ENOUGH = 5_000
+"""After so many steps of motions that do not pass all states no other numbers are tried."""
+
 
 def foreseen(problem: Problem, workshop: Workshop, trial: bool = False) -> Traced | None:
     """The motion; None: the file does not tell all of it. `trial`: it is only to tell which states are passed."""
@@ -42,14 +45,16 @@ def fitting_draws(problem: Problem, earlier: Mapping[str, Any]) -> tuple[int, bo
     own, *others = other_draws()
     if not problem.symbols or problem.unknowns or not problem.states[1:]:
         return own
-    return next((d for d in (own, *others) if _passes(problem, earlier, *d)), own)
-
-
-def _passes(problem: Problem, earlier: Mapping[str, Any], seed: int, wide: bool) -> bool:
-    """Does the motion pass all states with the draws of a seed?"""
-    with seeded(seed, wide):
-        found = foreseen(problem, Workshop(earlier), trial=True)
-    return found is not None and all(found.moment(s.name) is not None for s in problem.states)
+    steps = 0
+    for seed, wide in (own, *others):
+        with seeded(seed, wide):
+            found = foreseen(problem, Workshop(earlier), trial=True)
+        if found is not None and all(found.moment(s.name) is not None for s in problem.states):
+            return seed, wide
+        steps += 0 if found is None else found.run.trajectory.work.steps
+        if steps > ENOUGH:
+            break
+    return own
 
 
 def as_it_happens(modes: ModeSequence, motion: Traced, workshop: Workshop) -> ModeSequence:

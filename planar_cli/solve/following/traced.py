@@ -239,6 +239,7 @@ def _traced(
         settings = Settings(
             until, tolerance, values=values, times=times, estimate=False, most_steps=steps, momenta=not sought
         )
+        settings = replace(settings, momenta=False, balanced=False) if trial else settings
         one = Traced(followed(scene, settings))
         if one.run.trajectory.outcome.kind == "long" and steps < most:
             continue
