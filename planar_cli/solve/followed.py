@@ -21,6 +21,7 @@ from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.dated_by_ways import dated_by_ways, tells_a_way
 from planar_cli.simulate.run import Run, Settings, begin, simulate
 from planar_cli.solve.between.reached import asked_about
+from planar_cli.solve.diagnosis.other_masses import demand_any_mass
 from planar_cli.solve.following.dated import is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
@@ -102,6 +103,8 @@ def followed_part(
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
         return None
     demand_inequalities(problem, found.run)
+    once = Settings(values=earlier, most_steps=most_steps, estimate=False, balanced=False)
+    demand_any_mass(problem, found, lambda other: simulate(other, once, units))
     finds = {f.name: f for f in problem.find}
     answers = tuple(
         Found(

@@ -288,6 +288,9 @@ class Chain:
             near = self._near_truth(residual, x, here)
             if near is not None:
                 return [near]
+            if residual.is_Add and any(x in i.free_symbols for i in residual.atoms(sp.Integral)):
+                # A way in time has its roots where its sign changes, and it does not change there.
+                return []
         if x in self.times:
             return self._times(residual, x, here)
         try:

@@ -8,10 +8,14 @@ from functools import cache, lru_cache
 
 import sympy as sp
 
+from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Valuation
+from planar_cli.errors import NoValue
 
 JUMP = Decimal("1e-12")
 """A function that is still so much of what it was at the ends of the interval has no root where its sign changes."""
+CERTAIN = 45
+"""So many digits of a root are told."""
 KEPT = 2_000
 """So many functions are remembered with their roots."""
 EDGE_STEPS = 40
@@ -90,18 +94,15 @@ def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> D
     fa, fb = f(a), f(b)
     if fa is None or fb is None:
         return None
-    most = max(abs(fa), abs(fb))
-    for _ in range(220):
-        middle = (a + b) / 2
-        fm = f(middle)
-        if fm is None:
-            return None
-        if fm == 0:
-            return middle
-        if abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
-            break
-        if (fa > 0) != (fm > 0):
-            b, fb = middle, fm
-        else:
-            a, fa = middle, fm
-    return None if min(abs(fa), abs(fb)) > JUMP * most else (a + b) / 2
+
+    def real(v: Decimal) -> Decimal:
+        y = f(v)
+        if y is None:
+            raise NoValue("a function is not real between two places where it is")
+        return y
+
+    try:
+        root = polish(real, a, b, CERTAIN)
+        return None if abs(real(root)) > JUMP * max(abs(fa), abs(fb)) else root
+    except NoValue:
+        return None
