@@ -131,6 +131,37 @@ def test_a_vibration_that_goes_on_has_no_end() -> None:
         solve(DRIVEN)
 
 
+# --- a mass that is not given ----------------------------------------------------------------------------------------
+
+FAR_SWING = """
+title: Pendulum let go almost upright
+plane: vertical
+given: {l: 0.9 m, phi_0: 170 deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: phi_0 - 90 deg}}
+bodies: {ball: {particle: P, mass: any}}
+joints:
+  - link: {between: [O, P], name: bar}
+states:
+  1: [at rest]
+  2: [t = 2 s]
+find: {FIND}
+"""
+
+
+def test_a_far_swing_without_a_mass() -> None:
+    found = solve(FAR_SWING.replace("FIND", "v: v(ball).mag @ 2, y: y(ball) @ 2"))
+    # By energy, v^2 = 2 g (l cos 10 deg - y).
+    v, y = first(found["v"]), first(found["y"])
+    assert v * v == pytest.approx(2 * 9.81 * (0.9 * cos(radians(10)) - y))
+    # From the integral of the pendulum's law by Runge's method with 20,000 steps.
+    assert v == pytest.approx(0.653206, rel=1e-5)
+
+
+def test_a_tension_that_rests_on_the_mass() -> None:
+    found = why(FAR_SWING.replace("FIND", "S: tension(bar) @ 2"))
+    assert (found.code, found.mark.line) == ("PL614", 6)
+
+
 # --- a rope ----------------------------------------------------------------------------------------------------------
 
 OFF_ITS_CIRCLE = """

@@ -23,6 +23,7 @@ from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.between.integrals_that_hold import taken_out
 from planar_cli.solve.between.linked import independent, linked_blocks
+from planar_cli.solve.between.root_beside import root_beside
 from planar_cli.solve.instant.branches import holds_between, vanishes
 from planar_cli.solve.instant.elimination import Pending, alone, combined, eliminate, in_factors
 from planar_cli.solve.instant.roots import Root, real_roots, turning
@@ -42,8 +43,6 @@ values of followed letters are compared with it.
 """
 NEAR = Decimal("1e-6")
 """Values of a followed motion agree with exact ones up to this part."""
-REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
-"""So far about the truth, in parts of its size, a root is looked for."""
 
 
 @record
@@ -284,37 +283,24 @@ class Chain:
 
     def _roots(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         """All real roots; a time only after the state before it, an angle with its turns."""
-        if x in self.truth and not residual.is_polynomial(x) and not self.symbolic:
-            near = self._near_truth(residual, x, here)
-            if near is not None:
-                return [near]
-            if residual.is_Add and any(x in i.free_symbols for i in residual.atoms(sp.Integral)):
-                # A way in time has its roots where its sign changes, and it does not change there.
-                return []
+        known = x in self.truth and not residual.is_polynomial(x)
+        if known and not self.symbolic and (near := self._followed_to(residual, x, here)) is not None:
+            return near
         if x in self.times:
             return self._times(residual, x, here)
         try:
             found = real_roots(residual, x, here, self.symbolic, False)
         except Undecided:
+            if known and (near := self._followed_to(residual, x, here)) is not None:
+                return near
             found = real_roots(residual, x, here, False, False)
         if x in self.angles:
             found = self._turned(found, residual, x, here)
         return found
 
-    def _near_truth(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> Root | None:
-        """The root next to what the motion that was followed shows; None: nothing changes its sign so near."""
+    def _followed_to(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root] | None:
         at = Decimal(repr(self.truth[x]))
-        size = max(abs(at), SMALL * self.natural[x])
-
-        def value(v: Decimal) -> Decimal:
-            return here.extended({x: v})(residual)
-
-        for reach in REACHES:
-            low, high = at - reach * size, at + reach * size
-            a, b = (here.extended({x: v}).known(residual) for v in (low, high))
-            if a and b and (a > 0) != (b > 0):
-                return Root(None, polish(value, low, high))
-        return None
+        return root_beside(residual, x, here, at, max(abs(at), SMALL * self.natural[x]))
 
     def _may_be(self, number: Decimal, x: sp.Symbol) -> bool:
         """A distance is not negative; a coefficient that the data make negative is left to what tells that."""
