@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from answered import solve
+from answered import assert_close, solve
 
 from planar_cli.errors import NoSolution
 
@@ -26,3 +26,26 @@ def test_a_mark_that_is_out_of_reach() -> None:
     (told,) = refused.value.diagnostics
     assert told.code == "PL624"
     assert told.message.endswith("the motion comes nearest with beta = 45.55 deg, where the sides differ by 2.808 m")
+
+
+ESCAPE = """
+title: Body that only just escapes
+plane: horizontal
+unknowns: {u: m/s}
+points: {O: [0, 0]}
+bodies: {b: {particle: [2 m, 0], mass: 3 kg}}
+loads:
+  - force: {body: b, towards: O, magnitude: "(12 N*m^2)/r(b/O).mag^2"}
+states:
+  1: [t = 0, v(b).x = u, v(b).y = 0, u > 0]
+  2: [t = infinity, v(b).mag = 0]
+find: {u: u}
+"""
+
+
+def test_what_goes_off_without_end_is_told_by_its_place() -> None:
+    with pytest.raises(NoSolution) as refused:
+        solve(ESCAPE)
+    assert "`x(b) = infinity` for `t = infinity`" in refused.value.diagnostics[0].hint
+    # m u²/2 = 12 N m²/(2 m)
+    assert_close(solve(ESCAPE.replace("t = infinity", "x(b) = infinity"))["u"], 2)

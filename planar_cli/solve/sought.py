@@ -13,9 +13,11 @@ from planar_cli.problem.expression import Extreme, Name, Relation
 from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.walk import is_endless
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.simulate.shooting_at_several import shooting_at_several
 from planar_cli.simulate.shooting_of_extremes import Best
+from planar_cli.simulate.timetable import is_time
 from planar_cli.solve.bounds import Sought, at_bound, best_allowed
 from planar_cli.solve.diagnosis.choosing import IN_GENERAL, hint_between
 from planar_cli.solve.followed import can_be_followed, followed_part
@@ -71,11 +73,24 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
             raise how_near(problem, numbers_of(earlier), error)
         text = f"no motion is found that passes through these states, with none of many values of {unknown.name}"
         hint = f"follow it with a value that you expect: `planar simulate --set {unknown.name}=…`"
-        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, hint)]) from error
+        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, _off_without_end(problem) or hint)]) from error
     fits = within_a_turn(problem, unknown.name, roots, roots)
     if len(fits) > 1:
         raise _ambiguous(problem, [{unknown.name: root} for root in fits])
     return Sought(problem, {unknown.name: fits[0]})
+
+
+def _off_without_end(problem: Problem) -> str:
+    """How to write a state that is only approached by its place: no motion comes to it; "": there is none that the time
+    tells.
+    """
+    endless = (r for s in problem.states[1:] if is_endless(s.relations) for r in s.relations)
+    dated = next((r for r in endless if isinstance(r, Relation) and is_time(r)), None)
+    if dated is None or not problem.bodies:
+        return ""
+    return (
+        f"what goes off without end is told by its place: `x({problem.bodies[0].name}) = infinity` for `{dated.text}`"
+    )
 
 
 def _says(error: Undecided | NoSolution, code: str) -> bool:
