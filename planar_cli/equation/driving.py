@@ -11,6 +11,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.facts import Action, Push
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.shapes import own_points
 from planar_cli.problem.walk import walk
 
 
@@ -66,7 +67,8 @@ def _speeds(system: System, free: Motion) -> dict[sp.Symbol, sp.Expr]:
 
 def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...]:
     """What drives a coordinate that is given as a function of time, or by its rate: a torque on the first body that
-    turns with it, else a force on the first whose centre goes with it.
+    turns with it, else a force on the first whose centre goes with it, at a point of it that goes with it alone: of
+    other coordinates it does no work.
     """
     ledger, scene = system.scene.ledger, system.scene
     sides = (relation.left, relation.right)
@@ -84,8 +86,15 @@ def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...
         for name, body in scene.bodies.items():
             x, y = sp.diff(body.center.x, q), sp.diff(body.center.y, q)
             if x != 0 or y != 0:
-                return _actions(system, {(name, "x"): x, (name, "y"): y})
+                own = [body.center, *(scene.points[p] for p in own_points(body.shape) if p in scene.points)]
+                alone_at = (p for p in own if not _goes_with(p, set(ledger.coordinates) - {q}))
+                point = next(alone_at, body.center)
+                return (Action(name, point, Vec(sp.diff(point.x, q), sp.diff(point.y, q)), sp.S.Zero),)
     return ()
+
+
+def _goes_with(point: Vec, coordinates: set[sp.Symbol]) -> bool:
+    return bool(coordinates & (sp.sympify(point.x).free_symbols | sp.sympify(point.y).free_symbols))
 
 
 def _of_rate(side: Side) -> str:
