@@ -28,9 +28,10 @@ find: {v: v(skier).mag @ 4}
 """
 
 
-def test_the_slope_has_no_end_and_the_start_lies_on_its_other_side() -> None:
+@pytest.mark.parametrize(("mu", "named"), [("mu: 0", ", during: 3->4}"), ("mu_k: 0.05", "}")])
+def test_the_slope_has_no_end_and_the_start_lies_on_its_other_side(mu: str, named: str) -> None:
     with pytest.raises(NoSolution) as raised:
-        solve(JUMP.replace("HEIGHT", "2 m"))
+        solve(JUMP.replace("HEIGHT", "2 m").replace("mu: 0", mu).replace(", during: 3->4}", named))
     (why,) = raised.value.diagnostics
     assert (why.code, why.mark.line) == ("PL626", 10)
     assert why.message.startswith("skier and hill do not approach each other in state 3")

@@ -55,22 +55,23 @@ def _checked(blow: Blow, value: Valuation, far: frozenset[str] | None) -> Iterat
         lost = _energy_lost(blow, trial, here)
         if lost < -SAME * _energy(blow, here):
             yield f"{name} makes kinetic energy: its data can not be right"
-    idle = list(_idle(blow, trial))
+    idle = [(joint, words) for joint, words in _idle(blow, trial) if joint.during or joint.name not in (far or ())]
     if idle and blow.since.name != blow.scene.problem.states[0].name and not _acts(blow, trial):
         # From a later state the bodies may have changed sides since they were drawn.
         raise NoSolution([_nothing_strikes(blow, joint, words) for joint, words in idle])
-    for _, words in idle:
-        yield f"{words} at {blow.since.name}: no impulse there"
+    for joint, words in idle:
+        if joint.during:
+            yield f"{words} at {blow.since.name}: no impulse there"
     for other in _others(blow, trial, here, far):
         words = ", ".join(m.words for m in other.system.modes.values() if m.words)
         yield f"{name} may also end otherwise: {words}"
 
 
 def _idle(blow: Blow, trial: Trial) -> Iterator[tuple[Joint, str]]:
-    """The impacts that the file names for this blow and that do not act, with why."""
+    """The impacts of this blow that do not act, with why."""
     for joint in blow.struck.joints:
         mode = trial.system.modes.get(joint.name)
-        if mode is not None and mode.name == "apart" and joint.strikes and joint.during:
+        if mode is not None and mode.name == "apart" and joint.strikes:
             yield joint, mode.words
 
 
