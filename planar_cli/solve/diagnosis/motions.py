@@ -33,6 +33,7 @@ from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.turns_off import turns_off
 from planar_cli.solve.diagnosis.undated import mode_at_a_time
 from planar_cli.solve.diagnosis.words import listed
+from planar_cli.solve.following.passage_times import is_steady
 from planar_cli.solve.instant.instant import make_instant, search_modes
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.equations import Equation
@@ -286,7 +287,9 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
         passed = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in value.values}
         demand_agreement(course, value.extended(passed), passed, name)
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
-    if outcome is not None and outcome.kind == "long":
+    # Powers of the time were followed far enough for the highest of them to be all that counts.
+    steady = followed.onward is not None and is_steady(followed.onward)
+    if outcome is not None and outcome.kind == "long" and not steady:
         raise Undecided(
             f"state {name} (`{texts}`) is not found: {outcome.words}, and the motion goes on; "
             "`planar simulate --until` follows it further"

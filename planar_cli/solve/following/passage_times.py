@@ -100,7 +100,7 @@ def steady_time(course: MotionEquations, stop: Stop, segment: FollowedSegment) -
         return None
     if any(i < index for i in course.blows):
         return None
-    if any(r is not segment.regime for r in course.regimes[:index]) or not _is_steady(segment):
+    if any(r is not segment.regime for r in course.regimes[:index]) or not is_steady(segment):
         return None
     start = certain_start(course)
     if not isinstance(start, dict):
@@ -124,7 +124,8 @@ def steady_time(course: MotionEquations, stop: Stop, segment: FollowedSegment) -
     return (None,)
 
 
-def _is_steady(segment: FollowedSegment) -> bool:
+def is_steady(segment: FollowedSegment) -> bool:
+    """Are all accelerations constant, so that velocities and places are powers of the time?"""
     regime = segment.regime
     letters, free = set(regime.letters), set(regime.free)
     if regime.general.constraints or not free:
