@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.checks import against_limit, bounded_in
 from planar_cli.report.words import Phrases
@@ -41,10 +42,16 @@ def _words(trial: Trial) -> list[str]:
 
 def _placed(trial: Trial) -> list[str]:
     """The words with the side on which a particle presses, where its place leaves that open: ball at P stays in
-    contact, inside loop.
+    contact, inside loop. Where it only just touches there is no such side.
     """
     modes = [m for m in trial.system.modes.values() if m.words]
-    return list(dict.fromkeys(", ".join(filter(None, (m.words, m.where))) for m in modes))
+    return list(dict.fromkeys(f"{m.words}, {m.where}" if m.where and _presses(trial, m) else m.words for m in modes))
+
+
+def _presses(trial: Trial, mode: Mode) -> bool:
+    """Is the first force of a contact, its normal force, another than zero?"""
+    value = trial.outcomes[0].push(mode.facts.pushes[0].name) if trial.outcomes else None
+    return value is None or value != 0
 
 
 def _on_its_side(natural: Trial, instant: InstantSolution) -> Trial:

@@ -123,7 +123,7 @@ def _steady(problem: Problem) -> Iterator[str]:
     """A time that is put in for t = infinity."""
     for state in problem.states:
         dates = [r.text for r in state.relations if state.steady and isinstance(r, Relation)]
-        yield from (f"At {date} ({state.name}) the start has died away, to all digits that count." for date in dates)
+        yield from (f"At {date} ({state.name}) the start has died away." for date in dates)
 
 
 def _taking_hold(problem: Problem) -> Iterator[str]:

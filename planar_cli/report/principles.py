@@ -70,7 +70,8 @@ def _printed(page: Sequence[Block]) -> Printed:
         heads = [p.name for p in own if isinstance(p, Name)]
         texts = [p.text for p in own if isinstance(p, Text)]
         if not isinstance(block, Equation):
-            coriolis |= RELATIVE in heads  # a_P = a_P′ + a_rel + 2 ω × v_rel, said before its component
+            # a_P = a_P′ + a_rel + 2 ω × v_rel, said before its component; the last term only of a body that turns.
+            coriolis |= RELATIVE in heads and DOUBLED in texts
             continue
         names |= set(heads)
         in_turn |= "/dt" in texts
