@@ -132,6 +132,7 @@ def test_numbers_that_break_an_equation_are_a_fault() -> None:
     x = sp.Symbol("x_3")
     course: Any = SimpleNamespace(
         scene=SimpleNamespace(cancelling=()),
+        problem=SimpleNamespace(bodies=(), motion=()),
         equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),),
         stops={"3": SimpleNamespace(letters={x: x})},
         states=[SimpleNamespace(mark=NOWHERE)],

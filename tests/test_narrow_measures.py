@@ -83,6 +83,7 @@ def fulfils(residual: sp.Expr, **numbers: str) -> bool:
     letters = {sp.Symbol(s.name[0]): s for s in units}
     course: Any = SimpleNamespace(
         scene=SimpleNamespace(cancelling=()),
+        problem=SimpleNamespace(bodies=(), motion=()),
         ledger=SimpleNamespace(units=units),
         stops={"2": SimpleNamespace(letters=letters)},
         states=[SimpleNamespace(mark=NOWHERE)],
