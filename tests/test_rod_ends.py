@@ -6,6 +6,7 @@ import pytest
 from answered import first, solve
 
 from planar_cli.errors import FileProblem
+from planar_cli.problem.structure import load_text
 
 LADDER = """
 title: Smooth ladder that slides down
@@ -40,3 +41,10 @@ def test_where_no_end_stands_the_point_is_asked_for(floor: str) -> None:
     with pytest.raises(FileProblem) as refused:
         solve(LADDER.replace("through: A", f"through: {floor}").replace("N(A)", "alpha(ladder)"))
     assert refused.value.diagnostics[0].message == "neither end of ladder is on floor"
+
+
+def test_a_length_at_the_end_of_a_long_chain_is_refused() -> None:
+    """Where the end is must not be asked of a chain of names before its length is known."""
+    chain = ", ".join(["k0: 4 m", *(f"k{i}: k{i - 1}" for i in range(1, 3001)), "l: k3000"])
+    _, wrong = load_text(LADDER.replace("l: 4 m", chain))
+    assert [d.code for d in wrong] == ["PL207"]

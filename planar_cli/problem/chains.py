@@ -6,12 +6,12 @@ for. Here nothing nests: whatever stands in the file, the length of its chains i
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.problem.check_names import points_of_place
 from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Point, Symbol
 from planar_cli.problem.walk import Tree, children, walk
 
 LONGEST = 100
@@ -23,16 +23,16 @@ Link = tuple[Mark, int, tuple[str, ...]]
 """Where a name is defined, how deep its own formula is, and what it names."""
 
 
-def long_chains(problem: Problem) -> Iterator[Diagnostic]:
+def long_chains(given: Sequence[Symbol], points: Sequence[Point]) -> Iterator[Diagnostic]:
     """The first name, and the first point, at the end of a chain that is too long."""
     values = {
         s.name: (s.mark, _depth(s.value), tuple(n.name for n in walk(s.value) if isinstance(n, Name)))
-        for s in problem.given
+        for s in given
         if s.value is not None
     }
     yield from _too_long(values, "the value of", LONGEST, "names, signs and brackets")
-    points = {p.name: (p.mark, 1, points_of_place(p.place)) for p in problem.points}
-    yield from _too_long(points, "the point", LONGEST_OF_POINTS, "points")
+    placed = {p.name: (p.mark, 1, points_of_place(p.place)) for p in points}
+    yield from _too_long(placed, "the point", LONGEST_OF_POINTS, "points")
 
 
 def _too_long(links: Mapping[str, Link], what: str, longest: int, parts: str) -> Iterator[Diagnostic]:

@@ -11,7 +11,7 @@ from planar_cli.problem.check_names import points_of_place
 from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import AtRest, Binary, Equilibrium, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
+from planar_cli.problem.known_values import KnownValues
 from planar_cli.problem.masses import placed
 from planar_cli.problem.scene import (
     GROUND,
@@ -274,13 +274,9 @@ def _weighs_nothing(shape: Composite, given: Mapping[str, Symbol]) -> bool:
     for piece in shape.pieces:
         if piece.mass is None:
             return False
-        try:
-            value = known.value(piece.mass)
-        except NoNumber:
+        if (value := known.number(piece.mass)) is None:
             return False
-        if value is None:
-            return False
-        total += value.value if isinstance(value, Rough) else float(value)
+        total += value
     return total <= 0
 
 

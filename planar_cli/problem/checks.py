@@ -97,7 +97,9 @@ OF_ABSENCE: tuple[Check, ...] = (particles_move,)
 
 def check(problem: Problem, unread: bool = False) -> list[Diagnostic]:
     """All that is wrong with a problem and its cases, each once. `unread`: some lines of the file could not be read."""
-    if chained := list(dict.fromkeys(d for scope in scopes(problem) for d in long_chains(scope.problem))):
+    if chained := list(
+        dict.fromkeys(d for scope in scopes(problem) for d in long_chains(scope.problem.given, scope.problem.points))
+    ):
         # Whatever follows the names of a formula would go as deep.
         return chained
     checks = [run for run in CHECKS if not (unread and run in OF_ABSENCE)]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from planar_cli.problem.chains import long_chains
 from planar_cli.problem.expression import Part, PointPair, Side
-from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
-from planar_cli.problem.scene import At, Particle, Place, Polar, Problem
+from planar_cli.problem.known_values import KnownValues
+from planar_cli.problem.scene import At, Body, Particle, Place, Point, Polar, Symbol
 
 Pair = tuple[float, float]
 DEEPEST = 20
@@ -17,22 +18,18 @@ DEEPEST = 20
 class DrawnDirections:
     """The drawing of one file, as far as it is plain numbers [m], from the axes or from another point."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, given: Sequence[Symbol], points: Sequence[Point], bodies: Sequence[Body] = ()) -> None:
         # What is told by too long a chain is refused later on.
-        chained = next(long_chains(problem), None) is not None
-        self._values = KnownValues({} if chained else {g.name: g for g in problem.given})
-        self._places: dict[str, Place] = {p.name: p.place for p in problem.points}
-        particles = {b.name: b.shape.place for b in problem.bodies if isinstance(b.shape, Particle)}
+        chained = next(long_chains(given, points), None) is not None
+        self._values = KnownValues({} if chained else {g.name: g for g in given})
+        self._places: dict[str, Place] = {p.name: p.place for p in points}
+        particles = {b.name: b.shape.place for b in bodies if isinstance(b.shape, Particle)}
         self._places |= {name: place for name, place in particles.items() if isinstance(place, At)}
         self._called = {name: place for name, place in particles.items() if isinstance(place, str)}
 
     def number(self, side: Side) -> float | None:
         """What a side amounts to in SI units."""
-        try:
-            found = self._values.value(side)
-        except NoNumber:
-            return None
-        return None if found is None else found.value if isinstance(found, Rough) else float(found)
+        return self._values.number(side)
 
     def direction(self, part: Part) -> Pair | None:
         """The direction of a component; of a pair of points as long as their distance."""

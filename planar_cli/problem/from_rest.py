@@ -51,7 +51,7 @@ def with_ways_from_rest(problem: Problem) -> Problem:
         way = _way(problem, names, point)
         assert isinstance(law.statement, Relation)
         if way is not None and _begins_at_rest(law.statement, told, first, names):
-            drawn = DrawnDirections(problem)
+            drawn = DrawnDirections(problem.given, problem.points, problem.bodies)
             # A rate below zero already says that it goes against the positive way.
             grows = all((drawn.number(s) or 0) >= 0 for s in (law.statement.left, law.statement.right))
             against = grows and any(_against(drawn, s, names, way) for s in first.relations)

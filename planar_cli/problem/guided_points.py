@@ -43,7 +43,7 @@ def _loose(problem: Problem) -> list[str]:
 
 def _standing_at(problem: Problem, name: str) -> Body | None:
     """The body of which one point stands at the place of another; None: there is none, or there are several points."""
-    drawn = DrawnDirections(problem)
+    drawn = DrawnDirections(problem.given, problem.points, problem.bodies)
     place = drawn.place(name)
     if place is None:
         return None

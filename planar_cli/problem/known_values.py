@@ -74,6 +74,14 @@ class KnownValues:
             case _:
                 return None
 
+    def number(self, side: Side) -> float | None:
+        """The value as a plain number; None also where there is none."""
+        try:
+            found = self.value(side)
+        except NoNumber:
+            return None
+        return None if found is None else found.value if isinstance(found, Rough) else float(found)
+
     def _named(self, name: Name) -> Known | None:
         if name.name == "infinity":
             text = "`infinity` is no number to calculate with"

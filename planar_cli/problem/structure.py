@@ -17,6 +17,7 @@ from planar_cli.problem.assumed_of_unknowns import with_assumed
 from planar_cli.problem.called_by_points import with_joints_called
 from planar_cli.problem.checks import check
 from planar_cli.problem.customary import is_us
+from planar_cli.problem.drawn_directions import DrawnDirections
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.from_rest import with_ways_from_rest
 from planar_cli.problem.grounds import Floor, with_floor
@@ -33,7 +34,6 @@ from planar_cli.problem.read_members import read_joints, read_loads
 from planar_cli.problem.read_points import read_points, read_surfaces
 from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
-from planar_cli.problem.rod_ends import Ends
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface, Symbol
 from planar_cli.problem.touching_points import with_later_meetings, with_touching_points
 from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
@@ -228,7 +228,9 @@ def _scene(whole: Fields, given: tuple[Symbol, ...], numbers: frozenset[str]) ->
     read_point = () if points is None else read_points(points, report)
     standing = with_floor(read_joint, read_body, read_point, floor, report)
     read_surface = (*read_surface, *standing.surfaces)
-    touching = with_touching_points(standing.joints, read_body, read_surface, Ends(read_point, given), names_c, report)
+    touching = with_touching_points(
+        standing.joints, read_body, read_surface, DrawnDirections(given, read_point), names_c, report
+    )
     return (
         (*read_point, *standing.points, *touching[1]),
         read_surface,

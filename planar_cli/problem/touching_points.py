@@ -12,9 +12,10 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.joints.base import Joint
+from planar_cli.problem.drawn_directions import DrawnDirections
 from planar_cli.problem.expression import Side
 from planar_cli.problem.reading import Report
-from planar_cli.problem.rod_ends import Ends
+from planar_cli.problem.rod_ends import standing_end
 from planar_cli.problem.scene import (
     GROUND,
     Body,
@@ -44,13 +45,12 @@ FACES = "the middle of the face with which one stands on the other, such as `at:
 
 @record
 class _Straight:
-    """An edge through a point, at an angle or towards another point; of a rod with its ends."""
+    """An edge through a point: of a rod towards its other end, else at an angle."""
 
     name: str
     through: str
     angle: Side | None
     towards: str | None
-    ends: tuple[str, ...] = ()
 
 
 @record
@@ -71,7 +71,7 @@ def with_touching_points(
     joints: tuple[Joint, ...],
     bodies: tuple[Body, ...],
     surfaces: tuple[Surface, ...],
-    ends: Ends,
+    drawn: DrawnDirections,
     names: Iterator[str],
     report: Report,
 ) -> tuple[tuple[Joint, ...], tuple[Point, ...]]:
@@ -84,7 +84,7 @@ def with_touching_points(
         if not joint.touches or getattr(touching, "at", "given") != "":
             read.append(joint)
             continue
-        found = _place([shapes.get(name) for name in touching.between], ends)
+        found = _place([shapes.get(name) for name in touching.between], drawn)
         if isinstance(found, str):
             read.append(replace(touching, at=found))
         elif found is not None:
@@ -121,7 +121,7 @@ def with_later_meetings(problem: Problem) -> Problem:
     return replace(problem, points=tuple(map(later, problem.points)))
 
 
-def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | None:
+def _place(partners: list[Body | Surface | None], drawn: DrawnDirections) -> Place | str | None:
     """The place of the point, or the name of a particle or of the end of a rod that touches there."""
     for partner in partners:
         if isinstance(partner, Body) and isinstance(partner.shape, Particle):
@@ -130,7 +130,7 @@ def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | N
         case [Body(shape=Rod() as rod), Surface(shape=Line() as ground)] | [
             Surface(shape=Line() as ground),
             Body(shape=Rod() as rod),
-        ] if end := ends.standing(rod, ground):
+        ] if end := standing_end(rod, ground, drawn):
             return end
     edges = [_edge(partner) for partner in partners]
     match edges:
@@ -140,10 +140,11 @@ def _place(partners: list[Body | Surface | None], ends: Ends) -> Place | str | N
             return Foot(rim.center, line.through, line.angle, line.towards, rim.radii)
         case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
             return Tip(face.body, line.name, (), face.plate, line.through, line.angle, line.towards)
-        case [_Straight(ends=(_, _)) as bar, _Straight(ends=()) as line]:
-            return Tip(bar.name, line.name, bar.ends, None, line.through, line.angle, line.towards)
-        case [_Straight(ends=()) as line, _Straight(ends=(_, _)) as bar]:
-            return Tip(bar.name, line.name, bar.ends, None, line.through, line.angle, line.towards)
+        case [_Straight(towards=str(end)) as bar, _Straight(towards=None) as line] | [
+            _Straight(towards=None) as line,
+            _Straight(towards=str(end)) as bar,
+        ]:
+            return Tip(bar.name, line.name, (bar.through, end), None, line.through, line.angle)
     return None
 
 
@@ -169,7 +170,7 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
         case Body(name=name, shape=Plate() as plate):
             return _Face(name, plate)
         case Body(name=name, shape=Rod(start=start, end=str(end))):
-            return _Straight(name, start, None, end, (start, end))
+            return _Straight(name, start, None, end)
         case Body(name=name, shape=Rod(start=start, angle=angle)) if angle is not None:
             return _Straight(name, start, angle, None)
     return None

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
 from planar_cli.problem.expression import Binary, Function, Name, Negate, Side
-from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
+from planar_cli.problem.known_values import KnownValues
 from planar_cli.problem.scene import (
     At,
     Body,
@@ -134,7 +134,7 @@ class WrittenDirections:
 
     def _before_at(self, name: str, place: At) -> tuple[str, tuple[_Piece, ...]] | None:
         """Coordinates that are zero, or l cos φ and l sin φ."""
-        if all(self._number(side) == 0 for side in (place.x, place.y)):
+        if all(self._values.number(side) == 0 for side in (place.x, place.y)):
             return ORIGIN, ()
         turned = [n for n in walk(place.x) if isinstance(n, Function) and n.name == "cos" and n.at is None]
         if len(turned) != 1:
@@ -191,7 +191,7 @@ class WrittenDirections:
                 yield Written(chosen.angle, 1 if senses == {1} else 0)
 
     def _form(self, side: Side, factor: float = 1.0) -> _Form:
-        number = self._number(side)
+        number = self._values.number(side)
         if number is not None:
             return _Form((), factor * number)
         match side:
@@ -199,22 +199,15 @@ class WrittenDirections:
                 return self._form(operand, -factor)
             case Binary("+" | "-" as operator, left, right):
                 return _sum(self._form(left, factor), self._form(right, factor if operator == "+" else -factor))
-            case Binary("*", left, right) if (scale := self._number(left)) is not None:
+            case Binary("*", left, right) if (scale := self._values.number(left)) is not None:
                 return self._form(right, factor * scale)
-            case Binary("*" | "/" as operator, left, right) if scale := self._number(right):
+            case Binary("*" | "/" as operator, left, right) if scale := self._values.number(right):
                 return self._form(left, factor * scale if operator == "*" else factor / scale)
         return _Form(((_text(side), factor),), 0.0)
 
-    def _number(self, side: Side) -> float | None:
-        try:
-            found = self._values.value(side)
-        except NoNumber:
-            return None
-        return None if found is None else found.value if isinstance(found, Rough) else float(found)
-
     def _sense(self, distance: Side) -> int:
         """The sign of a distance; letters and what is sought are positive."""
-        number = self._number(distance)
+        number = self._values.number(distance)
         if number is not None:
             return (number > 0) - (number < 0)
         match distance:

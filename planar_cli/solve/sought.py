@@ -10,7 +10,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.expression import Extreme, Name, Relation
-from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
+from planar_cli.problem.known_values import KnownValues
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.walk import is_endless
@@ -127,14 +127,9 @@ def _limit_at(problem: Problem, unknown: Symbol, value: float) -> Relation | Non
             continue
         sides = (relation.left, relation.right)
         bound = next((b for a, b in (sides, sides[::-1]) if isinstance(a, Name) and a.name == unknown.name), None)
-        try:
-            known = None if bound is None else numbers.value(bound)
-        except NoNumber:
-            continue
-        if known is not None:
-            limit = known.value if isinstance(known, Rough) else float(known)
-            if abs(limit - value) <= AT_LIMIT * max(abs(limit), abs(value)):
-                return relation
+        limit = None if bound is None else numbers.number(bound)
+        if limit is not None and abs(limit - value) <= AT_LIMIT * max(abs(limit), abs(value)):
+            return relation
     return None
 
 
