@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
+
 import sympy as sp
 
+from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.conditions import ACCELERATION, order, stated
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.facts import Action, Push
@@ -66,11 +70,8 @@ def _speeds(system: System, free: Motion) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...]:
-    """What drives a coordinate that is given as a function of time, or by its rate: a torque on the first body that
-    turns with it, else a force on the first whose centre goes with it, at a point of it that goes with it alone: of
-    other coordinates it does no work.
-    """
-    ledger, scene = system.scene.ledger, system.scene
+    """What drives a coordinate that is given as a function of time, or by its rate."""
+    ledger = system.scene.ledger
     sides = (relation.left, relation.right)
     names = {side.name for side in sides if isinstance(side, Name)}
     varying = {q.name for q in ledger.coordinates}
@@ -80,21 +81,46 @@ def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...
     for q in ledger.coordinates:
         if q.name not in rates and (q.name not in names or not (alone or q in ledger.values)):
             continue
-        for name, body in scene.bodies.items():
-            if scene.rigid(name) and (turn := sp.diff(body.theta, q)) != 0:
-                return _actions(system, {(name, "turn"): turn})
-        for name, body in scene.bodies.items():
-            x, y = sp.diff(body.center.x, q), sp.diff(body.center.y, q)
-            if x != 0 or y != 0:
-                own = [body.center, *(scene.points[p] for p in own_points(body.shape) if p in scene.points)]
-                alone_at = (p for p in own if not _goes_with(p, set(ledger.coordinates) - {q}))
-                point = next(alone_at, body.center)
-                return (Action(name, point, Vec(sp.diff(point.x, q), sp.diff(point.y, q)), sp.S.Zero),)
+        if actions := _working_on(system, q):
+            return actions
     return ()
 
 
-def _goes_with(point: Vec, coordinates: set[sp.Symbol]) -> bool:
-    return bool(coordinates & (sp.sympify(point.x).free_symbols | sp.sympify(point.y).free_symbols))
+def _working_on(system: System, q: sp.Symbol) -> tuple[Action, ...]:
+    """What does work through one coordinate and through no other: a torque on a body, or a force on a point, that goes
+    with it alone; a torque that two bodies exert on each other; a force across the way that a point goes with the
+    others. The first of them that there is; () for none.
+    """
+    scene = system.scene
+    others = [c for c in scene.ledger.coordinates if c != q]
+    turns = {name: body.theta for name, body in scene.bodies.items() if scene.rigid(name)}
+    for name, theta in turns.items():
+        if (turn := sp.diff(theta, q)) != 0 and not any(sp.diff(theta, c) != 0 for c in others):
+            return _actions(system, {(name, "turn"): turn})
+    places = [(name, p) for name, body in scene.bodies.items() for p in _own_places(scene, body)]
+    ways = [(name, p, _way(p, q), [w for c in others if (w := _way(p, c)) != Vec(0, 0)]) for name, p in places]
+    for name, point, way, elsewhere in ways:
+        if way != Vec(0, 0) and not elsewhere:
+            return (Action(name, point, way, sp.S.Zero),)
+    for one, other in itertools.permutations(turns, 2):
+        between = turns[one] - turns[other]
+        if (turn := sp.diff(between, q)) != 0 and all(scene.is_zero(sp.diff(between, c)) for c in others):
+            return _actions(system, {(one, "turn"): turn, (other, "turn"): -turn})
+    for name, point, way, elsewhere in ways:
+        across = elsewhere[0].turned() if elsewhere else way
+        if all(scene.is_zero(across.dot(w)) for w in elsewhere) and not scene.is_zero(across.dot(way)):
+            return (Action(name, point, across, sp.S.Zero),)
+    return ()
+
+
+def _own_places(scene: Scene, body: BodyModel) -> list[Vec]:
+    """The mass centre of a body, and the points that tell its shape."""
+    return [body.center, *(scene.points[p] for p in own_points(body.shape) if p in scene.points)]
+
+
+def _way(point: Vec, q: sp.Symbol) -> Vec:
+    """How a point goes with a coordinate."""
+    return Vec(sp.diff(point.x, q), sp.diff(point.y, q))
 
 
 def _of_rate(side: Side) -> str:
