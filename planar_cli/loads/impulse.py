@@ -62,7 +62,9 @@ class Impulse(Load):
     body: str = key(BodyKey(), "the body that is struck; left out where one alone can be meant", default="")
     at: str | None = key(PointKey(), "the point that is struck; a particle needs none", default=None)
     magnitude: Side | None = key(SideKey("N*s"), "the impulse", default=None)
-    angle: Side | None = key(SideKey("deg", angle=True, turns=True), "its direction from +x", default=None)
+    angle: Side | None = key(
+        SideKey("deg", angle=True, turns=True), "its direction from +x, counterclockwise", default=None
+    )
     moment: Side | None = key(SideKey("N*m*s"), "an angular impulse, counterclockwise positive", default=None)
 
     def attachments(self) -> tuple[tuple[str, str], ...]:

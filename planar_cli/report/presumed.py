@@ -93,10 +93,11 @@ def _placed(part: PartSolution, phrases: Phrases) -> Iterator[Line]:
         if name in problem.placed and isinstance(relation, Relation):
             symbol = ledger.symbols[name]
             place = in_unit(phrases.value(scene.value(relation.right)), ledger.units[symbol], problem.us)
-            where = "with any other" if problem.instant is not None else "wherever it begins"
             place = "0" if place.startswith("0 ") else place
             begins = "=" if problem.instant is not None else "begins at"
-            yield line(phrases.math(symbol), f" {begins} {place}; the answers are the same {where}")
+            yield line(
+                phrases.math(symbol), f" {begins} {place}; the answers are the same in the other places that were tried"
+            )
 
 
 def _without_mass(part: PartSolution) -> dict[str, None]:

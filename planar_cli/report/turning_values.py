@@ -40,18 +40,9 @@ def of_the_same_kind(found: MotionTrace, r: Result, left: list[Root], phrases: P
     alike = [x for x, sense in zip(later, senses or (), strict=bool(senses)) if sense > 0]
     if relation is None or not alike:
         return None
-    kind = "maxima" if relation.words.endswith(LARGEST) else "minima"
-    if len(alike) == 1:
-        kind = kind.replace("ima", "imum")
-    return Paragraph(
-        line(
-            f"another local {kind}" if len(alike) == 1 else f"other local {kind}",
-            " at ",
-            Math(r.unknown),
-            " = ",
-            *_listed(r, alike, phrases),
-        )
-    )
+    one, several = ("maximum", "maxima") if relation.words.endswith(LARGEST) else ("minimum", "minima")
+    told = f"another local {one}" if len(alike) == 1 else f"other local {several}"
+    return Paragraph(line(f"{told} at ", Math(r.unknown), " = ", *_listed(r, alike, phrases)))
 
 
 def _condition(found: MotionTrace, r: Result) -> Relation | None:

@@ -7,7 +7,7 @@ measured, and the time is corrected until the way is the one that is told.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -16,11 +16,12 @@ from planar_cli.motion.sides import has_quantity
 from planar_cli.problem.expression import Found, Name, Number, Quantity, Relation, Side
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.simulate.run import Settings, prepared, simulate
+from planar_cli.simulate.shooting import enclosed
 
 WAY, GOAL = "way", "goal"
 """What is asked of a motion that is followed to one time: the way up to it, and the one that is told."""
-EARLY, DOUBLINGS, ROUNDS = 16, 14, 60
-"""From this part of an ordinary time on it is doubled so often at most; then it is enclosed in so many steps."""
+EARLY, DOUBLINGS = 16, 14
+"""From this part of an ordinary time on it is doubled so often at most."""
 CLOSE = 1e-12
 """The way is hit to this part of it."""
 
@@ -89,19 +90,4 @@ def _time(problem: Problem, k: int, known: Mapping[str, float]) -> float | None:
         reached = f"as far as the motion goes on, the way comes to {100 * (1 + last):.4g} % of that"
         text = f"state {state.name} is never reached: {state.relations[0].text}"
         raise NoSolution([Diagnostic(state.mark, "PL621", text, reached)])
-    return _between(off, (low, before), (high, gap))
-
-
-def _between(off: Callable[[float], float | None], low: tuple[float, float], high: tuple[float, float]) -> float:
-    """The time between two others at which the way is right, by the regula falsi of Illinois."""
-    (a, fa), (b, fb) = low, high
-    for _ in range(ROUNDS):
-        if abs(fb) <= CLOSE or b == a:
-            break
-        t = (a * fb - b * fa) / (fb - fa)
-        f = off(t)
-        if f is None:
-            break
-        a, fa = (b, fb) if f * fb < 0 else (a, fa / 2)
-        b, fb = t, f
-    return b
+    return high if gap == 0 else enclosed(off, (low, before), (high, gap), CLOSE)

@@ -9,8 +9,8 @@ from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.simulate.shooting import Shot, motion_with, shots, values_tried
+from planar_cli.simulate.shooting_of_extremes import golden_section
 
-GOLDEN = 0.381966011250105
 NARROW = 1e-6
 """The value is enclosed up to this part of the distance of two that are tried."""
 Miss = Callable[[float], float | None]
@@ -66,7 +66,7 @@ def _least(miss: Miss, values: Sequence[float]) -> float | None:
     a, b = values[best - 1], values[best + 1]
     narrow = NARROW * (b - a)
     while b - a > narrow:
-        left, right = a + GOLDEN * (b - a), b - GOLDEN * (b - a)
+        left, right = golden_section(a, b)
         f, g = miss(left), miss(right)
         if f is None and g is None:
             return None

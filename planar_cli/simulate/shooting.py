@@ -232,7 +232,7 @@ def _roots(missed: Missed, values: Sequence[float]) -> Iterator[float]:
     found = [(v, missed(v)) for v in values]
     for low, high in pairwise(found):
         ends = _reached(missed, low, high)
-        root = None if ends is None else _enclosed(missed, *ends)
+        root = None if ends is None else enclosed(missed, *ends)
         if root is None and ends is not None and None in (low[1], high[1]):
             root = _at_edge(missed, *(ends if low[1] is None else ends[::-1]))
         if root is not None:
@@ -284,9 +284,9 @@ def _at_edge(missed: Missed, edge: Shown, inner: Shown) -> float | None:
     return x if abs(f) <= HOLDS else None
 
 
-def _enclosed(missed: Missed, low: Shown, high: Shown) -> float | None:
-    """The root between two values; None: there is no change of sign, or a jump. By false position; an end that stays
-    counts half.
+def enclosed(missed: Missed, low: Shown, high: Shown, tolerance: float = TOLERANCE) -> float | None:
+    """The root between two values, up to this part of the scale of the relation; None: there is no change of sign, or a
+    jump. By false position; an end that stays counts half.
 
     Reference: Dowell and Jarratt, A modified regula falsi method, BIT 11 (1971), the Illinois variant.
     """
@@ -298,7 +298,7 @@ def _enclosed(missed: Missed, low: Shown, high: Shown) -> float | None:
         h = missed(x)
         if h is None:
             return None
-        if abs(h) <= TOLERANCE or abs(b - a) <= CLOSE * max(abs(a), abs(b)):
+        if abs(h) <= tolerance or abs(b - a) <= CLOSE * max(abs(a), abs(b)):
             return x if abs(h) <= HOLDS else None
         if h * g < 0:
             a, f = b, g

@@ -124,7 +124,7 @@ def _interior(size: Size, a: float, b: float) -> Best | None:
     """Where the derivative vanishes between two values; None: the state is not reached all the way."""
     h = NARROW * (b - a)
     while b - a > h:
-        left, right = a + GOLDEN * (b - a), b - GOLDEN * (b - a)
+        left, right = golden_section(a, b)
         f, g = size(left), size(right)
         if f is None or g is None:
             return None
@@ -145,6 +145,11 @@ def _interior(size: Size, a: float, b: float) -> Best | None:
             a, p = x, r
     here = size(x)
     return None if here is None else Best(x, here)
+
+
+def golden_section(a: float, b: float) -> tuple[float, float]:
+    """The two values between others at which a section that is golden looks."""
+    return a + GOLDEN * (b - a), b - GOLDEN * (b - a)
 
 
 def _slope(size: Size, x: float, h: float) -> float | None:

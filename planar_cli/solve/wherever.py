@@ -1,7 +1,7 @@
 """Coordinates that nothing tells, and on which nothing that is asked rests: where a cart begins on its rails.
 
 The laws of motion hold in every place. So the problem is solved with the body in one place, and in others that have
-nothing in common with it; where all answers are the same, they hold wherever it is.
+nothing in common with it; where all answers are the same, they are told, and that these were the places tried.
 """
 
 from __future__ import annotations

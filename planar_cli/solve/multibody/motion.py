@@ -39,6 +39,8 @@ ENOUGH = 15
 """Values that agree to fewer digits disagree."""
 NOTHING = Decimal(10) ** -FULL
 FEW = Decimal(10) ** -ENOUGH
+CANCELLED = Decimal(10) ** (ENOUGH - FULL)
+"""Beside the largest of its kind a smaller number has not enough digits left."""
 
 
 @record
@@ -362,9 +364,11 @@ def agreeing(a: Decimal, b: Decimal, scale: Decimal, driven: Decimal = ZERO) -> 
     """Common digits of two numbers; all when both are nothing beside the largest of their kind. What has cancelled
     agrees to the digits that it has beside what drives it, or beside that largest.
     """
-    difference, size, beside = abs(a - b), max(abs(a), abs(b)), max(scale, driven)
-    if size < FEW * beside:
-        size = beside
+    difference, size = abs(a - b), max(abs(a), abs(b))
+    if size < FEW * driven:
+        size = driven
+    elif size < CANCELLED * scale:
+        size = scale
     if difference <= NOTHING * max(scale, ONE) or not size:
         return FULL
     return max(0, min(FULL, int(-(difference / size).log10())))
