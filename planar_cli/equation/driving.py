@@ -107,9 +107,10 @@ def _working_on(system: System, q: sp.Symbol) -> tuple[Action, ...]:
         if (turn := sp.diff(between, q)) != 0 and all(scene.is_zero(sp.diff(between, c)) for c in others):
             return _actions(system, {(one, "turn"): turn, (other, "turn"): -turn})
     for name, point, way, elsewhere in ways:
-        across = elsewhere[0].turned() if elsewhere else way
-        if all(scene.is_zero(across.dot(w)) for w in elsewhere) and not scene.is_zero(across.dot(way)):
-            return (Action(name, point, across, sp.S.Zero),)
+        for push in (way, *(w.turned() for w in elsewhere[:1])):
+            sense = scene.sign(push.dot(way))
+            if sense and all(scene.is_zero(push.dot(w)) for w in elsewhere):
+                return (Action(name, point, push * sense, sp.S.Zero),)
     return ()
 
 
