@@ -88,6 +88,9 @@ class Law:
     def shared(self) -> frozenset[str]:
         return frozenset()
 
+    def presumed(self, t: float, y: Sequence[float]) -> tuple[()]:
+        return ()
+
     def momentum(self, t: float, y: Sequence[float]) -> tuple[float, float, float]:
         return (0.0, 0.0, 0.0)
 

@@ -7,7 +7,7 @@ the running rope (ρ = ±radius), it has the length L = √(d² - (ρ_2 - ρ_1)�
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -41,6 +41,22 @@ def rope_length(title: str, stops: Sequence[Stop], along: Vec | None) -> Residua
         return poses.change(total)
 
     return Residual(title, stretch)
+
+
+def rope_directions(stops: Sequence[Stop], names: Sequence[str], along: Vec) -> tuple[Residual, ...]:
+    """Every part stays parallel to a direction: its ends keep their distance across it. `names` of the stops."""
+    return tuple(
+        Residual(f"its part from {one} to {other} does not keep its direction `along`", _across(a, b, along))
+        for (a, b), (one, other) in zip(pairwise(stops), pairwise(names), strict=True)
+    )
+
+
+def _across(start: Stop, end: Stop, along: Vec) -> Callable[[Poses], Any]:
+    def across(poses: Poses) -> Any:
+        reach = poses.point(end.body, end.center) - poses.point(start.body, start.center)
+        return poses.change(poses.vector(along).cross(reach))
+
+    return across
 
 
 def _rim(poses: Poses, stops: Sequence[Stop], index: int, along: Vec | None) -> _Rim:

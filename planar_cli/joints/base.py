@@ -81,6 +81,12 @@ class Joint(Entry, ABC):
         The independent check differentiates these itself, so nothing in them may come from the facts of `modes`.
         """
 
+    def presumes(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """What it takes for granted of places, and no force of it keeps: that the parts of a rope stay parallel. The
+        title tells of a residual that changes what it does then.
+        """
+        return ()
+
 
 def distinct(joints: Sequence[Joint]) -> tuple[Joint, ...]:
     """Joints that share a name (both called by their point) are told apart by a number."""

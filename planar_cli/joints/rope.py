@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.errors import Diagnostic
-from planar_cli.joints._rope_length import rope_length
+from planar_cli.joints._rope_length import rope_directions, rope_length
 from planar_cli.joints._rope_path import RopePath, free_parts, stops_of
 from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
@@ -134,7 +134,11 @@ class Rope(Joint):
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         taut = Facts(rows=(row,), pushes=(push,))
         # A part of fixed direction does not swing with the body at its end.
-        if len(segments) == 1 and not spins and (segments[0].length is not None or _to_ground(segments[0])):
+        if (
+            len(segments) == 1
+            and not spins
+            and (segments[0].length is not None or _to_ground(segments[0]) or not scene.rigid(segments[0].end.body))
+        ):
             tie = segments[0]
             ends = ((self.path[0].name, tie.start), (self.path[1].name, tie.end))
             curvature = 0 if tie.length is None else 1 / tie.length
@@ -157,6 +161,12 @@ class Rope(Joint):
             return ()
         along = None if self.along is None else scene.unit(self.along)
         return (rope_length(f"{self.called}: length", stops_of(self._route(), scene), along),)
+
+    def presumes(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        if self.along is None or mode.name == "slack":
+            return ()
+        names = [stop.name for stop in self.path]
+        return rope_directions(stops_of(self._route(), scene), names, scene.unit(self.along))
 
     def _route(self) -> RopePath:
         return RopePath(self.name, self.path, self.along, self.mark)

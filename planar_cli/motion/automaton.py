@@ -106,6 +106,11 @@ class Regime(Protocol):
     def momentum(self, t: float, y: Sequence[float]) -> Sequence[float]:
         """Linear momentum x, y [N s] and angular momentum about the origin [N m s]."""
 
+    def presumed(self, t: float, y: Sequence[float]) -> Sequence[tuple[str, str, float]]:
+        """What joints take for granted and do not keep: the joint, what it does where that changes, and a number that
+        must not, in parts of its scale.
+        """
+
 
 class Automaton(Protocol):
     """A scene that may be in one of many regimes."""

@@ -7,8 +7,12 @@ from collections.abc import Sequence
 from planar_cli.integrators.base import StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Guard
 from planar_cli.motion.guards import AGAIN
+from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
 from planar_cli.motion.trajectory import Outcome
+
+CHANGED = 1e-6
+"""A length that is taken for granted has changed when it is off by more than this part of the scale."""
 
 
 def stuck_at(stuck: StepTooSmall | Singular, t: float) -> Outcome:
@@ -27,9 +31,23 @@ def undetermined_at(loose: Sequence[str], t: float) -> Outcome:
     return Outcome("singular", words, t, loose[0], "PL702")
 
 
-def unbalanced(told: str, since: float, t: float) -> Outcome:
-    """Momentum or energy that does not add up from one time to another."""
-    return Outcome("unbalanced", f"between t = {since:.9g} s and t = {t:.9g} s {told}", t, "", "PL710")
+def unbalanced(segment: Segment, allowed: float) -> Outcome | None:
+    """Momentum or energy that is off by more than an allowed part of its scale over a segment; None: it adds up."""
+    balance = segment.balance
+    if balance is None or balance.off <= allowed:
+        return None
+    words = f"between t = {segment.t0:.9g} s and t = {segment.t1:.9g} s {balance.told}"
+    return Outcome("unbalanced", words, segment.t1, "", "PL710")
+
+
+def not_as_presumed(segment: Segment) -> Outcome | None:
+    """What a joint takes for granted of places, and does not stay so over a segment; None: everything does."""
+    begun = segment.regime.presumed(segment.t0, segment.start)
+    for t, y in (*((s.t1, s.y1) for s in segment.steps[:-1]), (segment.t1, segment.end)) if begun else ():
+        for (joint, words, before), (*_, now) in zip(begun, segment.regime.presumed(t, y), strict=True):
+            if abs(now - before) > CHANGED:
+                return Outcome("aside", f"{joint}: {words}, from t = {segment.t0:.9g} s on", t, joint, "PL539")
+    return None
 
 
 def jerked(joint: str, t: float) -> Outcome:

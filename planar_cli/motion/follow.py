@@ -6,6 +6,7 @@ changes at one instant without end is told, and an integrator that can not go on
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 
@@ -287,9 +288,8 @@ class Follower:
             segment = Segment(self.choice, regime, self.t, end, self.y, y, tuple(steps), balance)
             self.segments.append(segment)
             self.at_once = 0
-            allowed = max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED)
-            if balance is not None and balance.off > allowed and self.check:
-                self.outcome = endings.unbalanced(balance.told, self.t, end)
+            allowed = max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED) if self.check else math.inf
+            self.outcome = endings.not_as_presumed(segment) or endings.unbalanced(segment, allowed)
         self.t, self.y = end, y
 
     # --- what ends a segment -----------------------------------------------------------------------------------------

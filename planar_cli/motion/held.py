@@ -26,6 +26,8 @@ class Held:
     """Pushes that follow a law: factor · another push, or the factor alone."""
     loads: Column
     """The generalized force of friction of a fixed size against the sliding."""
+    presumed: tuple[tuple[str, Term], ...] = ()
+    """What it takes for granted of places and does not keep: lengths that stay, and words where one does not."""
 
     @property
     def free(self) -> tuple[Push, ...]:

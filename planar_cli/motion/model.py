@@ -25,6 +25,7 @@ from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.facts import Facts, Mode, Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import scales_of as ordinary
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.scene import GROUND
 
 Choice = tuple[int, ...]
@@ -256,12 +257,17 @@ class Model:
                 loads[i] = loads[i] + t if i in loads else t
         columns = {p.name: layout.of_actions(p.actions) for p in mode.facts.pushes}
         followers = {law.push: (graph.of(law.factor), law.of) for law in mode.facts.laws}
-        return Held(joint.name, mode, constraints, mode.facts.pushes, columns, followers, loads)
+        presumed = tuple(self._scalars(joint.presumes(self.scene, mode)))
+        return Held(joint.name, mode, constraints, mode.facts.pushes, columns, followers, loads, presumed)
 
     def places(self, joint: Joint, mode: Mode) -> list[tuple[str, Term]]:
         """The position residuals of a joint in one of its modes, scalar by scalar."""
+        return self._scalars(joint.residuals(self.scene, mode))
+
+    def _scalars(self, residuals: Iterable[Residual]) -> list[tuple[str, Term]]:
+        """The residuals that vary, scalar by scalar, with their titles."""
         found = []
-        for residual in joint.residuals(self.scene, mode):
+        for residual in residuals:
             value = residual.of(self.scene.poses)
             parts = (value.x, value.y) if isinstance(value, Vec) else (value,)
             found += [(residual.title, self.graph.of(p)) for p in parts]

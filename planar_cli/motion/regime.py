@@ -79,6 +79,7 @@ class Regime:
         self._watch = Routine(self._system, self._watched, self.neighbour)
         self._still: Code | None = None
         self._kinetics: Code | None = None
+        self._presumed: Code | None = None
         self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.independent.values)
 
     # --- what a motion asks ------------------------------------------------------------------------------------------
@@ -186,6 +187,16 @@ class Regime:
         if set(ordered([power])).isdisjoint(v for part in self._system.stand_ins() for v in part):
             return self._of_state([power])
         return Routine(self._system, self._powers, self.neighbour)
+
+    def presumed(self, t: float, y: Sequence[float]) -> list[tuple[str, str, float]]:
+        """Lengths that joints take for granted and do not keep: the joint, words, and the number in parts of a scale."""
+        found = [(held.joint, words, term) for held in self.parts.held for words, term in held.presumed]
+        if self._presumed is None:
+            self._presumed = compiled([term for *_, term in found], self.layout.state, self.layout.time)
+        lengths = self._presumed.function(t, y) if found else []
+        return [
+            (joint, words, x / self.parts.scales.length) for (joint, words, _), x in zip(found, lengths, strict=True)
+        ]
 
     @property
     def operations(self) -> int:

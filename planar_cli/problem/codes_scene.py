@@ -99,7 +99,8 @@ _SCENE = {
     ),
     "PL539": (
         "`along` of a rope says that all its parts are parallel to one direction. A part that is drawn across it, such "
-        "as one over a table, would not count in the length of the rope: leave `along` out, and draw the pulleys."
+        "as one over a table, would not count in the length of the rope: leave `along` out, and draw the pulleys. Nor "
+        "may the ends of a part move aside from each other: a load that lags behind its trolley hangs aslant."
     ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": (

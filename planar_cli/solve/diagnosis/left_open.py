@@ -7,8 +7,11 @@ from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.problem.scene import Problem
 
-CODES = ("PL714", "PL715", "PL717", "PL718")
+CODES = ("PL539", "PL714", "PL715", "PL717", "PL718")
 """With which a motion ends that is not told on."""
+LEAVE_OUT = (
+    "leave `along` out, so that the part turns with its ends, or let what hangs on it go along with its upper end"
+)
 
 
 def demand_told(problem: Problem, outcome: Outcome) -> None:
@@ -16,7 +19,7 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     if outcome.code not in CODES:
         return
     joint = next(j for j in distinct(problem.joints) if j.name == outcome.joint)
-    hints = {"PL714": _weld, "PL715": _again, "PL717": _blow, "PL718": _apart}
+    hints = {"PL539": _leave_out, "PL714": _weld, "PL715": _again, "PL717": _blow, "PL718": _apart}
     hint = hints[outcome.code](problem, joint)
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
 
@@ -38,6 +41,10 @@ def moved_by_nothing(problem: Problem) -> NoSolution | None:
     text = f"nothing tells how {light.name} moves between the states: it has no mass"
     hint = f"give {light.name} a mass, or say under `motion` how it moves"
     return NoSolution([Diagnostic(light.mark, "PL451", text, hint)])
+
+
+def _leave_out(problem: Problem, joint: Joint) -> str:
+    return LEAVE_OUT
 
 
 def _again(problem: Problem, impact: Joint) -> str:

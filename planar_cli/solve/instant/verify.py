@@ -14,6 +14,7 @@ from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.records import record
+from planar_cli.solve.diagnosis.left_open import LEAVE_OUT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import Outcome
 from planar_cli.solve.instant.worked import Worked, unknowns_of
@@ -72,6 +73,9 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
             hint = "leave one of them out, or declare its value under `unknowns`"
             raise NoSolution([Diagnostic(denied.mark, "PL607", text, hint)])
         raise _left_over(system, left, residual)
+    if agreement.changed is not None:
+        joint, words = agreement.changed
+        raise NoSolution([Diagnostic(joint.mark, "PL539", f"{joint.name}: {words}", LEAVE_OUT)])
     if not agreement.holds:
         raise _differs(system, agreement)
     return Checks(count, residual, agreement if system.scene.bodies else None)

@@ -12,7 +12,7 @@ couple of every joint on every body.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
 
@@ -24,8 +24,8 @@ from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import letters
 from planar_cli.equation.system import System
 from planar_cli.equation.tangent import Tangent, tangent
-from planar_cli.joints.base import distinct
-from planar_cli.problem.facts import Action, Wrench
+from planar_cli.joints.base import Joint, distinct
+from planar_cli.problem.facts import Action, Mode, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.worked import PARTS, Worked
@@ -49,11 +49,13 @@ class Agreement:
 
     `velocities_ok`: the largest rate of a residual, relative to its terms (0: the velocities fit all joints). `digits`:
     to which all determined accelerations and joint forces agree. `disagreements`: what differs, with both values.
+    `changed`: a joint that takes for granted what the velocities change, and what it does then; None: none does.
     """
 
     velocities_ok: Decimal
     digits: int
     disagreements: tuple[str, ...]
+    changed: tuple[Joint, str] | None = None
 
     @property
     def holds(self) -> bool:
@@ -108,22 +110,39 @@ class Multibody:
     def _ties(self) -> list[Tie]:
         """All residuals of all joints, evaluated once."""
         poses = NearPoses(self.value, self.places)
-        joints = {j.name: j for j in distinct(self.system.scene.problem.joints)}
         ties: list[Tie] = []
-        for name, mode in self.system.modes.items():
-            for residual in joints[name].residuals(self.system.scene, mode) if name in joints else ():
+        for joint, mode in self._joints():
+            name = joint.name
+            for residual in joint.residuals(self.system.scene, mode):
                 found = residual.of(poses)
                 for jet in (found.x, found.y) if isinstance(found, Vec) else (found,):
                     ties.append(Tie(name, residual.title, tidied(jet), self.count + len(ties)))
         return ties
 
-    def rates(self) -> Decimal:
-        """The largest rate of a residual, relative to the size of its terms."""
+    def _joints(self) -> Iterator[tuple[Joint, Mode]]:
+        """All joints of the file, in their modes."""
+        joints = {j.name: j for j in distinct(self.system.scene.problem.joints)}
+        yield from ((joints[name], mode) for name, mode in self.system.modes.items() if name in joints)
+
+    def _changed(self) -> tuple[Joint, str] | None:
+        poses, usual = NearPoses(self.value, self.places), max(map(abs, self._speeds().values()), default=ZERO)
+        for joint, mode in self._joints():
+            for residual in joint.presumes(self.system.scene, mode):
+                if abs(residual.of(poses).rate) > FEW * usual:
+                    return joint, residual.title
+        return None
+
+    def _speeds(self) -> Slopes:
+        """The velocities of all coordinates."""
         speeds: Slopes = {}
         for place in self.places.values():
             own = zip(place.columns, (place.velocity.x, place.velocity.y, place.spin), strict=True)
             speeds |= {column: speed for column, speed in own if column is not None}
-        largest = ZERO
+        return speeds
+
+    def rates(self) -> Decimal:
+        """The largest rate of a residual, relative to the size of its terms."""
+        speeds, largest = self._speeds(), ZERO
         for tie in self.ties:
             size = sum((abs(s * speeds[i]) for i, s in tie.jet.slopes.items()), abs(tie.jet.rate))
             error = abs(tie.jet.rate) / size if size > NOTHING else ZERO
@@ -265,7 +284,7 @@ class Multibody:
         digits = min(digits, self._compare(self._accelerations(PARTS[2:])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[:2])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[2:]), self._turned()))
-        return Agreement(velocities, digits, tuple(self.notes))
+        return Agreement(velocities, digits, tuple(self.notes), self._changed())
 
     def _driven(self) -> Decimal:
         """The largest acceleration that one load alone would give a body [m/s²]."""
