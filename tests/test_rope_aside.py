@@ -1,4 +1,4 @@
-"""A rope with `along` keeps the direction of its parts: what moves their ends aside is told, and no load stays behind."""
+"""A rope with `along` keeps the direction of its parts: that their ends move aside is told; no load stays behind."""
 
 from __future__ import annotations
 

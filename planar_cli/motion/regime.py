@@ -189,7 +189,7 @@ class Regime:
         return Routine(self._system, self._powers, self.neighbour)
 
     def presumed(self, t: float, y: Sequence[float]) -> list[tuple[str, str, float]]:
-        """Lengths that joints take for granted and do not keep: the joint, words, and the number in parts of a scale."""
+        """Lengths that joints take for granted and do not keep, in parts of their scale, with the joint and words."""
         found = [(held.joint, words, term) for held in self.parts.held for words, term in held.presumed]
         if self._presumed is None:
             self._presumed = compiled([term for *_, term in found], self.layout.state, self.layout.time)

@@ -59,7 +59,8 @@ class Outcome:
     several (more than one consistent motion), shared (forces that are not unique decide), singular, small (steps too
     small), long (too many of them), spent (a free part of a rope has run out), again (partners of an impact that is
     over meet), open (what follows a plastic impact is not told), endless (impacts or changes of mode without end),
-    contradiction (joints that cannot all hold), aside (what a joint takes for granted changes), unbalanced (momentum or energy does not add up)."""
+    contradiction (joints that cannot all hold), aside (what a joint takes for granted changes), unbalanced (momentum
+    or energy does not add up)."""
     words: str
     """As a sentence, with the place and time."""
     t: float
