@@ -39,7 +39,8 @@ from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.solve.diagnosis.words import names_of
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
-from planar_cli.solve.regimes.potential import potential, signed_speed
+from planar_cli.solve.regimes.gains import gained
+from planar_cli.solve.regimes.potential import signed_speed
 from planar_cli.solve.regimes.timeline import Stop
 
 CERTAIN = Decimal("1e-9")
@@ -273,8 +274,8 @@ def _size(g: Callable[[float], float], segment: ExactSegment) -> float:
 
 
 def _potential(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> sp.Expr | None:
-    """The function of place and time of which this is the rate, real between two times; None: none was found."""
-    g = potential(rate, segment.regime)
+    """The function of time, place and speed of which this is the rate, real between two times; None: there is none."""
+    g = gained(rate, segment.regime)
     return None if g is None else where_real(g, segment.value.extended(segment.at((ta + tb) / 2)))
 
 

@@ -14,7 +14,8 @@ from planar_cli.records import record
 from planar_cli.solve.between.span_rates import rates_of
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
-from planar_cli.solve.regimes.potential import potential, signed_speed
+from planar_cli.solve.regimes.gains import gained
+from planar_cli.solve.regimes.potential import signed_speed
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
 SOON = Decimal("1e-20")
@@ -96,7 +97,7 @@ def _difference(
     if reader is not None and q.word != "count" and not any(i in blows for i in passed):
         rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
         rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
-        g = potential(rate, reader.regime)
+        g = gained(rate, reader.regime)
     if g is None:
         text = f"{q.word}(…) @ {a.name}->{b.name} has no closed form here, so it can not fix a state"
         raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}")
