@@ -61,10 +61,10 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
     """The sums of one body about its mass centre, along x and along y that stand in no equation of the solution."""
     scene, motion = instant.instant.scene, instant.trial.system.motion
     model = scene.bodies[body]
-    acting = list(_acting(instant, body, phrases))
+    acting = list(acting_on(instant, body, phrases))
     still = instant.trial.system.balanced(body)
     if model.rigid and not any(w.law == "moment" and w.lead == model.center_name for w in used):
-        turned = [_product(_number(a.point - model.center, a.force, phrases) + a.couple, a.size) for a in acting]
+        turned = [product_of(moment_of(a.point - model.center, a.force, phrases) + a.couple, a.size) for a in acting]
         alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
         name = model.center_name if model.center_name and model.center_name != body else "G"
         if None not in turned:
@@ -72,7 +72,7 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
     for axis, arrow in (("x", "→"), ("y", "↑")):
         if any(w.law == "force" and w.lead == axis and w.bodies == (body,) for w in used):
             continue
-        parts = [_product(getattr(a.force, axis), a.size) for a in acting if a.force is not None]
+        parts = [product_of(getattr(a.force, axis), a.size) for a in acting if a.force is not None]
         moved = None if still or motion is None else motion.acceleration(model.center, body)
         inertia = sp.S.Zero if moved is None else model.mass * getattr(moved, axis)
         if None not in parts:
@@ -80,7 +80,7 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
 
 
 @record
-class _Acting:
+class Acting:
     """What acts on a body for a size of one; `size`: None where no line of the page tells it."""
 
     point: Vec
@@ -89,14 +89,14 @@ class _Acting:
     size: Decimal | None
 
 
-def _product(part: Decimal, size: Decimal | None) -> Decimal | None:
+def product_of(part: Decimal, size: Decimal | None) -> Decimal | None:
     """What it contributes to a sum; nothing, whatever its size, where it has no part in it. None: that is not known."""
     if abs(part) < TINY:
         return Decimal(0)
     return None if size is None else part * size
 
 
-def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[_Acting]:
+def acting_on(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[Acting]:
     """What acts on a body; of a load its numbers, of a reaction its direction and its size."""
     system, value = instant.trial.system, phrases.value
     assert system.reactions is not None
@@ -106,15 +106,15 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[_
             couple = value.known(sp.sympify(w.couple))
             told = couple is not None and (w.force is None or None not in numbers)
             force = None if w.force is None else Vec(*numbers) if told else Vec(Decimal(1), Decimal(1))
-            yield _Acting(w.point, force, couple or Decimal(0), Decimal(1) if told else None)
+            yield Acting(w.point, force, couple or Decimal(0), Decimal(1) if told else None)
     for push, expr in system.reactions.pushes:
         for a in push.actions:
             if a.body == body:
                 force = None if a.force is None else Vec(value(a.force.x), value(a.force.y))
-                yield _Acting(a.point, force, value(sp.sympify(a.couple)), value.known(expr))
+                yield Acting(a.point, force, value(sp.sympify(a.couple)), value.known(expr))
 
 
-def _number(arm: Vec, force: Any, phrases: Phrases) -> Decimal:
+def moment_of(arm: Vec, force: Any, phrases: Phrases) -> Decimal:
     """The moment of a force."""
     if force is None:
         return Decimal(0)

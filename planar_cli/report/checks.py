@@ -13,13 +13,10 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
 from planar_cli.problem.words import OF_SWINGS
-from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
+from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
 from planar_cli.report.letter_check import letter_check
-from planar_cli.report.polar_check import polar_check
-from planar_cli.report.power_check import power_check
 from planar_cli.report.presses import formula_of_press
-from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
@@ -49,8 +46,7 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     )
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
     if single and sure and not limits:
-        others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check, polar_check))
-        told += [next(filter(None, others), ())]
+        told.append(chosen_check(OF_INSTANTS, instant, phrases))
     told += [letter_check(instant, phrases)] if single and phrases.symbolic else []
     return [Check(phrase) for phrase in told if phrase]
 

@@ -16,6 +16,9 @@ from planar_cli.report.ordering import NUMBER
 MOST_TERMS = 6
 """Two components with more terms together are read off the vectors."""
 
+Power = tuple[Decimal, int]
+"""A number inside a product, and how often it stands in it: the ω of ω². Numbers that are only equal stay apart."""
+
 NOTHING = Decimal("1e-12")
 """A sum of which so little is left is zero: it is what the motion keeps."""
 
@@ -31,15 +34,15 @@ class Turned:
     arm: tuple[Decimal, Decimal]
     spin: Decimal
 
-    def parts(self, axis: int) -> Iterator[tuple[int, tuple[Decimal, ...]]]:
+    def parts(self, axis: int) -> Iterator[tuple[int, tuple[Power, ...]]]:
         """The terms along x (0) or y (1) that are not zero: sign and factors."""
         across, along = self.arm[1 - axis], self.arm[axis]
         if self.base[axis]:
-            yield 1, (self.base[axis],)
+            yield 1, ((self.base[axis], 1),)
         if self.turn and across:
-            yield (-1 if axis == 0 else 1), (across, self.turn)
+            yield (-1 if axis == 0 else 1), ((across, 1), (self.turn, 1))
         if self.spin and along:
-            yield -1, (along, self.spin, self.spin)
+            yield -1, ((along, 1), (self.spin, 2))
 
 
 def components_told(turned: Turned, figures: int) -> Line:
@@ -53,18 +56,18 @@ def components_told(turned: Turned, figures: int) -> Line:
     return line("[", x, ", ", y, "]")
 
 
-def sum_of_products(parts: Sequence[tuple[int, tuple[Decimal, ...]]], figures: int) -> Math:
+def sum_of_products(parts: Sequence[tuple[int, tuple[Power, ...]]], figures: int) -> Math:
     """A sum of signed products of numbers, with as many figures as its result needs."""
     if not parts:
         return Math(sp.S.Zero)
-    numbers = [n for _, factors in parts for n in factors]
+    numbers = [n for _, factors in parts for n, _ in factors]
 
     def worked(values: Sequence[Decimal]) -> Decimal:
         left, total = list(values), Decimal(0)
         for sign, factors in parts:
             product = Decimal(sign)
-            for _ in factors:
-                product *= left.pop(0)
+            for _, power in factors:
+                product *= left.pop(0) ** power
             total += product
         return total
 
@@ -76,9 +79,9 @@ def sum_of_products(parts: Sequence[tuple[int, tuple[Decimal, ...]]], figures: i
     terms: list[sp.Expr] = []
     for i, (sign, factors) in enumerate(parts):
         own: list[sp.Expr] = []
-        for j, number in enumerate(dict.fromkeys(factors)):
+        for j, (number, power) in enumerate(factors):
             symbol = sp.Symbol(f"{NUMBER}{i}{j}", real=True)
             texts[symbol] = significant(number, enough)
-            own.append(symbol ** factors.count(number))
+            own.append(symbol**power)
         terms.append(sp.Mul(sign, *own, evaluate=False) if sign < 0 or len(own) > 1 else own[0])
     return Math(sp.Add(*terms, evaluate=False) if len(terms) > 1 else terms[0], texts)

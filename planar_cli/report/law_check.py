@@ -2,9 +2,11 @@
 
     mean velocity times the time:  (0 + 25)/2 · 12.5 = 156.2 m,  x_2 - x_1 = 156.2 m             constant acceleration
     ÿ = g constant:   2 · 9.81 · 3 = 58.86 m²/s²,  v_2² - v_1² = 58.86 m²/s²
-    θ̈ = -g sin θ/l:   Simpson's rule, ∫ θ̈ dθ = 0.5236 (8.496 + 4 · 4.905 + 0)/3 ...          the law at three places
+    ẍ = 4 - 2 t:      mean acceleration times the time, (4 + 0)/2 · 2 = 4 m/s,  v_2 = 4 m/s      a straight line
+    θ̈ = -g sin θ/l:   Simpson's rule, 0.5236/6 (8.496 + 4 · 4.905 + 0) = 2.453 rad²/s² ...       the law at three places
 
-It rests neither on the integral in closed form nor on a balance of energy by which the motion was found.
+It rests neither on the integral in closed form nor on a balance of energy by which the motion was found. The law that
+it starts from stands in it, in letters: of an acceleration that is nowhere on the page nobody could check anything.
 """
 
 from __future__ import annotations
@@ -15,9 +17,9 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import ZERO, Sample, Unvalued
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import record
-from planar_cli.report.blocks import Inline, Line, Math, Name, Text, Value, line
+from planar_cli.report.blocks import Inline, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.laws import counted
@@ -25,7 +27,7 @@ from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.law import Law
-from planar_cli.units import LENGTH, pretty_unit
+from planar_cli.units import LENGTH
 
 COARSE = Decimal("0.005")
 """In parts of the result: where Simpson's rule is off by more, three places are too few to check anything."""
@@ -38,20 +40,31 @@ class _Check:
     told: Line
     error: Decimal
     """Of Simpson's rule, in parts of the result; of what is exact 0."""
+    exact: bool = True
+
+
+NONE = _Check((), ZERO)
 
 
 def law_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """The best of the stretches; empty where no coordinate has such a law, with ends whose values are on the page."""
+    """What is exact; empty where no coordinate has such a law, with ends whose values are on the page."""
+    return next((c.told for c in _checks(motion, phrases) if c.exact), ())
+
+
+def simpson_check(motion: MotionTrace, phrases: Phrases) -> Line:
+    """The best of the stretches on which a law is no straight line."""
+    return min((c for c in _checks(motion, phrases) if not c.exact), key=lambda c: c.error, default=NONE).told
+
+
+def _checks(motion: MotionTrace, phrases: Phrases) -> Iterator[_Check]:
     relations = [e for leg in motion.route.steps for e in leg.relations]
-    checks: list[_Check] = []
     for since, stop, laws in motion.stretches:
         kinds = {e.kind for e in relations if (e.since, e.stop) == (since, stop)}
         for law in laws:
             try:
-                checks += _Ends(motion, (since, stop), law, phrases).checks(kinds)
+                yield from _Ends(motion, (since, stop), law, phrases).checks(kinds)
             except Unvalued:
                 continue
-    return min(checks, key=lambda c: c.error).told if checks else ()
 
 
 class _Ends:
@@ -116,11 +129,11 @@ class _Ends:
                 what = f"mean {'angular ' if turned else ''}velocity times the time"
                 words = f"{what}, {counted(self.law.coordinate.words)}: "
                 yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
-        elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]):
+        elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]) and len(self._law()) > 1:
             product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))
             name = line("2 ", Name(self._letter("a")), " Δ", Name(self._letter("q")))
             sides = line(*product, " = ", self._value(2 * a * (p - q), "v", 2), "; ", *self._difference("v", 2))
-            yield _Check(line(*self._law(), " is constant, ", *name, " = ", *sides), ZERO)
+            yield _Check(line(*self._law(), " = ", self._value(a, "a"), ", constant; ", *name, " = ", *sides), ZERO)
 
     def _simpson(self, over: str, rate: sp.Expr, of: str, squared: bool = False) -> Iterator[_Check]:
         """The integral of a rate by its values at three places, against what it must come to."""
@@ -144,17 +157,48 @@ class _Ends:
         error = abs(total / change - 1)
         if error > COARSE:
             return
-        per = "a" if self.law.order == 2 else "v"
-        shown = [1 / r if over != "t" and not squared else r for r in rates]
-        three = line(*(p for r in shown for p in (", ", self._bare(r, per))))[1:]
-        unit = Text(f" {pretty_unit(self._unit(per))} at the start, half-way and the end")
+        law = self._law()
+        if len(law) < 2 or (first == half == last):
+            return
         result = self._value(total, "v", 2) if squared else self._value(total, of)
-        integral = self._integral(over, squared)
-        sides = line(*integral, " by Simpson's rule from ", *three, unit, f" {_sign(error)} ", result, "; ")
         ends = self._difference(of, 2, half=True) if squared else self._difference(of)
-        yield _Check(line(*sides, *ends), error)
+        straight = abs(half - (first + last) / 2) <= largest * ROUNDING
+        if straight and (over == "t" or squared):
+            mean = line("(", self._bare(first, self._per), *self._plus(last, self._per), ")/2 · ")
+            words = line(
+                *law, f": mean {self._rate_word()} times the {'time' if over == 't' else self._way()}, ", *mean
+            )
+            yield _Check(line(*words, *self._factor(end - start, over), " = ", result, "; ", *ends), ZERO)
+            return
+        sides = line(f" {_sign(error)} ", result, "; ", *ends)
+        yield _Check(self._at_three((over, end - start), rates, law, sides), error, exact=False)
+
+    def _at_three(self, step: tuple[str, Decimal], rates: list[Decimal], law: Line, result: Line) -> Line:
+        """Simpson's rule in numbers. `step`: over what, and how far."""
+        over, width = step
+        squared = over == "q" and self.law.order == 2
+        kind = self._per if over == "t" or squared else f"1/{self._per}"
+        first, half, last = rates
+        half_way = line(" - " if half < 0 else " + ", "4 · ", self._bare(abs(half), kind))
+        inside = line(self._bare(first, kind), *half_way, *self._plus(last, kind))
+        words = line(
+            *law, "; ", *self._integral(over, squared), " by Simpson's rule = ", self._bare(width, over), "/6 ("
+        )
+        return line(*words, *inside, ")", *result)
 
     # --- pieces ------------------------------------------------------------------------------------------------------
+
+    @property
+    def _per(self) -> str:
+        """The kind of the rate that the law gives."""
+        return "a" if self.law.order == 2 else "v"
+
+    def _rate_word(self) -> str:
+        turned = "angular " if self.law.coordinate.unit == "rad" else ""
+        return f"{turned}{'acceleration' if self.law.order == 2 else 'velocity'}"
+
+    def _way(self) -> str:
+        return "angle" if self.law.coordinate.unit == "rad" else "way"
 
     def _values(self, name: str) -> tuple[Decimal, Decimal]:
         one, other = self.letters[name]
@@ -166,22 +210,23 @@ class _Ends:
         return {"q": q, "v": f"{q}_dot", "a": f"{q}_ddot", "t": "t"}[name]
 
     def _law(self) -> Line:
-        """q̈ = f, in letters where these are few."""
-        name = Name(self._letter("a" if self.law.order == 2 else "v"))
+        """q̈ = f, in letters where these are few: no letter of a rate that has its formula elsewhere."""
+        law, name = self.law, Name(self._letter(self._per))
+        f = law.f.xreplace({law.constant[0]: law.constant[1]}) if law.constant is not None else law.f
+        f = simplified(f) if law.constant is not None else f
         clean = (
-            str(self.law.f) != self._letter("a" if self.law.order == 2 else "v")
-            and not longer(self.law.f, SHORT)
-            and not self.law.f.has(self.law.v)
-            and is_clean(self.phrases.ledger, self.law.f)
+            str(f) != self._letter(self._per)
+            and not longer(f, SHORT)
+            and not f.has(law.v)
+            and is_clean(self.phrases.ledger, f)
         )
-        return line(name, *((" = ", self.phrases.math(self.law.f)) if clean and not self.law.f.is_number else ()))
+        return line(name, *((" = ", self.phrases.math(f)) if clean and (law.order == 1 or not f.is_number) else ()))
 
     def _integral(self, over: str, squared: bool) -> Line:
         """What Simpson's rule is taken of."""
         rate = self._letter("a" if self.law.order == 2 else "v")
         if over == "t" or squared:
-            given = line(", ", *self._law(), ",") if len(self._law()) > 1 else ()
-            return line("∫ ", Name(rate), " d", Name(self._letter(over)), *given)
+            return line("∫ ", Name(rate), " d", Name(self._letter(over)))
         return line("∫ d", Name(self._letter(over)), "/", Name(rate))
 
     def _unit(self, kind: str, power: int = 1) -> str:
@@ -192,7 +237,7 @@ class _Ends:
         return own + (f"^{power}" if power > 1 else "") + {0: "", 1: "/s"}.get(seconds, f"/s^{seconds}")
 
     def _number(self, value: Decimal, kind: str, power: int = 1) -> Decimal:
-        length = kind != "t" and self.law.coordinate.unit != "rad"
+        length, power = kind != "t" and self.law.coordinate.unit != "rad", -power if kind.startswith("1/") else power
         return value * self.phrases.of_dimension(Decimal(1), LENGTH).number ** power if length else value
 
     def _bare(self, value: Decimal, kind: str) -> Value:

@@ -29,26 +29,20 @@ from planar_cli.report.blocks import (
     Text,
     line,
 )
-from planar_cli.report.blow_check import blow_check
 from planar_cli.report.blow_limits import blow_limits
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
+from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
-from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.exam import key_blocks
-from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.inertias import with_inertias
-from planar_cli.report.law_check import law_check
 from planar_cli.report.laws import without_given
-from planar_cli.report.letter_vectors import normal_check
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
-from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passages import tale_blocks
-from planar_cli.report.passing import passing_check
 from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
@@ -57,9 +51,7 @@ from planar_cli.report.sizes import with_signs
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
-from planar_cli.report.tale_check import tale_check
 from planar_cli.report.telling import Telling
-from planar_cli.report.time_check import time_check
 from planar_cli.report.told_before import ToldBefore
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
@@ -84,9 +76,6 @@ class Voice:
 
 
 STUDENT = Voice()
-PART_CHECKS = (tale_check, normal_check, inertia_check)
-MOTION_CHECKS = (energy_check, blow_check, law_check, root_check, passing_check, time_check, oscillation_check)
-"""Checks of a motion that a person can make; the first that tells something stands on the page."""
 
 
 def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) -> Document:
@@ -207,9 +196,9 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None and why is None:
-        others = (check(part.motion, settled) for check in MOTION_CHECKS)
-        blocks += [Check(told) for told in (*blow_limits(part.motion, phrases), next(filter(None, others), ())) if told]
-    derived = () if why is not None else next(filter(None, (check(part, phrases) for check in PART_CHECKS)), ())
+        own = chosen_check(OF_MOTIONS, part.motion, settled)
+        blocks += [Check(told) for told in (*blow_limits(part.motion, phrases), own) if told]
+    derived = () if why is not None else chosen_check(OF_PARTS, part, phrases)
     blocks += [Check(derived)] if derived else []
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())

@@ -17,7 +17,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, Math, Name, line
-from planar_cli.report.component_sums import sum_of_products
+from planar_cli.report.component_sums import Power, sum_of_products
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
@@ -25,7 +25,7 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ACCELERATION, LENGTH, RATE, TIME, VELOCITY, Dimension
 
 ANGULAR = RATE / TIME
-Product = tuple[int, tuple[Decimal, ...]]
+Product = tuple[int, tuple[Power, ...]]
 
 
 def polar_check(instant: InstantSolution, phrases: Phrases) -> Line:
@@ -74,8 +74,8 @@ def _told(instant: InstantSolution, phrases: Phrases, j: Joining, pin: Joining) 
     ]  # fmt: skip
     numbers = [phrases.of_dimension(x, d, d in (RATE, ANGULAR)).number for x, d in sizes]
     outward, reach, turn, gain, slide = numbers
-    first = _sum((1, (outward,)), (-1, (reach, turn, turn)), figures=phrases.figures)
-    last = _sum((1, (reach, gain)), (1, (Decimal(2), slide, turn)), figures=phrases.figures)
+    first = _sum((1, ((outward, 1),)), (-1, ((reach, 1), (turn, 2))), figures=phrases.figures)
+    last = _sum((1, ((reach, 1), (gain, 1))), (1, ((Decimal(2), 1), (slide, 1), (turn, 1))), figures=phrases.figures)
     results = [phrases.of_dimension(x, ACCELERATION) for x in (along, across, _size(own))]
     return line(
         f"polar coordinates about {pin.place}: ", Name("a_r"), " = r̈ - r ω² = ", first, " = ", results[0],
@@ -86,7 +86,7 @@ def _told(instant: InstantSolution, phrases: Phrases, j: Joining, pin: Joining) 
 
 
 def _sum(*terms: Product, figures: int) -> Math:
-    return sum_of_products([t for t in terms if all(t[1])], figures)
+    return sum_of_products([t for t in terms if all(number for number, _ in t[1])], figures)
 
 
 def _numbers(v: Vec, phrases: Phrases) -> Vec:

@@ -1,0 +1,49 @@
+"""Which check of a person's own stands on a page: the first candidate that has something to say.
+
+Each candidate is a file of its own: a function that gives one line with numbers on both sides, or nothing. They stand
+here in the order in which a teacher would choose: what rests on another principle or on an equation that the solution
+did not need, then what was found put in again by another way, last what takes the most arithmetic. None only repeats a
+line of the solution; where no candidate speaks, the page has none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from planar_cli.report.another_equation import another_equation
+from planar_cli.report.another_point import another_point
+from planar_cli.report.blocks import Line
+from planar_cli.report.blow_check import blow_check
+from planar_cli.report.energy_check import energy_check, root_check
+from planar_cli.report.first_second import first_second
+from planar_cli.report.inertia_check import inertia_check
+from planar_cli.report.kinetic_check import kinetic_check
+from planar_cli.report.law_check import law_check, simpson_check
+from planar_cli.report.letter_vectors import normal_check
+from planar_cli.report.oscillation_check import oscillation_check
+from planar_cli.report.passing import passing_check
+from planar_cli.report.polar_check import polar_check
+from planar_cli.report.power_check import power_check
+from planar_cli.report.system_sum import system_sum
+from planar_cli.report.tale_check import tale_check
+from planar_cli.report.time_check import time_check
+from planar_cli.report.velocity_check import velocity_check
+from planar_cli.report.words import Phrases
+
+Candidate = Callable[[Any, Phrases], Line]
+"""It looks at an instant, a motion or a part."""
+
+OF_INSTANTS: tuple[Candidate, ...] = (
+    another_equation, system_sum, power_check, another_point, velocity_check, polar_check, first_second,
+)  # fmt: skip
+OF_MOTIONS: tuple[Candidate, ...] = (
+    energy_check, blow_check, law_check, kinetic_check, root_check, passing_check, time_check, oscillation_check,
+    simpson_check,
+)  # fmt: skip
+OF_PARTS: tuple[Candidate, ...] = (tale_check, normal_check, inertia_check)
+
+
+def chosen_check(candidates: tuple[Candidate, ...], of: Any, phrases: Phrases) -> Line:
+    """The line of the first candidate that has one; empty where none has."""
+    return next((told for check in candidates if (told := check(of, phrases))), ())
