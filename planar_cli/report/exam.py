@@ -1,57 +1,65 @@
-"""A page as short as the key of an exam: the principle, the key equations, the results.
+"""A page as short as the key of an exam: the principle, the equations on which the answers rest, and the results.
 
-Key equations are those with a number of their own: the relations of kinematics that are used, sums of forces and
-moments, balances, integrals. What leads to them and how they are solved stands on the page for students. Where a part
-has none, what is asked stands in its place with formula and numbers.
+What stays is what a marker compares: equations with the numbers that they have on the page for students, the energies
+and the work of a balance, and each line that gives an answer or leads to it, with formula, numbers and value; beside
+them what was assumed, and the test of it. Words, diagrams and what no answer rests on go. Where an answer has no line
+of its own all numbered equations stay.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Answer, Block, Equation, Heading, Line, Name, Note, Text
+from planar_cli.report.blocks import Answer, Block, Check, Equation, Heading, Line, Note, Result, Text
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.rests_on import rests_on
 
 KEPT = ("CASE", "STATE")
 """Headings that say of what the equations are."""
+NOTES = ("Assume", "Fails", "Instead", "Disagrees")
 GIVEN = "given:"
+TESTS = ("≤", "<", ">", "≥")
+"""A check with one of these tests an assumption."""
 
 
-def key_blocks(blocks: Sequence[Block]) -> list[Block]:
-    """The key of one part of a page."""
-    numbered = [b for b in blocks if isinstance(b, Equation) and b.number is not None and not _is_datum(b)]
-    named = {b.name for b in blocks if isinstance(b, Answer)}
-    asked = [] if numbered else [b for b in blocks if isinstance(b, Equation) and _letter(b) in named]
-    kept = {id(b) for b in (*numbered, *asked)}
-    return list(_without_empty([b for b in blocks if id(b) in kept or _stays(b)]))
+def key_blocks(blocks: Sequence[Block], before: Collection[Block]) -> list[Block]:
+    """The key of one part of a page. `before`: what the keys of earlier parts tell."""
+    kept = rests_on(blocks)
+    if kept is None:
+        kept = frozenset(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.number is not None)
+    told = [_bare(b) for i, b in enumerate(blocks) if (i in kept and not _is_datum(b)) or _stays(b)]
+    return list(_without_empty([b for b in told if not (isinstance(b, Equation) and b in before)]))
 
 
 def _stays(block: Block) -> bool:
     if isinstance(block, Heading):
         return block.label in KEPT
-    return isinstance(block, Answer) or (isinstance(block, Note) and block.kind in ("Fails", "Disagrees"))
+    if isinstance(block, Check):
+        return any(sign in p.text for p in pieces_of(block.line) if isinstance(p, Text) for sign in TESTS)
+    return isinstance(block, Answer) or (isinstance(block, Note) and block.kind in NOTES)
 
 
 def _without_empty(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Without headings under which nothing stands; equations without the notes that explain their arms."""
+    """Without headings under which nothing stands."""
     for i, block in enumerate(blocks):
         follows = blocks[i + 1] if i + 1 < len(blocks) else None
-        if isinstance(block, Heading) and block.label == "STATE" and not isinstance(follows, Equation):
+        if isinstance(block, Heading) and block.label == "STATE" and not isinstance(follows, Equation | Result):
             continue
-        yield replace(block, note=_unit(block.note)) if isinstance(block, Equation) else block
+        yield block
+
+
+def _bare(block: Block) -> Block:
+    """An equation without the notes that explain its arms."""
+    return replace(block, note=_unit(block.note)) if isinstance(block, Equation) else block
 
 
 def _unit(note: Line) -> Line:
     """The unit of numbers beside unknowns; no other words."""
-    return note if note and isinstance(note[0], Text) and note[0].text.startswith("in ") else ()
+    return note if len(note) == 1 and isinstance(note[0], Text) and note[0].text.startswith("in ") else ()
 
 
-def _is_datum(block: Equation) -> bool:
-    return any(isinstance(p, Text) and p.text == GIVEN for p in block.lead)
-
-
-def _letter(block: Equation) -> str:
-    """The name with which an equation begins."""
-    first = block.sides[0]
-    piece = first[0] if isinstance(first, tuple) and first else first
-    return piece.name if isinstance(piece, Name) else ""
+def _is_datum(block: Block) -> bool:
+    """Does it only repeat a number that the file gives?"""
+    given = isinstance(block, Equation) and any(isinstance(p, Text) and GIVEN in p.text for p in block.lead)
+    return given and isinstance(block, Equation) and len(block.sides) == 2

@@ -110,8 +110,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
             blocks += with_lessons(own, uses_of([part]), lessons)
         else:
-            once = told_once(list(without_ritual(own)), blocks)
-            blocks += key_blocks(once) if voice.audience == "exam" else once
+            own = list(without_ritual(own))
+            blocks += key_blocks(own, blocks) if voice.audience == "exam" else told_once(own, blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:
