@@ -21,7 +21,7 @@ def test_what_holds_at_one_state_is_not_said_of_all() -> None:
 
 
 def test_a_stated_speed_stands_in_the_letter_that_drives() -> None:
-    assert "At 3: v_By = -1 m/s: v_A/tan θ_3 = -1 m/s" in page_of_file("body-ladder-drawn-away")
+    assert "At 3, v_By = -1 m/s: v_A/tan θ_3 = -1 m/s" in page_of_file("body-ladder-drawn-away")
 
 
 def test_a_point_that_a_line_leads_stays_on_it() -> None:

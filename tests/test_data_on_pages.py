@@ -12,13 +12,13 @@ from worked import page_of_file
         ("ex-1-11", "launch: v_Py,launch = 10 sin 45° = 7.071 m/s"),
         ("ex-1-15", "start: v_Ax,start = 50 cos 30° = 43.30 m/s"),
         ("sandbag-into-a-cart", "1: v_bag,y,1 = 6 sin(-40°) = -3.857 m/s"),
-        ("exercise-4-32", "1: given: ω_1 = 15 rpm = 1.571 rad/s"),
+        ("exercise-4-32", "At 1, as given: ω_1 = 15 rpm = 1.571 rad/s"),
         ("slider-crank-offset", "(1) given: ω_crank = 240 rpm = 25.13 rad/s"),
         ("ships-passing", "(2) given: v_Bx = 24 km/h · cos 110° = -2.280 m/s"),
         ("ship-interception", "(1) v_Bx = 5 cos 120° = -2.5 m/s"),
-        ("ladder-leaving-the-wall", "At 3: y_B = 0: l sin θ_3 = 0 3: θ_3 = 180° not 0°: θ_3 > θ_2"),
-        ("load-on-four-strands", "|v_Ay,2|/4 = 1.5 m/s 2: v_Ay,2 = 6 m/s"),
-        ("pucks-at-an-angle", "1: given: v_Ax,1 = 5 m/s"),
+        ("ladder-leaving-the-wall", "At 3, y_B = 0: l sin θ_3 = 0 At 3: θ_3 = 180° not 0°: θ_3 > θ_2"),
+        ("load-on-four-strands", "|v_Ay,2|/4 = 1.5 m/s At 2: v_Ay,2 = 6 m/s"),
+        ("pucks-at-an-angle", "At 1, as given: v_Ax,1 = 5 m/s"),
     ],
 )
 def test_data_with_what_they_follow_from(stem: str, line: str) -> None:
@@ -60,3 +60,11 @@ def test_a_letter_that_is_sought_stands_on_the_right() -> None:
 def test_what_a_wheel_carries_moves_with_it() -> None:
     page = page_of_file("roller-with-a-drag-bar")
     assert "bar moves with roller, which rolls: a_bar = -R α_roller" in page
+
+
+def test_what_holds_at_a_state_is_told_in_sentences() -> None:
+    """`At 2, as given:` and `At meet, x_A = x_B:`, without a label that has a second label behind it."""
+    told = page_of_file("ex-4-11")
+    assert "At 1, as given: β_1 = 45°" in told
+    assert "to be found: x_max = " in told
+    assert "At meet, x_A = x_B:" in page_of_file("ex-1-15")

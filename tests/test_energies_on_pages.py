@@ -205,7 +205,7 @@ def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page("block-coming-to-rest-by-dry-friction")
     assert "from stops_2 to end, from end to stop:" not in told
-    assert "from turn_1 to turn_2, from stops to stops_2: a_P = -(μ m g + k x_P)/m stop: t_stop" in told
+    assert "from turn_1 to turn_2, from stops to stops_2: a_P = -(μ m g + k x_P)/m At stop: t_stop" in told
 
 
 def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:

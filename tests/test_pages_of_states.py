@@ -170,7 +170,7 @@ def test_what_a_blow_leaves_has_no_number_and_vectors_have_a_line() -> None:
 def test_numerical_integration_says_of_what_and_from_where() -> None:
     (light, *_) = motions("oscillations/bar-with-spring-and-damper")
     blocks = told(light)
-    first = next(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.lead == line("2:"))
+    first = next(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.lead == line("At 2:"))
     said = blocks[first - 1]
     assert isinstance(said, Paragraph)
     words = "".join(p.text for p in said.line if isinstance(p, Text))

@@ -25,7 +25,7 @@ def _in_order(page: str, *lines: str) -> bool:
 def test_a_measured_period_gives_a_radius_of_gyration() -> None:
     page = _page("oscillations/connecting-rod-on-a-knife-edge")
     period = "T = 2 π/ω_0 = 2 π √((k² + a²) / (g a))\n"
-    assert _in_order(page, period, "At hang: the period about hang = T_A:\n", "hang:   k = ")
+    assert _in_order(page, period, "At hang, the period about hang = T_A:\n", "At hang:   k = ")
     # What was measured is not computed from itself.
     assert "0.93 s\n" not in page.partition("CASE  from B")[0].partition("STEP 1")[2]
 
@@ -83,7 +83,7 @@ find: {k: k}
 def test_constant_of_a_period_in_letters_has_no_number() -> None:
     """k² = (T/2π)² g r_a - r_a² where r_a is less than 7.8 in: letters that are drawn larger show nothing."""
     page = Terminal().render(narrate(solve_problem(load_text(HUNG)[0])))
-    (told,) = [row for row in page.splitlines() if row.strip().startswith("hang:   k =")]
+    (told,) = [row for row in page.splitlines() if row.strip().startswith("At hang:   k =")]
     assert told.count("=") == 1
 
 

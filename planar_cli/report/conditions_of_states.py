@@ -12,7 +12,7 @@ from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.driving_speed import by_driving_speed
 from planar_cli.report.names import plain_name
-from planar_cli.report.origins import head, sides_of
+from planar_cli.report.origins import at, head, sides_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep
 from planar_cli.solve.law import IN_THE_END
@@ -28,7 +28,7 @@ def condition_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> It
     (e, *more), (r, *others) = leg.relations, leg.results
     formula = r.formula
     if e.words == IN_THE_END:
-        yield Paragraph(line(f"{e.stop}: {e.words}:"))
+        yield Paragraph(line(at(e.stop, e.words)))
         yield Equation(tuple(phrases.math(side) for side in sides_of(e, found.route)))
         return
     if more or others or e.kind != "given" or formula is None or not e.words or formula.is_Symbol or formula.is_number:
@@ -51,7 +51,7 @@ def asked_here(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator
     """What is asked and is solved for, in letters of the states."""
     for x in leg.unknowns:
         if x in found.named:
-            yield Equation((phrases.math(x), phrases.math(found.named[x])), None, line("asked:"))
+            yield Equation((phrases.math(x), phrases.math(found.named[x])), None, line("to be found:"))
 
 
 def is_own_name(leg: RouteStep) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 from planar_cli.report.as_stated import between, gives, stated_in
 from planar_cli.report.blocks import Block, Equation, line
 from planar_cli.report.conditions_of_states import condition_blocks, followed_from
-from planar_cli.report.origins import known_from
+from planar_cli.report.origins import at, known_from
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 
@@ -31,12 +31,11 @@ def datum_blocks(
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
         if stated is None or gives(stated, r.value, phrases[1]):
-            lead = ": ".join(x for x in (e.stop, known_from(e, r)) if x) + ":"
-            yield Equation(sides, None, line(lead))
+            yield Equation(sides, None, line(at(e.stop, known_from(e, r))))
             continue
         component = bool(middle)
         yield from () if component else followed_from(e, r, stated, found, phrases)
-        yield Equation(sides, None, line(f"{e.stop}:"))
+        yield Equation(sides, None, line(at(e.stop)))
         yield from () if component else others(r)
 
 

@@ -183,7 +183,7 @@ class MotionTelling:
                 numbers += told
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
-                return (yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words)))
+                return (yield Equation(self._chain(leg.results[0]), None, line(f"At {e.stop}:"), line(e.words)))
             if single and is_explicit(e, leg, ledger):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))

@@ -60,7 +60,7 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     if e.is_datum:
         words = turning(e.words) if e.kind == "turn" else DRAWN if e.kind == "drawn" else e.words
         words += components_of(e.words) if e.kind == "given" else ""
-        return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
+        return spoken(at(e.stop, words), names)
     if e.kind == "handed" and e.stop:
         # Its velocity or place there in other letters, from which the next part of the motion starts.
         return line(f"At {e.stop}:")
@@ -68,6 +68,13 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
     return spoken(f"{place}{words}:", names)
+
+
+def at(state: str, words: str = "") -> str:
+    """The words before what holds at a state, as the beginning of a sentence; "" of what has neither name nor words."""
+    place = f"At {state}" if state else ""
+    told = ", ".join(part for part in (place, words) if part)
+    return f"{told}:" if told else ""
 
 
 def is_vibration(e: Relation) -> bool:
@@ -166,7 +173,7 @@ def known_from(e: Relation, r: trace.Result) -> str:
     if e.kind in ("turn", "followed"):
         return turning(e.words) if e.kind == "turn" else "found by trial" if "trial" in e.words else ""
     plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
-    given = "given" if plainly and e.words != IN_THE_END else ""
+    given = "as given" if plainly and e.words != IN_THE_END else ""
     return {"drawn": DRAWN, "start": e.words}.get(e.kind, given)
 
 

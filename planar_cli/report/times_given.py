@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from planar_cli.problem.expression import Name, Relation
 from planar_cli.problem.walk import names_of_states, walk
 from planar_cli.report.blocks import Block, Equation, Math, line
+from planar_cli.report.origins import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
 
@@ -21,7 +22,7 @@ def times_given(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
         t = times.get(f"t__{state.name}")
         dated = any(_gives_time(r) for r in state.relations if isinstance(r, Relation))
         if t is not None and t not in told and state.name in asked and dated and phrases.value.known(t) is not None:
-            yield Equation((line(Math(t)), phrases.shown(t)), None, line(f"{state.name}: given:"))
+            yield Equation((line(Math(t)), phrases.shown(t)), None, line(at(state.name, "as given")))
 
 
 def _gives_time(relation: Relation) -> bool:
