@@ -7,7 +7,11 @@ import math
 import pytest
 from answered import assert_close, solve
 
+from planar_cli.errors import FileProblem
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load_text
+from planar_cli.simulate.dated_by_ways import with_ways_dated
+from planar_cli.simulate.run import Settings, simulate
 
 TRACK = """
 title: Car that starts
@@ -123,3 +127,88 @@ find: {{t: t @ 2, v: v(car).mag @ 2, a_n: a(car).n @ 2}}
     answers = solve(text)
     for name, value in (("t", math.sqrt(s)), ("v", math.sqrt(4 * s)), ("a_n", 4 * s * 0.02 / 1.36**1.5)):
         assert_close(answers[name], value)
+
+
+ON_A_FLOOR = """
+title: Car that starts
+plane: vertical
+points: {P: [0, 0]}
+bodies: {car: {particle: P, mass: 900 kg}}
+joints:
+  - contact: {between: [car, ground], at: P, mu: 0}
+motion: [dot(v(P).mag) = 2 m/s^2]
+states:
+  1: [at rest]
+  2: [path_length(P) @ 1->2 = 25 m]
+find: {v: v(P).mag @ 2, t: t @ 2}
+"""
+WHEEL = """
+title: Wheel that starts
+given: {R: 0.5 m}
+points: {C: [0, 0], G: [0, R]}
+bodies: {wheel: {disk: G, radius: R}}
+joints:
+  - rolling: {at: C, between: [ground, wheel]}
+motion: [dot(v(G).mag) = 3 m/s^2]
+states: {1: [at rest], 2: [t = 2 s]}
+find: {v: v(G).mag @ 2, x: x(G) @ 2, w: omega(wheel) @ 2}
+"""
+ROD = """
+title: Rod whose end gets faster
+points: {O: [0, 0], B: [2 m, 0]}
+bodies: {rod: {rod: [O, B]}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+motion: [dot(v(B).mag) = 3 m/s^2]
+states: {1: [at rest], 2: [t = 2 s]}
+find: {v: v(B).mag @ 2, w: omega(rod) @ 2, theta: theta(rod) @ 2}
+"""
+FREE = """
+title: Particle sent in a direction
+bodies: {P: {particle: [0, 0]}}
+motion: [dot(v(P).mag) = 2 m/s^2, v(P).angle = 30 deg]
+states: {1: [at rest], 2: [t = 5 s]}
+find: {v: v(P).mag @ 2, y: y(P) @ 2}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (ON_A_FLOOR, {"v": 10, "t": 5}),
+        (WHEEL, {"v": 6, "x": 6, "w": -12}),
+        (ROD, {"v": 6, "w": 3, "theta": 3}),
+        (FREE, {"v": 10, "y": 12.5}),
+    ],
+)
+def test_whatever_keeps_it_on_its_way(text: str, expected: dict[str, float]) -> None:
+    answers = solve(text)
+    followed = {a.name: a.values[0] for a in simulate(with_ways_dated(_read(text), {}), Settings()).answers}
+    for name, value in expected.items():
+        assert_close(answers[name], value)
+        assert followed[name] == pytest.approx(value)
+
+
+def test_without_a_direction_it_does_not_stay_at_rest() -> None:
+    """A midpoint has no track of its own in the file; its speed grows all the same, v = a t = ω L/2."""
+    text = """
+points: {A: [1.2 m, 0], B: [0, 1.6 m], M: {midpoint: [A, B]}}
+bodies: {rod: {rod: [A, B], points: [M]}}
+joints:
+  - guide: {point: A, along: 0 deg}
+  - guide: {point: B, along: 90 deg}
+motion: [dot(v(M).mag) = 3 m/s^2]
+states: {1: [at rest], 2: [t = 0.2 s]}
+find: {v: v(M).mag @ 2}
+"""
+    assert_close(solve(text)["v"], 0.6)
+    with pytest.raises(FileProblem) as told:
+        simulate(_read(text), Settings())
+    why = told.value.diagnostics[0]
+    assert (why.code, why.message.partition(",")[0]) == ("PL556", "the rate of the speed of M")
+
+
+def _read(text: str) -> Problem:
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    return problem

@@ -3,8 +3,8 @@
 At rest nothing has a direction along its velocity, and both ways along the track are alike. The positive one is taken:
 counterclockwise round a circle, along the angle of a line, along a curve the way in which its variable grows; the other
 one where an inequality of the first state says so, `a(car).y < 0`, as a particle at rest is accelerated the way it
-goes. From then on the velocity has that direction. A law of the speed itself, `v(car).mag = a*t`, is one of a start
-from rest where it is zero then.
+goes. Where `motion` states the direction of the velocity, that is the way. From then on the velocity has that
+direction. A law of the speed itself, `v(car).mag = a*t`, is one of a start from rest where it is zero then.
 """
 
 from __future__ import annotations
@@ -21,17 +21,15 @@ from planar_cli.problem.expression import (
     Negate,
     Number,
     Part,
-    PointPair,
     Quantity,
     Relation,
     Scaled,
     Side,
     Statement,
 )
-from planar_cli.problem.scene import Circle, Curve, Line, Particle, Problem, State
-from planar_cli.problem.slopes import put_in, slope
+from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.tracks import Parts, called, positive_way, stated_way
 
-Parts = tuple[Part, ...]
 LEVEL = 1e-9
 """A component below this part of a direction is the rounding of zero."""
 
@@ -47,8 +45,8 @@ def with_ways_from_rest(problem: Problem) -> Problem:
         if told is None or not problem.holds_at_first(law.during):
             continue
         point = told.things[0]
-        names = _names(problem, point)
-        way = _way(problem, names, point)
+        names = called(problem, point)
+        way = (stated_way(problem, point) if told.word == "a" else None) or positive_way(problem, point)
         assert isinstance(law.statement, Relation)
         if way is not None and _begins_at_rest(law.statement, told, first, names):
             drawn = DrawnDirections(problem.given, problem.points, problem.bodies)
@@ -113,38 +111,6 @@ def _vanishes(side: Side) -> bool:
         case Function(name="sin" | "tan" | "sqrt"):
             return _vanishes(side.argument)
     return False
-
-
-def _names(problem: Problem, point: str) -> frozenset[str]:
-    """The point and the particle that is there."""
-    found = {point}
-    for body in problem.bodies:
-        place = body.shape.place if isinstance(body.shape, Particle) else None
-        if isinstance(place, str) and point in (body.name, place):
-            found |= {body.name, place}
-    return frozenset(found)
-
-
-def _way(problem: Problem, names: frozenset[str], point: str) -> Parts | None:
-    """The positive way along the fixed line or curve on which a point is guided; None: on nothing of the kind."""
-    joint = next((j for j in problem.joints if j.guides and getattr(j, "point", None) in names), None)
-    along = getattr(joint, "along", None)
-    if joint is None or along is None:
-        return None
-    if not isinstance(along, str):
-        return (Part("along", along, joint.mark),)
-    surface = next((s for s in problem.surfaces if s.name == along and s.body is None and s.speed is None), None)
-    match surface and surface.shape:
-        case Line(angle=angle):
-            return (Part("along", angle, joint.mark),)
-        case Circle(center=center):
-            return (Part("across", PointPair(point, center, joint.mark), joint.mark),)
-        case Curve(kind="y", formula=formula):
-            steep = slope(formula, "x")
-            here = Quantity("x", (point,), None, (), None, joint.mark)
-            if steep is not None:
-                return (Part("along", Function("atan", put_in(steep, "x", here), None, joint.mark), joint.mark),)
-    return None
 
 
 def _rests(statement: Statement, names: frozenset[str]) -> bool:

@@ -54,6 +54,16 @@ def dated_by_ways(problem: Problem, known: Mapping[str, float]) -> Problem | Non
     return problem
 
 
+def with_ways_dated(problem: Problem, known: Mapping[str, float]) -> Problem:
+    """The same, where a motion is to be followed in any case. NoSolution: nothing begins to move, too."""
+    dated = dated_by_ways(problem, known)
+    if dated is None:
+        state = next(s for s in problem.states if tells_a_way(s) is not None)
+        text = f"state {state.name} is never reached: {state.relations[0].text}"
+        raise NoSolution([Diagnostic(state.mark, "PL621", text, "nothing begins to move")])
+    return dated
+
+
 def _at(state: State, time: float) -> State:
     number = Number(Fraction(time), "s", 1, state.mark)
     return replace(state, relations=(Relation(Name("t", None, state.mark), "=", number, "", state.mark),))

@@ -58,6 +58,7 @@ NOT_ABLE = {
 }
 """What keeps a motion from being followed to its end, by the code of the refusal; everything else contradicts."""
 NOT_BEGUN = {
+    "PL556": "a law of it gives no direction where it begins",
     "PL704": "its start is not told by the file alone",
     "PL707": "outlines meet in ways that are not followed",
 }
