@@ -31,8 +31,8 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
-from planar_cli.report.projected import RATES, differences, vector_at
 from planar_cli.report.rates_in_turn import rate_in_turn
+from planar_cli.report.relative_motion import RelativeTelling
 from planar_cli.report.rolled_accelerations import RolledTelling
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.vectors import VectorTelling, index_of
@@ -60,6 +60,7 @@ class AskedTelling:
         self.paths = PathTelling(vectors, phrases, self._once)
         self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
         self.places = PlaceTelling(self.scene, phrases)
+        self.relative = RelativeTelling(vectors, self._once, self.absolute, self._body_point)
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
@@ -89,11 +90,13 @@ class AskedTelling:
             else:
                 yield from self._alone(answer, what)
 
-    def coriolis(self, point: str, frame: str) -> Iterator[Block]:
-        """The relative velocity and the Coriolis acceleration, with their numbers, before they are needed."""
+    def coriolis(self, point: str, frame: str, projected: bool) -> Iterator[Block]:
+        """The relative velocity and the Coriolis acceleration, with their numbers, before they are needed.
+        `projected`: is the component of the latter told there?
+        """
         if not self.phrases.symbolic:
             self._named |= {"v_rel", "a_cor"}
-            yield from self._seen(point, frame, "coriolis")
+            yield from self.relative.seen(point, frame, "coriolis", projected)
 
     def _has_vectors(self, answer: Found, q: Quantity) -> bool:
         """Is it a velocity or an acceleration, more than an unknown, all of whose components are known?"""
@@ -208,7 +211,7 @@ class AskedTelling:
         """The vectors that lead to it, then its component; its formula where no vector equation leads to it."""
         point, frame = q.things[0], self.system.quantities().frame_body(q)
         if frame is not None:
-            told = list(self._seen(point, frame, q.word))
+            told = list(self.relative.seen(point, frame, q.word, True))
             name = {"v": "v_rel", "a": "a_rel", "coriolis": "a_cor"}[q.word]
         elif len(q.things) == 2 and q.things[1] != "ground":
             told = list(self._between(point, q.things[1], q.word))
@@ -291,35 +294,6 @@ class AskedTelling:
             value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
             yield Equation((*sides, value) if value else sides, None, note=note)
 
-    def _seen(self, point: str, frame: str, word: str) -> Iterator[Block]:
-        """v_rel = v_P - v_P′; a_cor = 2 ω × v_rel; a_rel = a_P - a_P′ - a_cor."""
-        quantities, motion = self.system.quantities(), self.vectors.motion
-        place, spin = self.scene.point(point), motion.velocities[frame].angular
-        relative, acceleration = quantities.seen_from(point, frame)
-        levels = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}[word]
-        for level in levels:
-            yield from self.absolute(point, level[0])
-            yield from self._body_point(frame, place, f"{point}′", level)
-            v = level[0]
-            sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
-            if level == "acceleration" and spin != 0:
-                sides += [" - ", Name("a_cor")]
-            vector = relative if level == "velocity" else acceleration
-            if level == "acceleration" and spin != 0:
-                yield from self._coriolis(relative, spin)
-            left = line(Name(f"{v}_rel"))
-            others = [vector_at(self.vectors, frame, place, level)]
-            others += [relative.turned() * (2 * spin)] if level == "acceleration" and spin != 0 else []
-            put = differences(vector, others, RATES[level], self.phrases)
-            shown = (left, line(*sides), *([put] if put else []))
-            yield from self._once(f"{v}_rel {point} {frame}", shown, vector, level)
-        if word == "coriolis":
-            yield from self._coriolis(relative, spin)
-
-    def _coriolis(self, relative: Vec, spin: sp.Expr) -> Iterator[Block]:
-        sides = (line(Name("a_cor")), line("2 ", self.phrases.math(spin), " × ", Name("v_rel")))
-        yield from self._once(f"a_cor {spin} {relative}", sides, relative.turned() * (2 * spin), "acceleration")
-
     def _between(self, one: str, other: str, word: str) -> Iterator[Block]:
         """v_A/B = v_A - v_B."""
         for point in (one, other):
@@ -336,6 +310,11 @@ class AskedTelling:
             yield from noted(self._formula(answer) if answer.values is None else (), axis_of(q))
             return
         values, vector = self._values(answer, 0), self._parts(q)
+        if name in ("v_rel", "a_rel", "a_cor") and q.parts[-1].kind in ("along", "mag"):
+            axis = self._axis(q) if q.parts[-1].kind == "along" else ()
+            if (part := self.relative.part(answer.name, q, axis, values)) is not None:
+                yield from part
+                return
         if vector is None or len(q.parts) > 1 or q.parts[-1].kind not in (*AXES, "mag"):
             told = {"angle": "its direction", "t": "along the path", "n": "across the path"}.get(q.parts[-1].kind, "")
             across = self._across(q) if len(q.parts) == 1 else ()

@@ -6,49 +6,31 @@ v_D · n = -0.5 · 0.8619 = -0.4309 m/s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
-from typing import Any, Protocol
+from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.report.along_slots import coriolis_across, slot_of
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.told import RATES, Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
-from planar_cli.units import ACCELERATION, PURE, VELOCITY, Dimension
+from planar_cli.units import PURE, VELOCITY, Dimension
 
 NEARLY = Decimal("1e-12")
 
-RATES = {"velocity": VELOCITY, "acceleration": ACCELERATION}
 Known = tuple[str, Vec]
 """The name of a vector whose components are numbers, and these."""
-
-
-class Told(Protocol):
-    """A telling of vector equations. `given`: unknowns that the file gives as numbers; `late`: those that only the
-    equations of accelerations and forces tell, speeds among them; `valued`: what has its value on
-    the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components.
-    """
-
-    given: set[sp.Symbol]
-    late: set[sp.Symbol]
-    zero: frozenset[sp.Symbol]
-    components: tuple[Decimal, ...]
-    valued: set[str]
-    phrases: Phrases
-    system: System
-
-    @property
-    def motion(self) -> Motion: ...
 
 
 def is_known(told: Told, vector: Vec, level: str) -> bool:
@@ -94,10 +76,23 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
     lines = list(_along(Vec(*w.along), f"unit vector across {j.base}", known, RATES[level], told.phrases, fresh))
     if not lines:
         return
+    lines = list(_by_speed(lines, told, j, _unit(Vec(*w.along), told.phrases)))
     sizes = (b.sides[-1] for b in lines if isinstance(b, Equation))
     told.components = tuple(v.number for v in sizes if isinstance(v, Value))
     yield from lines
     yield from beside
+
+
+def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Decimal]) -> Iterator[Block]:
+    """The same; a_cor · n as 2 ω v_rel, where the page has told v_rel along the line."""
+    slot = slot_of(told, j.place, j.base)
+    own = line(Name("a_cor"), " · ", Name("n"))
+    for b in lines:
+        result = b.sides[-1] if isinstance(b, Equation) and b.sides[0] == own else None
+        if slot is None or not isinstance(b, Equation) or not isinstance(result, Value):
+            yield b
+            continue
+        yield replace(b, sides=(own, *coriolis_across(told, slot, unit, result.figures), result))
 
 
 def difference_of(sizes: Sequence[Decimal], number: Decimal, figures: int) -> Math | None:

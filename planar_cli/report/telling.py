@@ -276,7 +276,7 @@ class Telling:
         words = [*vector_before(w, self.vectors, level), *words]
         frame = self.vectors.frame_of(w) if level != "velocity" else None
         if frame is not None and self._is_told(frame, stage):
-            words = [*self.asked.coriolis(*frame), *words]
+            words = [*self.asked.coriolis(*frame, bool(self.vectors.components)), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and line_of.symbol in stage.zero:
             return [*words, self._nil(w, line_of, stage, number)]

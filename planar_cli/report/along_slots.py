@@ -1,0 +1,179 @@
+"""What slides along a straight line of a body, through the point about which that body turns: along the line the body
+itself has neither velocity nor Coriolis acceleration, so that one component tells what is relative.
+
+v_rel = v_P · e                                        e along the line; less v_A · e where A moves
+a_cor · n = 2 ω v_rel                                  n across it
+a_rel = a_P · e + ω² (r_P/A · e)                       (An Introduction to Planar Dynamics, 2.4)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.motion import Edge
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
+from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.component_sums import Power, sum_of_products
+from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.told import RATES, Told
+from planar_cli.units import LENGTH, PURE, VELOCITY
+
+
+@record
+class Slot:
+    """A point that slides along a line of `frame`: `unit` along the line, `reference` the point of the line about which
+    the frame turns, and `reach` how far along it the point is from there [m]. `moves`: is the reference not at rest?
+    """
+
+    point: str
+    frame: str
+    unit: tuple[Decimal, Decimal]
+    reference: str
+    reach: Decimal
+
+
+def unit_letter(scene: Scene) -> Name:
+    """The letter for a unit vector along a line: e, or u beside an e of the file."""
+    return Name("u" if "e" in scene.ledger.symbols else "e")
+
+
+def slot_of(told: Told, point: str, frame: str) -> Slot | None:
+    """None: it slides otherwise, the line passes beside the point of reference, or a whole vector is asked."""
+    joining = next((j for j in told.system.tree.closures if j.place == point and j.base == frame), None)
+    edge = next((e for e in told.system.tree.edges if e.body == frame), None)
+    if joining is None or edge is None or not _is_plain(joining, edge) or told.phrases.symbolic:
+        return None
+    assert joining.path is not None
+    assert edge.joining is not None
+    certain, scene = told.phrases.certain, told.system.scene
+    arm, way = scene.arms.between(told.motion.velocities[frame].point, joining.point), joining.path.tangent
+    if not all(told.phrases.has_numbers(p) for p in (arm.x, arm.y, way.x, way.y)):
+        return None
+    if not told.phrases.value.is_zero(arm.cross(way)):
+        return None
+    along, axes = (certain(way.x), certain(way.y)), _asked(told, point, frame)
+    if axes is None or any(not told.phrases.value.is_zero(axis.cross(way)) for axis in axes):
+        return None
+    size = (along[0] ** 2 + along[1] ** 2).sqrt()
+    sense = -1 if axes and certain(axes[0].dot(way)) < 0 else 1
+    unit = (sense * along[0] / size, sense * along[1] / size)
+    reach = certain(arm.x) * unit[0] + certain(arm.y) * unit[1]
+    return Slot(point, frame, unit, edge.joining.place, reach)
+
+
+def _is_plain(joining: Joining, edge: Edge) -> bool:
+    """Is the line straight, and does the frame simply turn about a point?"""
+    straight = joining.path is not None and joining.path.curvature == 0
+    if not straight or joining.rolling is not None or joining.drift is not None or joining.base == GROUND:
+        return False
+    return not edge.particle and edge.joining is not None and edge.joining.rolling is None
+
+
+def _asked(told: Told, point: str, frame: str) -> list[Vec] | None:
+    """The axes along which relative motion is asked; None: another part of it, or the whole vector."""
+    axes: list[Vec] = []
+    for find in told.system.scene.problem.find:
+        q = find.found.what
+        if not isinstance(q, Quantity) or q.word not in ("v", "a", "coriolis") or tuple(q.things) != (point, frame):
+            continue
+        if len(q.parts) != 1 or q.parts[0].kind not in (("mag",) if q.word == "coriolis" else ("along", "mag")):
+            return None
+        if q.parts[0].kind == "along":
+            unit = told.system.quantities().direction(q.parts[0])
+            axes.append(Vec(unit.x.value, unit.y.value))
+    return axes
+
+
+def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...], Decimal]:
+    """v_rel = v_P · e = numbers, or a_rel, and its value [SI]; nothing but the name where both points are at rest."""
+    phrases, motion, v = told.phrases, told.motion, level[0]
+    unit = unit_letter(told.system.scene)
+    place = told.system.quantities().place(slot.point)
+    jets = [(p.rate if level == "velocity" else p.second) for p in (place.x, place.y)]
+    base = (motion.velocities if level == "velocity" else motion.accelerations)[slot.frame].linear
+    terms: list[Any] = []
+    parts: list[tuple[int, tuple[Power, ...]]] = []
+    for sign, name, vector in ((1, slot.point, jets), (-1, slot.reference, [base.x, base.y])):
+        numbers = [phrases.certain(p) for p in vector]
+        if not any(numbers):
+            continue
+        minus = " - " if terms else "-"
+        terms += [minus if sign < 0 else "", Name(f"{v}_{_index(name)}"), " · ", unit]
+        shown = [phrases.of_dimension(x, RATES[level]).number for x in numbers]
+        parts += [(sign, ((e, 1), (x, 1))) for e, x in zip(slot.unit, shown, strict=True) if e and x]
+    spin = phrases.certain(motion.velocities[slot.frame].angular)
+    if level == "acceleration" and spin:
+        omega = phrases.math(motion.velocities[slot.frame].angular ** 2)
+        arm = Name(f"r_{_index(slot.point)}/{_index(slot.reference)}")
+        terms += [" + " if terms else "", omega, " (", arm, " · ", unit, ")"]
+        reach = phrases.of_dimension(slot.reach, LENGTH).number
+        parts.append((1 if reach > 0 else -1, ((abs(reach), 1), (spin, 2))))
+    value = Decimal(0)
+    for sign, factors in parts:
+        product = Decimal(sign)
+        for factor, power in factors:
+            product *= factor**power
+        value += product
+    left = line(Name(f"{v}_rel"))
+    if not parts:
+        return (left,), value
+    return (left, line(*terms), line(sum_of_products(parts, phrases.figures))), value
+
+
+def unit_told(told: Told, slot: Slot) -> Line:
+    """e = [0.8660, 0.5] along AB, across which v_P′ is."""
+    e = unit_letter(told.system.scene)
+    still = all(told.phrases.value.is_zero(p) for p in _linear(told, slot))
+    why = line(", where ", Name(f"v_{_index(slot.point)}′"), " has no component") if still else ()
+    return line(e, " = ", *told.phrases.vector(*slot.unit, PURE), f" along {slot.frame}", *why)
+
+
+def _linear(told: Told, slot: Slot) -> tuple[sp.Expr, sp.Expr]:
+    v = told.motion.velocities[slot.frame].linear
+    return v.x, v.y
+
+
+def _index(place: str) -> str:
+    return place.replace("_", ",")
+
+
+def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line]:
+    """2 ω v_rel, the component along `normal`, in letters and in numbers. `figures`: of its value."""
+    sense = 1 if slot.unit[0] * normal[1] - slot.unit[1] * normal[0] > 0 else -1
+    spin, numbers = _turning(told, slot)
+    letters = line("-" if sense < 0 else "", "2 ", told.phrases.math(spin), " ", Name("v_rel"))
+    return letters, line(_doubled(sense, numbers, figures))
+
+
+def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line]:
+    """2 |ω v_rel| in letters and in numbers."""
+    spin, numbers = _turning(told, slot)
+    letters = line("2 |", told.phrases.math(spin), " ", Name("v_rel"), "|")
+    return letters, line(_doubled(1, [abs(x) for x in numbers], told.phrases.figures))
+
+
+def _turning(told: Told, slot: Slot) -> tuple[sp.Expr, list[Decimal]]:
+    """ω, and the numbers of ω and v_rel in the units of the page."""
+    relative, _ = told.system.quantities().seen_from(slot.point, slot.frame)
+    parts = zip(slot.unit, (relative.x, relative.y), strict=True)
+    along = sum((e * told.phrases.certain(x) for e, x in parts), Decimal(0))
+    spin = told.motion.velocities[slot.frame].angular
+    return spin, [told.phrases.certain(spin), told.phrases.of_dimension(along, VELOCITY).number]
+
+
+def _doubled(sense: int, numbers: Sequence[Decimal], figures: int) -> Math:
+    figures = figures_of(numbers, lambda x: 2 * x[0] * x[1], figures)
+    letters = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in range(2)]
+    texts = {s: significant(x, figures) for s, x in zip(letters, numbers, strict=True)}
+    return Math(sp.Mul(2 * sense, *letters, evaluate=False), texts)

@@ -1,0 +1,113 @@
+"""How a point moves as a body sees it: v_rel = v_P - v_P′, a_cor = 2 ω × v_rel, a_rel = a_P - a_P′ - a_cor; of what
+slides along a straight line of the body the component along that line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.along_slots import Slot, coriolis_size, relative_along, slot_of, unit_told
+from planar_cli.report.blocks import Block, Equation, Name, Value, line
+from planar_cli.report.names import plain_name
+from planar_cli.report.on_path import Once
+from planar_cli.report.projected import differences, vector_at
+from planar_cli.report.told import RATES
+from planar_cli.report.vectors import VectorTelling
+
+LEVELS = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}
+"""What must be told for each kind of relative motion."""
+
+
+class RelativeTelling:
+    """Lines of relative motion. `absolute` tells the velocity or acceleration of a point, `carried` those of a point
+    of a body.
+    """
+
+    def __init__(
+        self,
+        vectors: VectorTelling,
+        once: Once,
+        absolute: Callable[[str, str], Iterator[Block]],
+        carried: Callable[[str, Vec, str, str], Iterator[Block]],
+    ) -> None:
+        self.vectors, self.phrases, self.once = vectors, vectors.phrases, once
+        self.absolute, self.carried, self.system = absolute, carried, vectors.system
+        self._along: dict[str, Decimal] = {}
+        """The components along lines that were told, in the unit of the page."""
+
+    def seen(self, point: str, frame: str, word: str, projected: bool = False) -> Iterator[Block]:
+        """All that leads to what is meant by `word`. `projected`: the Coriolis acceleration is told where its component
+        is taken.
+        """
+        slot = slot_of(self.vectors, point, frame)
+        relative, _ = self.system.quantities().seen_from(point, frame)
+        for level in LEVELS[word]:
+            yield from self._vectors(point, frame, level) if slot is None else self._component(slot, level)
+        if word == "coriolis" and (slot is None or not projected):
+            yield from self._coriolis(relative, self.vectors.motion.velocities[frame].angular)
+
+    def _component(self, slot: Slot, level: str) -> Iterator[Block]:
+        """v_rel = v_P · e = 0.8660 · 0.8619 = 0.7464 m/s."""
+        key = f"{level[0]}_rel {slot.point} {slot.frame}"
+        if key in self._along:
+            return
+        for name in (slot.point, slot.reference):
+            yield from self.absolute(name, level[0])
+        sides, value = relative_along(self.vectors, slot, level)
+        first = f"e {slot.frame}" not in self.vectors.valued
+        self.vectors.valued.add(f"e {slot.frame}")
+        self._along[key] = value
+        note = unit_told(self.vectors, slot) if first else ()
+        yield Equation((*sides, self._shown(value, level)), None, note=note)
+
+    def _shown(self, value: Decimal, level: str) -> Value:
+        one = self.phrases.of_dimension(Decimal(1), RATES[level])
+        return Value(value, one.unit, one.figures)
+
+    def part(self, answer: str, q: Quantity, axis: Sequence[Decimal], values: list[Value]) -> list[Block] | None:
+        """The line of what is asked after the component along a line was told: v_slot = v_rel, |a_cor| = 2 |ω v_rel|;
+        empty where that was the line itself. None: no component was told. `axis`: along which it is asked, if any.
+        """
+        point, frame = q.things
+        v, slot = "a" if q.word == "a" else "v", slot_of(self.vectors, point, frame)
+        along = self._along.get(f"{v}_rel {point} {frame}")
+        if along is None or slot is None:
+            return None
+        name = "a_cor" if q.word == "coriolis" else f"{v}_rel"
+        own = [] if plain_name(answer) == plain_name(name) else [line(Name(answer))]
+        if q.word == "coriolis":
+            told = coriolis_size(self.vectors, slot)
+            return [Equation((*own, line("|", Name(name), "|"), *told, *values))]
+        if q.parts[-1].kind == "mag":
+            size = [Equation((*own, line("|", Name(name), "|"), *values))]
+            return [] if not own and along >= 0 else [*size]
+        against = sum((e * x for e, x in zip(slot.unit, axis, strict=True)), Decimal(0)) < 0
+        if not own and not against:
+            return []
+        return [Equation((line(Name(answer)), line("-" if against else "", Name(name)), *values))]
+
+    def _vectors(self, point: str, frame: str, level: str) -> Iterator[Block]:
+        quantities, motion, v = self.system.quantities(), self.vectors.motion, level[0]
+        place, spin = self.system.scene.point(point), motion.velocities[frame].angular
+        relative, acceleration = quantities.seen_from(point, frame)
+        yield from self.absolute(point, v)
+        yield from self.carried(frame, place, f"{point}′", level)
+        sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
+        others = [vector_at(self.vectors, frame, place, level)]
+        if level == "acceleration" and spin != 0:
+            sides += [" - ", Name("a_cor")]
+            others += [relative.turned() * (2 * spin)]
+            yield from self._coriolis(relative, spin)
+        put = differences(relative if v == "v" else acceleration, others, RATES[level], self.phrases)
+        shown = (line(Name(f"{v}_rel")), line(*sides), *([put] if put else []))
+        yield from self.once(f"{v}_rel {point} {frame}", shown, relative if v == "v" else acceleration, level, ())
+
+    def _coriolis(self, relative: Vec, spin: sp.Expr) -> Iterator[Block]:
+        sides = (line(Name("a_cor")), line("2 ", self.phrases.math(spin), " × ", Name("v_rel")))
+        yield from self.once(f"a_cor {spin} {relative}", sides, relative.turned() * (2 * spin), "acceleration", ())
