@@ -1,15 +1,15 @@
-"""What a lesson says beside the solution: what each step of this page is for, and which trap it "
-"avoids; no equation.
-"""
+"""What a lesson says beside the solution: what each step of this page is for, and which trap it avoids; no equation."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import TypeGuard
 
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Heading, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Heading, Paragraph, Text, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.uses import Uses
+from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 
 KINEMATICS, KINETICS, SOLVING = "Kinematic analysis", "Kinetic analysis", "Solving the equations"
 
@@ -24,17 +24,30 @@ class Lesson:
 
 
 def with_lessons(blocks: Sequence[Block], uses: Uses, told: set[str]) -> list[Block]:
-    """The blocks of a part with the words of the lesson behind the headings of its steps. `told`: on "
-    "the page before.
+    """The blocks of a part with the words of the lesson behind the headings of its steps; of a part without steps at
+    its beginning. `told`: on the page before.
     """
     found: list[Block] = []
+    alone = not any(_is_step(b) for b in blocks)
     for block in blocks:
+        if alone and isinstance(block, Paragraph | Equation):
+            found += _new([*_words(KINEMATICS, uses), *_words("", uses)], told)
+            alone = False
         found.append(block)
-        if isinstance(block, Heading) and block.label.startswith("STEP"):
-            new = [words for words in _words(block.text, uses) if words not in told]
-            told.update(new)
-            found += [Paragraph(line(Text(words, "muted"))) for words in new]
+        if _is_step(block):
+            found += _new(_words(block.text, uses), told)
     return found
+
+
+def _is_step(block: Block) -> TypeGuard[Heading]:
+    return isinstance(block, Heading) and block.label.startswith("STEP")
+
+
+def _new(words: Sequence[str], told: set[str]) -> list[Block]:
+    """The words that were not told before, each as a paragraph."""
+    new = [w for w in words if w not in told]
+    told.update(new)
+    return [Paragraph(line(Text(w, "muted"))) for w in new]
 
 
 def _words(title: str, uses: Uses) -> list[str]:
@@ -58,10 +71,10 @@ def _why_kinematics(uses: Uses) -> Iterator[str]:
             "unknown less later."
         )
     if uses.at_rest and uses.kinetic:
+        turned = ", and with them every normal acceleration" if uses.axles or uses.moments or uses.rolling else ""
         yield (
-            "Released from rest: all velocities are zero, and with them every normal and every Coriolis "
-            "acceleration. "
-            "The trap is to take the accelerations for zero too."
+            f"Released from rest: all velocities are zero{turned}. "
+            "The trap is to take the accelerations for zero too: the motion is only about to begin."
         )
 
 
@@ -77,22 +90,28 @@ def _rolling(uses: Uses) -> Iterator[str]:
 
 
 def _sliding(uses: Uses) -> Iterator[str]:
-    for place, base in uses.sliding:
-        yield (
-            f"{place} slides along {base}, and {base} turns. To the acceleration of the point of {base} "
-            "under it and the "
-            "relative one comes a third part, twice the angular velocity times the relative velocity. "
-            "It is there even "
-            "where the point slides at a constant rate; to leave it out is the usual mistake."
-        )
+    if not uses.sliding:
+        return
+    bases = _listed([base for _, base in uses.sliding])
+    one = len(uses.sliding) == 1
+    where = _listed([f"{place} {'slides ' if one else ''}along {base}" for place, base in uses.sliding])
+    yield (
+        f"{'' if one else 'There slides '}{where}, and {bases} {'turns' if one else 'turn'}. To the acceleration of "
+        "the point of that body under it and the relative one comes a third part, twice the angular velocity times the "
+        "relative velocity. It is there even where the point slides at a constant rate; to leave it out is the usual "
+        "mistake."
+    )
 
 
 def _component(uses: Uses) -> Iterator[str]:
+    places: dict[str, list[str]] = {}
     for place, unknown in uses.left_out:
+        places.setdefault(place, []).append(plain_name(unknown))
+    for place, unknowns in places.items():
         at = f"At {place} the" if place else "The"
+        does = "does not enter" if len(set(unknowns)) == 1 else "do not enter"
         yield (
-            f"{at} component is taken in which {plain_name(unknown)} does not enter, so that one "
-            "equation has one unknown. "
+            f"{at} component is taken in which {_listed(unknowns)} {does}, so that one equation has one unknown. "
             "The trap is to let a link that moves as a whole circle about its other end: that holds of the relative "
             "motion only."
         )
@@ -101,9 +120,65 @@ def _component(uses: Uses) -> Iterator[str]:
 def _cords(uses: Uses) -> Iterator[str]:
     if uses.cords:
         yield (
-            f"{_listed(uses.cords)}: the length stays the same, so that what runs in at one end runs out "
-            "at the other. "
+            f"{_listed(uses.cords)}: the length stays the same, so that what runs in at one end runs out at the other. "
             "The trap is the sign; only the components along the straight parts count."
+        )
+    if uses.wound:
+        on = list(dict.fromkeys(drum for _, drum in uses.wound))
+        yield (
+            f"{_listed([cord for cord, _ in uses.wound])}: where the cord leaves {_listed(on)} it moves as the rim on "
+            "which it is wound. The trap is the radius: it is that of the winding, whatever the radius of the body."
+        )
+    if uses.links:
+        yield (
+            f"{_listed(uses.links)}: the distance of both ends stays the same, so that along the line between them "
+            "their velocities agree. The trap is to let the accelerations agree too, which they do at rest alone."
+        )
+
+
+PASSAGES = {
+    PLACES: (
+        "A position vector is put together from known ones, tip to tail. The trap is the order: from A to B counts "
+        "what B has more than A."
+    ),
+    RATES: (
+        "The place is written for any instant, and then differentiated. The trap is to put numbers in before: what is "
+        "a number has no rate."
+    ),
+    ALONG: (
+        "Along the path counts the change of the speed, across it the speed squared over the radius. The trap is to "
+        "leave out the second where the speed is constant."
+    ),
+    RADIAL: (
+        "In polar coordinates the unit vectors turn with the point, and each turning adds a term. The trap is to take "
+        "the second rates of the coordinates for the components of the acceleration."
+    ),
+    CURVE: (
+        "Both coordinates are known as functions of one parameter, which is eliminated. The trap is the range: the "
+        "point may run over a part of the curve only."
+    ),
+    ROLLING: (
+        "A wheel that rolls advances by the arc that it unrolls. The trap is the angle: it counts in radians, and from "
+        "the place where the rolling began."
+    ),
+}
+
+
+def _passages(uses: Uses) -> Iterator[str]:
+    places = {PLACES} if uses.asked and uses.asked <= {"r", "x", "y"} and not uses.relations else set()
+    yield from (words for kind, words in PASSAGES.items() if kind in uses.passages | places)
+    if uses.beside and not uses.sliding:
+        yield (
+            "A velocity relative to something that moves is the difference of both, as vectors. The trap is to take "
+            "the difference of the speeds, or the vectors in the wrong order."
+        )
+
+
+def _axles(uses: Uses) -> Iterator[str]:
+    if uses.axles and not uses.kinetic and not uses.left_out:
+        yield (
+            "A point of a body that turns about a fixed axis moves on a circle: its velocity is across the radius. The "
+            "trap is the normal acceleration, which is there even at a constant rate and points to the axis."
         )
 
 
@@ -119,6 +194,11 @@ def _why_kinetics(uses: Uses) -> Iterator[str]:
         )
     if uses.inertial:
         yield "Inertial forces are drawn against the accelerations; with them each body is in equilibrium."
+    if uses.streams:
+        yield (
+            "A stream presses with the mass that arrives in a second times the change of its velocity. The trap is "
+            "that mass: what counts is the velocity of the stream relative to what it meets."
+        )
     if uses.singles:
         yield "An equation for the whole, into which no reaction comes, leads straight to the accelerations."
 
@@ -193,12 +273,17 @@ def _energies(uses: Uses) -> Iterator[str]:
     if not uses.energies:
         return
     states = f"{uses.energies[0].since} and {uses.energies[0].stop}"
+    brought = [words for b in uses.energies for words, _ in b.brought]
+    trap = ""
+    if uses.turning_energy:
+        trap = " The trap is to forget the kinetic energy of a rotation."
+    elif any("weight" in words for words in brought):
+        trap = " The trap is to take the way along the path for the difference of the heights."
     yield (
-        f"Between {states} neither time nor acceleration is needed: work and kinetic energy. Forces at "
-        "points at rest and "
-        "forces across the motion do no work. The trap is to forget the kinetic energy of a rotation."
+        f"Between {states} neither time nor acceleration is needed: work and kinetic energy. Forces at points at rest "
+        f"and forces across the motion do no work.{trap}"
     )
-    if any("spring" in words for b in uses.energies for words, _ in b.brought):
+    if any("spring" in words for words in brought):
         yield (
             "The work of a spring is that of its stretch squared at both ends. The trap is to square the difference."
         )
@@ -231,7 +316,6 @@ def _blows(uses: Uses) -> Iterator[str]:
 
 
 LAWS = {
-    "constant": "The acceleration is constant: of time, speed and place two relations tell the third.",
     "v(t)": "The acceleration depends on the time: its integral over time is the change of speed.",
     "q(t)": "The speed is known as a function of time: its integral is the way.",
     "v(q)": "The time is not asked: over the way the acceleration changes the square of the speed.",
@@ -246,9 +330,24 @@ LAWS = {
 
 
 def _laws(uses: Uses) -> Iterator[str]:
+    if "constant" in uses.laws:
+        yield (
+            "The acceleration is constant: of time, speed and place two relations tell the third. "
+            "The trap is to use them beyond the states between which it is."
+        )
     told = [words for kind, words in LAWS.items() if kind in uses.laws]
     if told:
         yield " ".join(told) + " The trap is the limits: both integrals go from the same state to the same state."
+    if uses.integrated:
+        yield (
+            "No formula gives the motion; it is followed in small steps from the start, each with the acceleration of "
+            "its own place. The trap is to take the acceleration of the start for all the way."
+        )
+    if uses.extreme:
+        yield (
+            "Where something is largest or smallest its derivative is zero. The trap is to put the numbers in before "
+            "differentiating, and to forget the ends, where it may be larger still."
+        )
 
 
 def _swings(uses: Uses) -> Iterator[str]:
@@ -262,7 +361,7 @@ def _swings(uses: Uses) -> Iterator[str]:
 
 
 LESSONS = (
-    *(Lesson((KINEMATICS,), f) for f in (_why_kinematics, _rolling, _sliding, _component, _cords)),
+    *(Lesson((KINEMATICS,), f) for f in (_why_kinematics, _passages, _axles, _rolling, _sliding, _component, _cords)),
     *(Lesson((KINETICS,), f) for f in (_why_kinetics, _moments, _groups, _friction)),
     Lesson((SOLVING,), _solving),
     *(Lesson((), f) for f in (_energies, _momenta, _blows, _laws, _swings)),

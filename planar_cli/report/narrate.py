@@ -105,13 +105,15 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        if voice.audience == "lesson":
+        own = list(without_ritual(own))
+        if voice.audience == "exam":
+            blocks += key_blocks(own, blocks)
+        elif voice.audience == "lesson":
             from planar_cli.report.lessons import with_lessons
 
-            blocks += with_lessons(own, uses_of([part]), lessons)
+            blocks += with_lessons(told_once(own, blocks), uses_of([part]), lessons)
         else:
-            own = list(without_ritual(own))
-            blocks += key_blocks(own, blocks) if voice.audience == "exam" else told_once(own, blocks)
+            blocks += told_once(own, blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:

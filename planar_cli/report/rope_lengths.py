@@ -47,11 +47,16 @@ def wound(w: Written, system: System) -> str:
         return ""
     called = w.lead.removesuffix(KEEPS).strip()
     own = (j for j in system.scene.problem.joints if j.called == called)
-    stops = (s for j in own for s in getattr(j, "path", ()) if isinstance(s, RopeStop) and s.way == "on" and s.body)
-    bodies = list(dict.fromkeys(with_article(s.body) for s in stops if s.body))
+    bodies = list(dict.fromkeys(with_article(drum) for j in own for drum in drums(j)))
     if not bodies:
         return ""
     return f"{called[:1].upper()}{called[1:]} keeps its length and does not slip on {' and on '.join(bodies)}:"
+
+
+def drums(joint: object) -> list[str]:
+    """The bodies on which a joint is wound, if it is a rope."""
+    stops = (s for s in getattr(joint, "path", ()) if isinstance(s, RopeStop) and s.way == "on")
+    return [s.body for s in stops if s.body]
 
 
 def _places(system: System) -> dict[sp.Symbol, sp.Expr]:

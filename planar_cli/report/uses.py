@@ -18,6 +18,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
 from planar_cli.report.characteristic import linear_method
+from planar_cli.report.rope_lengths import drums
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
@@ -64,6 +65,9 @@ class Uses:
     left_out: list[tuple[str, str]] = field(default_factory=list)
     """Points whose relation leaves out an unknown, with that."""
     cords: list[str] = field(default_factory=list)
+    wound: list[tuple[str, str]] = field(default_factory=list)
+    """Cords that are wound on bodies, with these."""
+    links: list[str] = field(default_factory=list)
     extreme: bool = False
     """Is something largest or smallest?"""
     axles: bool = False
@@ -81,6 +85,8 @@ class Uses:
     together: int = 0
     """Most unknowns that follow from equations together."""
     energies: list[BalanceTrace] = field(default_factory=list)
+    turning_energy: bool = False
+    """Has one of these balances the kinetic energy of a rotation?"""
     momenta: list[BalanceTrace] = field(default_factory=list)
     blows: bool = False
     restitution: bool = False
@@ -205,8 +211,21 @@ def _of_joint(found: Uses, instant: InstantSolution, mode: Mode) -> None:
     if rubs and joint and found.forces:
         _add(found.sticking if mode.name == "stick" else found.slipping, joint)
     pulling = next((push.joint for push in mode.facts.pushes if push.kind == "tension"), None)
-    _add(found.cords, pulling)
-    found.taut |= {type(j).kind for j in instant.instant.scene.problem.joints if j.name == pulling}
+    if pulling is not None:
+        _of_pulling(found, instant, pulling)
+
+
+def _of_pulling(found: Uses, instant: InstantSolution, name: str) -> None:
+    """What kind of joint pulls; of a cord on which body it is wound."""
+    joint = next((j for j in instant.instant.scene.problem.joints if j.name == name), None)
+    if joint is None:
+        return
+    found.taut.add(joint.kind)
+    bodies = drums(joint)
+    for body in bodies:
+        _add(found.wound, (name, body))
+    if not bodies:
+        _add(found.links if joint.kind == "link" else found.cords, name)
 
 
 def _of_relation(found: Uses, w: Written) -> None:
@@ -233,6 +252,8 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
     for e in _relations(routes):
         if isinstance(e.source, BalanceTrace):
             (found.energies if e.source.law.letter else found.momenta).append(e.source)
+            parts = e.source.parts.moving if e.source.parts is not None else ()
+            found.turning_energy |= any(m.inertia != 0 and m.omega != 0 for m in parts)
         elif isinstance(e.source, ImpactEquation):
             found.blows = True
         found.restitution |= e.kind == "blow" and e.words.startswith("Restitution")
