@@ -10,7 +10,7 @@ from answered import assert_close, solve
 from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load_text
-from planar_cli.simulate.dated_by_ways import with_ways_dated
+from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.run import Settings, simulate
 
 TRACK = """
@@ -183,7 +183,7 @@ find: {v: v(P).mag @ 2, y: y(P) @ 2}
 )
 def test_whatever_keeps_it_on_its_way(text: str, expected: dict[str, float]) -> None:
     answers = solve(text)
-    followed = {a.name: a.values[0] for a in simulate(with_ways_dated(_read(text), {}), Settings()).answers}
+    followed = {a.name: a.values[0] for a in simulate(with_spans_dated(_read(text), {}), Settings()).answers}
     for name, value in expected.items():
         assert_close(answers[name], value)
         assert followed[name] == pytest.approx(value)

@@ -86,3 +86,63 @@ def test_a_speed_that_grows_from_rest_begins_nothing_step_by_step() -> None:
     text = PARABOLA.replace("v(bead).mag = 6 m/s", "dot(v(bead).mag) = 1.5 m/s^2")
     with pytest.raises(Undecided):
         solve(text.replace("v(bead).x > 0", "at rest"))
+
+
+PUSHED = """
+title: Block that is pushed from rest on a rough floor
+plane: vertical
+points: {A: [0, 0]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {block: {particle: A, mass: 2 kg}}
+joints:
+  - contact: {between: [block, floor], at: A, mu: 0.2}
+loads:
+  - force: {name: push, body: block, magnitude: 20 N, angle: 0 deg}
+states:
+  1: [at rest]
+  2: [work(push) @ 1->2 = 40 J]
+find: {v: v(A).mag @ 2, d: x(A) @ 2}
+"""
+
+
+def test_a_work_from_rest_on_a_rough_floor() -> None:
+    """F d = 40 J, and 1/2 m v² = (F - μ m g) d."""
+    found = solve(PUSHED)
+    assert first(found["d"]) == pytest.approx(2)
+    assert first(found["v"]) == pytest.approx(sqrt(40 - 4 * 0.2 * 9.81))
+
+
+SWINGS = """
+title: Block on a spring and a rough floor
+plane: vertical
+coordinates: {x: m}
+points: {A: [x, 0], W: [-1 m, 0], O: [0, 0]}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies: {block: {particle: A, mass: 2 kg}}
+joints:
+  - contact: {between: [block, floor], at: A, mu: 0.1}
+loads:
+  - spring: {name: coil, between: [W, A], stiffness: 200 N/m, natural_length: 1 m}
+states:
+  1: [at rest, x = 0.3 m]
+  2: [STATED]
+find: {v: v(A).mag @ 2, x: x @ 2}
+"""
+
+
+def test_a_heat_that_two_ways_give() -> None:
+    """It turns where 100 N/m (x² - 0.3²) is the heat so far, -0.3 m + 2 μ m g/k."""
+    found = solve(SWINGS.replace("STATED", "heat(A) @ 1->2 = 1.5 J"))
+    friction = 0.1 * 2 * 9.81
+    turn = -0.3 + 2 * friction / 200
+    x = turn + (1.5 / friction - (0.3 - turn))
+    assert first(found["x"]) == pytest.approx(x)
+    assert first(found["v"]) == pytest.approx(sqrt(9 - 1.5 - 100 * x**2))
+
+
+def test_a_work_that_is_never_done() -> None:
+    with pytest.raises(NoSolution) as error:
+        solve(SWINGS.replace("STATED", "work(coil) @ 1->2 = 12 J"))
+    (told,) = error.value.diagnostics
+    assert (told.code, told.mark.line) == ("PL621", 14)
+    assert "work(coil) @ 1->2 comes to 75 % of that" in (told.hint or "")

@@ -12,7 +12,7 @@ from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Problem
 from planar_cli.problem.show import spreadsheet_cell
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.dated_by_ways import with_ways_dated
+from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, number_of, stops
 from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate, units_of
@@ -98,7 +98,7 @@ def _part(
 ) -> tuple[Simulation, str, Any]:
     """The file or a case of it: its motion, how it ended, and a text or data. `earlier`: finds of cases before it."""
     numbers = {**earlier, **{name: number_of(value, problem.us) for name, value in request.values}}
-    problem = with_ways_dated(problem, numbers)
+    problem = with_spans_dated(problem, numbers)
     asked = columns(problem, request)
     settings = Settings(
         request.until,

@@ -18,7 +18,7 @@ from planar_cli.problem.expression import JustAfter, Relation
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.dated_by_ways import dated_by_ways, tells_a_way
+from planar_cli.simulate.dated_by_spans import dated_by_spans, span_relation
 from planar_cli.simulate.run import Run, Settings, begin, simulate
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.diagnosis.other_masses import demand_any_mass
@@ -76,7 +76,7 @@ def can_be_followed(problem: Problem) -> bool:
     Newton's?
     """
     free = problem.method in (None, "newton")
-    free = free and not any(is_told_by_a_span(s) and tells_a_way(s) is None for s in problem.states)
+    free = free and not any(is_told_by_a_span(s) and span_relation(s) is None for s in problem.states)
     free = free and not told_by_what_follows(problem)
     return free and bool(problem.states[1:]) and not (problem.symbols or problem.unknowns)
 
@@ -93,7 +93,7 @@ def followed_part(
     asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states. What rests from
     the start on ends nothing: from an unstable equilibrium a slight touch may lead on.
     """
-    timed = dated_by_ways(problem, earlier)
+    timed = dated_by_spans(problem, earlier)
     if timed is None:
         return None
     problem = timed

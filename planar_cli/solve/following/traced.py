@@ -22,6 +22,7 @@ from planar_cli.motion.transition import Resolved, resolve
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
+from planar_cli.simulate.dated_by_spans import dated_by_spans
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -196,7 +197,10 @@ def as_told(problem: Problem, values: Mapping[str, float], trial: bool = False) 
     letters, and of earlier finds; `trial`: as far and as well as tells which states are passed.
     """
     try:
-        found = _traced(prepared(problem, values), values, trial=trial)
+        timed = dated_by_spans(problem, values)
+        if timed is None:
+            return None
+        found = _traced(prepared(timed, values), values, trial=trial)
     except (FileProblem, NoSolution, Undecided):
         # Whoever solves it tells what keeps it from being followed.
         return None
