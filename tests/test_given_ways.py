@@ -7,7 +7,7 @@ from math import asinh, sqrt
 import pytest
 from answered import first, solve
 
-from planar_cli.errors import NoSolution, Undecided
+from planar_cli.errors import NoSolution
 
 PARABOLA = """
 title: Bead at a constant speed along a parabola
@@ -81,11 +81,12 @@ find: {v: v(sledge).x @ 2}
     assert "the way comes to 80 % of that" in (told.hint or "")
 
 
-def test_a_speed_that_grows_from_rest_begins_nothing_step_by_step() -> None:
-    """At rest the size of a velocity has no rate of its own: that nothing moves is not said."""
+def test_a_speed_that_grows_from_rest() -> None:
+    """1/2 a t² = 12 m."""
     text = PARABOLA.replace("v(bead).mag = 6 m/s", "dot(v(bead).mag) = 1.5 m/s^2")
-    with pytest.raises(Undecided):
-        solve(text.replace("v(bead).x > 0", "at rest"))
+    found = solve(text.replace("v(bead).x > 0", "at rest"))
+    assert first(found["t"]) == pytest.approx(4)
+    assert way(first(found["x"])) == pytest.approx(12)
 
 
 PUSHED = """
