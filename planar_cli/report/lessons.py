@@ -9,6 +9,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Paragraph, Text, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.uses import Uses
+from planar_cli.solve.law import RELATIVE
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 
 KINEMATICS, KINETICS, SOLVING = "Kinematic analysis", "Kinetic analysis", "Solving the equations"
@@ -334,6 +335,11 @@ def _laws(uses: Uses) -> Iterator[str]:
         yield (
             "The acceleration is constant: of time, speed and place two relations tell the third. "
             "The trap is to use them beyond the states between which it is."
+        )
+    if RELATIVE in uses.laws:
+        yield (
+            "Both have the same acceleration: seen from one of them the other moves straight and at constant speed. "
+            "The trap is to write down both ways, which nobody asks."
         )
     told = [words for kind, words in LAWS.items() if kind in uses.laws]
     if told:

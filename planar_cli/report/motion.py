@@ -102,7 +102,7 @@ class MotionTelling:
         route = self.found.route
         if not body:
             return []
-        timed = any(e.law is not None for leg in route.steps for e in leg.relations)
+        timed = any(e.is_of_motion for leg in route.steps for e in leg.relations)
         spans = [s for s in self.found.spans if not in_blow(s)]
         title = "Motion over time" if timed or spans or self.found.passing else self._principle()
         return [Heading(f"STEP {step}", title, self._states()), *(body[1:] if body[0] == HENCE else body)]

@@ -8,6 +8,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
+from planar_cli.solve.law import RELATIVE as ALIKE
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING, SECOND_RATES
 
 CROSS, DOUBLED, CORIOLIS, RELATIVE = " × ", " + 2 ", "a_cor", "a_rel"
@@ -107,6 +108,8 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
         yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}acceleration."
     elif "steady" in uses.laws and not moved:
         yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}velocity."
+    if ALIKE in uses.laws:
+        yield "Relative motion: with the same acceleration the relative velocity is constant."
     if uses.swings:
         yield "Small oscillations about an equilibrium."
 

@@ -23,6 +23,7 @@ from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionT
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Written
+from planar_cli.solve.law import RELATIVE
 from planar_cli.solve.passages import RATES
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
@@ -263,6 +264,7 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
                 found.constant.add(e.law.coordinate.unit)
             found.laws.add(e.kind if not steady else "constant" if e.law.order == 2 else "steady")
             found.over |= set() if steady else {_over(e, motion.ledger.symbols["t"])}
+        found.laws |= {RELATIVE} if e.kind == RELATIVE else set()
         found.integrated |= e.kind == "followed"
         found.extreme |= e.kind == "extreme"
     found.integrated |= any(p.how in ("integral", "quadrature", "flow") for s in motion.spans for p in s.pieces)

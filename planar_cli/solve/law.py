@@ -8,6 +8,8 @@ from planar_cli.calculus.vibrations import Vibration
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.records import record
 
+RELATIVE = "relative"
+"""The kind of a relation that says how one thing moves relative to another with the same acceleration."""
 IN_THE_END = "in the end the speed no longer changes"
 """The words of a relation at t = infinity that says that an acceleration is zero there."""
 

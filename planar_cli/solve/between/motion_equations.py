@@ -29,6 +29,7 @@ from planar_cli.solve.regimes.equations import (
     loop_equations,
     stated_equations,
 )
+from planar_cli.solve.regimes.meetings import meeting_equations
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.standing import begun_at, standing_at, standing_equations
 from planar_cli.solve.regimes.symmetric import symmetric_equations
@@ -248,6 +249,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr], data: Sequ
         stated = known | begun_at(data, start)
         by_laws = law_equations(laws, start, stop, regime, value.extended(dict(_not_forward(stated, value))))
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
+        met = meeting_equations(motion.demands[state.name], laws, start, stop, regime)
+        found += [replace(e, offered=frozenset(motion.between.integrating)) for e in met]
         found += list(link_equations(laws, start, stop, regime))
         standing = list(standing_equations(laws, start, stop, regime, known))
         found, known = [*found, *standing], known | standing_at(standing, known)

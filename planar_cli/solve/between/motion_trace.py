@@ -50,6 +50,7 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.regimes.constant_rates import constants_of, lasting_letters
 from planar_cli.solve.regimes.equations import DATA, Equation
+from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.solution import InstantSolution
 
@@ -222,7 +223,7 @@ class _Tracer:
         return Relation(e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told)
 
     def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:
-        if source is None:
+        if source is None or isinstance(source, Together):
             return None
         if isinstance(source, StateBalance):
             b = source

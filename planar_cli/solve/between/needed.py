@@ -13,6 +13,7 @@ from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.law import Law
+from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import InstantSolution
 
@@ -42,9 +43,10 @@ def wanted_of(
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        if e.law is not None and e.law.v in own and (e.law.f != 0 or _has_other(e.law, laws)):
-            names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
-            names |= set() if e.law.constant is None else {e.law.constant[0].name}
+        for law in e.source.laws if isinstance(e.source, Together) else () if e.law is None else (e.law,):
+            if law.v in own and (law.f != 0 or _has_other(law, laws)):
+                names |= _rates(regime, regime.free if law.speed is None else (law.speed,))
+                names |= set() if law.constant is None else {law.constant[0].name}
         if isinstance(e.source, StateBalance):
             parts = _parts(course, regime, e.source, way.formulas)
             names |= {s.name for x in parts for s in x.free_symbols & known}

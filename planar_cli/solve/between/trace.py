@@ -21,7 +21,7 @@ from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.instant.conditions import Proviso
 from planar_cli.solve.instant.roots import Root
-from planar_cli.solve.law import Law
+from planar_cli.solve.law import RELATIVE, Law
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.taken import Taken
 from planar_cli.units import Unit
@@ -144,6 +144,11 @@ class Relation:
     """The principles of which it is a law, by their words; none for data, geometry and blows."""
     aim: AimTrace | None = None
     """What is largest or smallest by it."""
+
+    @property
+    def is_of_motion(self) -> bool:
+        """Does it tell how something goes on in time?"""
+        return self.law is not None or self.kind == RELATIVE
 
 
 # --- the route -------------------------------------------------------------------------------------------------------
