@@ -7,11 +7,13 @@ A condition is a residual that vanishes: a vector one may be projected on any di
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import combinations
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.determined import led_by
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.jets import Jet, constant, vector_jet
@@ -20,6 +22,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import dotted, tells_turns, vector_equations
 from planar_cli.equation.quantities import LATER, Quantities
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.ways_told import way_told
 from planar_cli.equation.written_points import is_written
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import (
@@ -148,7 +151,7 @@ def stated(
         parts = item.relations if isinstance(item, VectorStatement) else (item,)
         own = max(levels[id(r)] for r in parts)
         try:
-            residual, sense = _residual(item, read, level - own, quantities.scene)
+            residual, sense = _residual(item, read, level - own, quantities)
         except ValueError:
             continue
         now = any(id(r) not in lasting for r in parts)
@@ -170,14 +173,14 @@ def _written(item: Relation | VectorStatement, quantities: Quantities) -> str:
 
 
 def _residual(
-    item: Relation | VectorStatement, read: Callable[[Side], Any], times: int, scene: Scene
+    item: Relation | VectorStatement, read: Callable[[Side], Any], times: int, quantities: Quantities
 ) -> tuple[sp.Expr | Vec, sp.Expr | None]:
     """What vanishes, differentiated so many times; what must not be negative is asked of the relation itself."""
     sense: sp.Expr | None = None
     if isinstance(item, VectorStatement) and not tells_turns(item, read):
         vanishing, sense = vector_equations(item, read)
         if not isinstance(vanishing, Vec) and item.angle is None:
-            rooted = _rooted(item, read, scene) if not times else None
+            rooted = _rooted(item, read, quantities) if not times else None
             # Half the rate of v² is v · a.
             vanishing = rooted or vanishing * constant(sp.Rational(1, 2) if times else 1)
     else:
@@ -189,10 +192,11 @@ def _residual(
     return dotted(vanishing, times), sense
 
 
-def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) -> Jet | None:
-    """|v| = m in a general position, where all of v goes with one speed: that speed is positive towards growing
-    coordinate, so that the relation stays linear.
+def _rooted(item: VectorStatement, read: Callable[[Side], Any], quantities: Quantities) -> Jet | None:
+    """|v| = m in a general position, where all of v goes with one speed: that speed has the sign that the first state
+    tells, else it is positive towards growing coordinate, so that the relation stays linear.
     """
+    scene = quantities.scene
     if scene.displacement is None or item.size is None:
         return None
     v = read(item.vector)
@@ -206,8 +210,20 @@ def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) ->
     if any(expanded(p.value - e * u) != 0 for p, e in ((v.x, along.x), (v.y, along.y))):
         return None
     length = simplified(sp.sqrt(simplified(along.dot(along))))
-    found: Jet = Jet(length * u * (scene.sign(factors[u]) or 1), None, None) - read(item.size)
+    way = way_told(u, read, scene, partial(_led_by, u, quantities)) or scene.sign(factors[u]) or 1
+    found: Jet = Jet(length * u * way, None, None) - read(item.size)
     return found
+
+
+def _led_by(speed: sp.Symbol, quantities: Quantities) -> dict[sp.Symbol, sp.Rational]:
+    """The speeds that joints make multiples of one speed, in a general position."""
+    scene, motion = quantities.scene, quantities.motion
+    unknowns = [*motion.tree.velocity_unknowns(), *scene.evaluator.speeds]
+    conditions = [
+        *joint_conditions(motion.tree, [], motion, VELOCITY, scene.rigid),
+        *coordinate_conditions(quantities, set(scene.ledger.coordinates), VELOCITY, motion.tree),
+    ]
+    return led_by(speed, [e for c in conditions for e in c.rows()], unknowns, scene.valuations[0])
 
 
 def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> Any:

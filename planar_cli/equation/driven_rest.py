@@ -7,14 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Edge, Motion, Tree
-
-DIGITS = 40
-"""Coefficients are told to so many digits."""
-NOTHING = sp.Rational(1, 10**30)
-"""A smaller number is none, after so many digits."""
 
 
 def relative_rest(
@@ -55,25 +48,3 @@ def _relative(motion: Motion, edge: Edge, a: sp.Expr) -> sp.Expr:
     assert joining.path is not None, "what slides has a path"
     relative = motion.acceleration(joining.point, joining.mover) - motion.acceleration(joining.point, joining.base)
     return relative.dot(joining.path.tangent)
-
-
-def told_by(rows: Sequence[sp.Expr], unknowns: Sequence[sp.Expr], value: Valuation) -> set[sp.Expr]:
-    """The unknowns that these relations between them determine."""
-    columns = list(dict.fromkeys(unknowns))
-    matrix = sp.Matrix([*_coefficients(rows, columns, value)] or [[sp.S.Zero] * len(columns)])
-    reduced, pivots = matrix.rref(iszerofunc=lambda x: abs(x) < NOTHING)
-    width = range(len(columns))
-    alone = ((i, p) for i, p in enumerate(pivots) if all(abs(reduced[i, j]) < NOTHING for j in width if j != p))
-    return {columns[p] for _, p in alone}
-
-
-def _coefficients(rows: Sequence[sp.Expr], columns: Sequence[sp.Expr], value: Valuation) -> Iterator[list[sp.Rational]]:
-    """Of the rows in which the unknowns stand linearly."""
-    for row in rows:
-        try:
-            terms = linear_form(row, set(columns)).terms
-        except Nonlinear:
-            continue
-        found = [value.known(terms[c]) if c in terms else 0 for c in columns]
-        if all(v is not None for v in found):
-            yield [sp.Rational(f"{v:.{DIGITS}f}") if v else sp.S.Zero for v in found]

@@ -17,7 +17,8 @@ from planar_cli.equation.conditions import (
     order,
     stated,
 )
-from planar_cli.equation.driven_rest import relative_rest, told_by
+from planar_cli.equation.determined import told_by
+from planar_cli.equation.driven_rest import relative_rest
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
 from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
