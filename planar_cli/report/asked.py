@@ -27,6 +27,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import Turned, components_told
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
+from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
@@ -54,8 +55,10 @@ class AskedTelling:
         self.scene = instant.instant.scene
         self._told: set[str] = set()
         self._named: set[str] = set()
+        self._shown: dict[str, Vec] = {}
         written = [w for s in instant.stages for b in s.blocks for w in b.equations]
         vectors.given = {w.left for w in written if w.given and w.right.is_number}
+        vectors.letters = letters_given(instant)
         vectors.late = {u for s in instant.stages if s.level != "velocity" for b in s.blocks for u in b.unknowns}
         self.paths = PathTelling(vectors, phrases, self._once)
         self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
@@ -130,7 +133,7 @@ class AskedTelling:
             assert isinstance(what, Quantity)
             vector = self._parts(what)
             if vector is not None:
-                size = self.size(vector, answer.unit.dimension)
+                size = size_of(vector, answer.unit.dimension, self.phrases)
                 values = self.phrases.in_units(answer.values[0], answer.unit, answer.energy)
                 yield Equation((line(Name(answer.name)), size, *values))
                 return
@@ -183,14 +186,6 @@ class AskedTelling:
         clean = self.phrases.symbolic or is_clean(self.phrases.ledger, expr, dimension=dimension)
         return not longer(expr, LONGEST) and clean
 
-    def size(self, vector: list[Decimal], dimension: Dimension) -> Math:
-        """√(x² + y²) with the numbers, in the units of the page."""
-        numbers = [self.phrases.of_dimension(v, dimension).number for v in vector]
-        figures = figures_of(numbers, lambda v: (v[0] ** 2 + v[1] ** 2).sqrt(), self.phrases.figures)
-        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): significant(n, figures) for i, n in enumerate(numbers)}
-        x, y = texts
-        return Math(sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False), texts)
-
     def _sense(self, answer: Found) -> str:
         """In which sense it counts, where the equations have a letter of its name."""
         what = answer.find.found.what if answer.find is not None else None
@@ -219,11 +214,12 @@ class AskedTelling:
         else:
             own = point if point in self.scene.points else centre_of(self.scene, point)
             told, name = list(self.absolute(point, q.word)), f"{q.word}_{index_of(own)}"
-        level = "velocity" if q.word == "v" else "acceleration"
-        if told or name in self._named or f"{level} {name.removeprefix(f'{q.word}_')}" in self._told:
+        key = f"{'velocity' if q.word == 'v' else 'acceleration'} {name.removeprefix(f'{q.word}_')}"
+        if told or name in self._named or key in self._told:
             self._named.add(name)
             yield from told
-            yield from self._component(answer, q, name)
+            if answer.values is not None or not says_all(self._shown.get(key), answer.expressions):
+                yield from self._component(answer, q, name)
         else:
             yield from self._formula(answer)
 
@@ -267,6 +263,9 @@ class AskedTelling:
         motion, note = self.vectors.motion, self.vectors.arm_once(place, edge, arm)
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
         told = () if self.phrases.symbolic else components_told(self._turned(body, arm, level), self.phrases.figures)
+        if is_given(vector, self.instant, self.phrases):
+            yield from self._once(f"{level} {place}", sides[:1], vector, level, line(GIVEN))
+            return
         yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note)
 
     def _joined(self, edge: Edge, level: str) -> Iterator[Block]:
@@ -291,6 +290,7 @@ class AskedTelling:
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
         if key not in self._told | self.vectors.valued:
             self._told.add(key)
+            self._shown[key] = vector
             value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
             yield Equation((*sides, value) if value else sides, None, note=note)
 
@@ -321,10 +321,10 @@ class AskedTelling:
             chain = (line(Name(answer.name)), *((across,) if across else ()), *values)
             yield Equation(chain, None, note=line(told) if told else ())
             return
-        numbers = [self.phrases.of_dimension(v, self._dimension(q)) for v in vector]
+        numbers = [self.phrases.of_dimension(v, _dimension(q)) for v in vector]
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
-            size = self.size(vector, self._dimension(q))
+            size = size_of(vector, _dimension(q), self.phrases)
             yield Equation((*own, line("|", Name(name), "|"), size, *values))
             return
         axis = self._axis(q)
@@ -370,9 +370,9 @@ class AskedTelling:
             return None
         return [self.phrases.certain(p.value) for p in (found.x, found.y)]
 
-    @staticmethod
-    def _dimension(q: Quantity) -> Dimension:
-        return VELOCITY if q.word == "v" else ACCELERATION
+
+def _dimension(q: Quantity) -> Dimension:
+    return VELOCITY if q.word == "v" else ACCELERATION
 
 
 def _rational(number: Decimal) -> sp.Rational:

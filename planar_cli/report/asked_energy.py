@@ -13,13 +13,14 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import ALL
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.given_vectors import size_of
 from planar_cli.report.inertias import alike_together, inertia_line
 from planar_cli.report.sums import added
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
-from planar_cli.units import VELOCITY, Dimension
+from planar_cli.units import VELOCITY
 
 HALF = sp.Rational(1, 2)
 
@@ -35,7 +36,6 @@ class Telling(Protocol):
     def vectors(self) -> VectorTelling: ...
 
     def absolute(self, point: str, word: str) -> Iterator[Block]: ...
-    def size(self, vector: list[Decimal], dimension: Dimension) -> Math: ...
 
 
 @record
@@ -117,6 +117,6 @@ def _summed(answer: Found, energies: list[_Energy], phrases: Phrases) -> Iterato
 def _size(index: str, parts: tuple[Decimal, Decimal], telling: Telling) -> Iterator[Block]:
     """|v| = √(x² + y²) of an oblique velocity."""
     if all(parts):
-        size = telling.size(list(parts), VELOCITY)
+        size = size_of(parts, VELOCITY, telling.phrases)
         value = telling.phrases.of_dimension(sum((p * p for p in parts), Decimal(0)).sqrt(), VELOCITY)
         yield Equation((line(Name(f"v_{index}")), size, value))

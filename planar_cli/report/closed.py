@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.exact import PI
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.answer_letters import asked_symbol
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value
 from planar_cli.report.clean import is_clean
@@ -91,6 +91,8 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
         own_sides = block.sides if isinstance(block, Equation) else ()
         if any(isinstance(side, Math) and side.expr == phrases.neat(closed) for side in own_sides):
             continue
+        if _by_definitions(own_sides, closed, phrases):
+            continue
         if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
             head = block.sides[0] if isinstance(block.sides[0], tuple) else (block.sides[0],)
             told = (Text("in letters: "), *head, Text(" = "), Math(phrases.neat(closed)))
@@ -125,6 +127,15 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         return False
     more = formula.free_symbols - closed.free_symbols
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
+
+
+def _by_definitions(sides: Sequence[Inline | Line], closed: sp.Expr, phrases: Phrases) -> bool:
+    """Is the formula of a line the closed one but for letters that only name something, as I_G does m k_G²?"""
+    formula = sides[1].expr if len(sides) > 2 and isinstance(sides[1], Math) else None
+    named = phrases.ledger.definitions
+    if formula is None or formula.is_number or not formula.free_symbols & named.keys():
+        return False
+    return identically_zero(formula.xreplace({s: named[s] for s in formula.free_symbols if s in named}) - closed)
 
 
 def _names(answer: Found, part: PartSolution) -> Collection[str]:

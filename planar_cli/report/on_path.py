@@ -74,6 +74,8 @@ class PathTelling:
         vector = self.vectors.motion.acceleration(at, body)
         if steady:
             vector = Vec(*(p.xreplace({edge.slide_rate: sp.S.Zero}) for p in (vector.x, vector.y)))
+        if self.phrases.symbolic:
+            vector = Vec(*(sp.sympify(p).xreplace(self.vectors.letters) for p in (vector.x, vector.y)))
         sides = (line(Name(f"a_{index_of(place)}")), parts)
         yield from self.once(f"acceleration {place}", sides, vector, "acceleration", () if radius else note)
 

@@ -57,6 +57,7 @@ class VectorTelling:
         """Coordinates whose values stand on the page."""
         self.given: set[sp.Symbol] = set()
         """Unknowns that the file gives as numbers."""
+        self.letters: dict[sp.Symbol, sp.Expr] = {}
         self.late: set[sp.Symbol] = set()
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
