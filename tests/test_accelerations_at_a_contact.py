@@ -10,7 +10,7 @@ from worked import page_of_file
     ("stem", "lines"),
     [
         ("planetary-gear", ("a_C,sun = -ω_sun² r_C/O =", "a_C,planet = a_P + α_planet × r_C/P")),
-        ("gear-pair", ("a_C,gear,A = α_gear,A × r_C/A", "a_C,gear,B = α_gear,B × r_C/B")),
+        ("gear-pair", ("a_C,gear,A = α_A × r_C/A", "a_C,gear,B = α_B × r_C/B")),
     ],
 )
 def test_each_point_has_the_name_of_its_body(stem: str, lines: tuple[str, ...]) -> None:

@@ -20,8 +20,8 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     ("name", "row"),
     [
-        ("friction/heaviest-weight-before-a-box-slips", "load:  m_load g ↓,  T_cord ↑   =   m_load a_Hy ↑\n"),
-        ("particles/unknown-counterweight", "weight:  m_B g ↓,  T_cord ↑   =   m_B a_By ↑\n"),
+        ("friction/heaviest-weight-before-a-box-slips", "load:  m_load g ↓,  T ↑   =   m_load a_Hy ↑\n"),
+        ("particles/unknown-counterweight", "weight:  m_B g ↓,  T ↑   =   m_B a_By ↑\n"),
     ],
 )
 def test_an_acceleration_that_is_zero_is_not_drawn(name: str, row: str) -> None:

@@ -17,7 +17,7 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     ("name", "check"),
     [
-        ("textbook/ex-4-04", "rod: ↺ ΣM_G = √2/8 T_cable L = 1/11 m g L, I α = 1/11 m g L"),
+        ("textbook/ex-4-04", "rod: ↺ ΣM_G = √2/8 T L = 1/11 m g L, I α = 1/11 m g L"),
         ("textbook/ex-4-06", "rod: ↺ ΣM_G = 1/4 L A_y = 1/7 m g L, I α = 1/7 m g L"),
         ("rigid-bodies/cylinder-in-a-trough", "ΣM_G = F_C r = 1/3 m g r sin φ, I_G α = 1/3 m g r sin φ"),
         ("rigid-bodies/bar-when-one-of-its-cords-is-cut", "ΣM_G = 1/2 (T_right - T_left) L sin β = 0"),

@@ -44,7 +44,7 @@ def test_special_positions_check_a_rolling_wheel() -> None:
 
 
 def test_two_ways_to_the_same_speed() -> None:
-    assert "√(v_Pr² + v_Pθ²) = √(0.08256² + 0.1544²) = 0.1751 m/s; |ẋ_P| = 0.1751 m/s" in _page("ex-1-14")
+    assert "√(v_r² + v_θ²) = √(0.08256² + 0.1544²) = 0.1751 m/s; |ẋ_P| = 0.1751 m/s" in _page("ex-1-14")
 
 
 def test_a_constant_speed_on_a_circle() -> None:
@@ -68,6 +68,6 @@ def test_a_velocity_leads_to_no_point(tmp_path: Path) -> None:
 def test_a_point_on_a_line_at_a_height() -> None:
     page = _page("ex-1-14")
     assert "y_P = 0.5 m\n    x_P = y_P/tan θ = 0.5 m/tan θ = 0.5/tan(2.0619 rad) = -0.2674 m" in page
-    assert "r_P = y_P/sin θ = 0.5 m/sin θ = 0.5/sin(2.062 rad) = 0.5670 m" in page
+    assert "r = y_P/sin θ = 0.5 m/sin θ = 0.5/sin(2.062 rad) = 0.5670 m" in page
     assert "θ = π/2 + π/6 sin(3 t/2) = 2.062 rad = 118.1°" in page
     assert "a = dv/dt" not in page

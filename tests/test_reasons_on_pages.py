@@ -131,7 +131,7 @@ def test_a_rope_is_called_once(key: str, called: str) -> None:
     ("stem", "reason"),
     [
         ("friction/stone-in-a-rotating-drum", "other roots: -7.093 rad/s (given: w > 0)"),
-        ("friction/package-on-the-end-drum-of-a-conveyor", "(N_P = -5.367 N < 0)"),
+        ("friction/package-on-the-end-drum-of-a-conveyor", "(N = -5.367 N < 0)"),
     ],
 )
 def test_a_root_is_ruled_out_by_what_is_false_of_it(stem: str, reason: str) -> None:

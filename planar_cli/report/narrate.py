@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -20,13 +20,8 @@ from planar_cli.report.blocks import (
     Document,
     Equation,
     Heading,
-    Inline,
-    Line,
-    Math,
-    Name,
     Note,
     Paragraph,
-    Text,
     line,
 )
 from planar_cli.report.blow_limits import blow_limits
@@ -40,12 +35,13 @@ from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.meanings import with_meanings
-from planar_cli.report.names import plain_name
+from planar_cli.report.one_name import with_one_name
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
+from planar_cli.report.said import said, said_once, says_nothing
 from planar_cli.report.shown import place_drawn
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slots_beside import slots_beside
@@ -122,38 +118,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    told_blocks = (_said_once(b) for b in blocks if not _says_nothing(b))
-    return Document(problem.title or problem.file, (*texts, *opening, *told_blocks))
-
-
-def _says_nothing(block: Block) -> bool:
-    """Is it an equation of a letter with itself?"""
-    if not isinstance(block, Equation) or len(block.sides) != 2:
-        return False
-    one, other = (_letter_of(side) for side in block.sides)
-    return one != "" and one == other
-
-
-def _said_once(block: Block) -> Block:
-    """An equation without a side that only repeats the one before it."""
-    if not isinstance(block, Equation):
-        return block
-    said = _said(block)
-    return replace(block, sides=tuple(s for i, s in enumerate(block.sides) if i == 0 or said[i] != said[i - 1]))
-
-
-def _said(equation: Equation) -> list[Any]:
-    """The sides of an equation, however they are put together."""
-    pieces = ([p for p in side if p != Text("")] if isinstance(side, tuple) else [side] for side in equation.sides)
-    return [_letter_of(side[0]) or side if len(side) == 1 else side for side in pieces]
-
-
-def _letter_of(side: Inline | Line) -> str:
-    """The one letter that a side is."""
-    piece = side[0] if isinstance(side, tuple) and len(side) == 1 else side
-    if isinstance(piece, Name):
-        return plain_name(piece.name)
-    return plain_name(piece.expr.name) if isinstance(piece, Math) and piece.expr.is_Symbol else ""
+    page = with_one_name((*opening, *blocks))
+    return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
@@ -239,9 +205,9 @@ def _instant_blocks(
     blocks = telling.blocks()
     if part.motion is None:
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
-        told = [_said(b) for b in blocks if isinstance(b, Equation)]
+        told = [said(b) for b in blocks if isinstance(b, Equation)]
         told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
-        asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or _said(b) not in told)
+        asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or said(b) not in told)
         return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count
     blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
     if why is None:

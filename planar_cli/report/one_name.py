@@ -1,0 +1,165 @@
+"""One name for one quantity: the letter of the solution gives way to the name that the author asks for, where that is
+the same letter with less behind it, y_top for y_ball,top or T for T_cord, and nothing else on the page is meant by it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.report.blocks import Answer, Block, Inline, Line, Math, Name, Note, Text
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.names import plain_name
+
+OPENING = ("Find", "Principle")
+"""Notes that name what is asked, or quantities in general."""
+RATES = ("dot", "ddot")
+KINDS = (("theta", "omega", "alpha"), ("v", "a"))
+"""Stems of what is called after one body or point."""
+_COMPONENT = re.compile(r"([A-Z]\d*)([xytnr])")
+
+
+def with_one_name(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of a page, with one name for what an answer was told to be the same as; its rates follow it."""
+    asked = _asked(blocks)
+    if not asked:
+        return list(blocks)
+    used = _used(blocks)
+    names: dict[str, str] = {}
+    for letter, name in asked.items():
+        own = {letter: name} | {x: other for x in used.letters if (other := _along(x, letter, name))}
+        if not _stays_beside(letter, used) and all(_is_meant(x, other, used) for x, other in own.items()):
+            names |= own
+    if not names:
+        return list(blocks)
+    renaming = _Renaming(names)
+    return [renaming.answered(b) if isinstance(b, Answer) else renaming.of(b) for b in blocks]
+
+
+def _asked(blocks: Iterable[Block]) -> dict[str, str]:
+    """The name of an answer by the letter that it is told to be, where one name alone is asked for and is shorter."""
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for block in blocks:
+        if isinstance(block, Answer) and (letter := _letter(block.line)):
+            found[letter].add(block.name)
+    only = {letter: next(iter(names)) for letter, names in found.items() if len(names) == 1}
+    return {letter: name for letter, name in only.items() if letter != name and _shortens(name, letter)}
+
+
+def _letter(told: Line) -> str:
+    """The letter L of an answer `L = value`."""
+    first = told[0] if len(told) > 1 and told[1] == Text(" = ") else None
+    return first.expr.name if isinstance(first, Math) and first.expr.is_Symbol else ""
+
+
+def _pieces(name: str) -> list[str]:
+    """The stem of a name and what stands behind it, components apart: a, A, y of a_Ay."""
+    found: list[str] = []
+    for piece in name.replace("__", "_").split("_"):
+        component = _COMPONENT.fullmatch(piece)
+        found += [component[1], component[2]] if component else [piece]
+    return found
+
+
+def _shortens(name: str, letter: str) -> bool:
+    """Is a name the letter without some of what stands behind its stem, but for its state?"""
+    (stem, *kept), (own, *left) = _pieces(name), _pieces(letter)
+    rest = iter(left)
+    if "__" in letter and kept[-1:] != left[-1:]:
+        return False
+    return stem == own and all(piece in rest for piece in kept)
+
+
+def _along(other: str, letter: str, name: str) -> str:
+    """The name of what goes with a letter, which is called after the same: ṙ_P after r_P, ω_gear,A after α_gear,A."""
+    marks = [p for p in other.split("_") if p in RATES]
+    if marks and [p for p in other.split("_") if p not in RATES] == letter.split("_"):
+        own, _, state = name.partition("__")
+        return f"{own}_{marks[0]}" + (f"__{state}" if state else "")
+    (stem, *pieces), (own_stem, *own_pieces) = other.partition("__")[0].split("_"), letter.split("_")
+    kin = any(stem in kind and own_stem in kind for kind in KINDS) and stem != own_stem
+    if not kin or pieces != own_pieces or "__" in letter:
+        return ""
+    return f"{stem}{name.removeprefix(own_stem)}" + other.removeprefix(other.partition("__")[0])
+
+
+def _stays_beside(letter: str, used: _Used) -> bool:
+    """Is it x_P at state 2, beside which there is x_P at state 3? A state with a word for a name stands for itself."""
+    own, _, state = letter.partition("__")
+    return state.isdigit() and any(x != letter and x.partition("__")[0] == own for x in used.letters)
+
+
+class _Used:
+    """What a page speaks of: the names of its letters, and the words of its sentences."""
+
+    def __init__(self, letters: frozenset[str], words: frozenset[str]) -> None:
+        self.letters, self.words = letters, words
+
+
+def _used(blocks: Iterable[Block]) -> _Used:
+    letters: set[str] = set()
+    words: set[str] = set()
+    for block in blocks:
+        if isinstance(block, Note) and block.kind in OPENING:
+            continue
+        for piece in pieces_of(block):
+            match piece:
+                case Name(name):
+                    letters.add(name)
+                case Math(expr):
+                    letters |= {s.name for s in expr.free_symbols}
+                case Text(text):
+                    words |= set(re.findall(r"\w+", text))
+    return _Used(frozenset(letters), frozenset(words))
+
+
+def _is_meant(letter: str, name: str, used: _Used) -> bool:
+    """Would nothing else on the page be meant by the name: no other letter that it shortens, no point, no body?"""
+    others = (x for x in used.letters if x != letter and not _along(x, letter, name))
+    if name[:1].isupper() and name in used.words:
+        return False
+    return not any(_shortens(name, x) or plain_name(x) == plain_name(name) for x in others)
+
+
+class _Renaming:
+    """Writes blocks in other names."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self.names = names
+        told = {plain_name(letter): plain_name(name) for letter, name in names.items()}
+        self._told = told
+        self._word = re.compile("|".join(rf"(?<![\w,/]){re.escape(x)}(?![\w,/′])" for x in told))
+
+    def answered(self, answer: Answer) -> Answer:
+        """An answer that is called what it is."""
+        called = self.names.get(_letter(answer.line)) == answer.name
+        return replace(answer, line=self.of(answer.line[2:] if called else answer.line))
+
+    def of(self, value: Any) -> Any:
+        """A block, a line, or a piece of one."""
+        match value:
+            case Text(text):
+                return replace(value, text=self._word.sub(lambda m: self._told[m[0]], text))
+            case Name(name):
+                return replace(value, name=self.names.get(name, name))
+            case Math(expr):
+                return self._math(value, expr)
+            case tuple():
+                return tuple(self.of(part) for part in value)
+        if not hasattr(value, "__slots__") or isinstance(value, str):
+            return value
+        return replace(value, **{f.name: self.of(getattr(value, f.name)) for f in fields(value) if f.init})
+
+    def _math(self, value: Math, expr: Any) -> Inline:
+        put = {
+            s: sp.Symbol(self.names[s.name], **s.assumptions0)
+            for s in (*expr.free_symbols, *(value.values or ()))
+            if s.name in self.names
+        }
+        values = value.values and {put.get(s, s): text for s, text in value.values.items()}
+        return Math(expr.xreplace(put), values) if put else value

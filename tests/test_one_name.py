@@ -1,0 +1,68 @@
+"""What the author asks for has one name on its page, where that is short for the letter of the solution."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy as sp
+from worked import page_of_file
+
+from planar_cli.report.blocks import Answer, Block, Equation, Math, Name, Note, Text, Value, line
+from planar_cli.report.one_name import with_one_name
+
+CORD, GRAVITY, MASS = (sp.Symbol(x, real=True) for x in ("T_cord", "g", "m"))
+SPEED = sp.Symbol("v_A__2", real=True)
+TOLD = Equation((Math(CORD), Math(MASS * GRAVITY)))
+
+
+def _answer(name: str, letter: sp.Symbol = CORD) -> Answer:
+    return Answer(name, line(Math(letter), " = ", Value(Decimal(12), "N")))
+
+
+def _letters(blocks: list[Block]) -> set[str]:
+    sides = [m for b in blocks if isinstance(b, Equation) for m in b.sides]
+    return {s.name for m in sides if isinstance(m, Math) for s in m.expr.free_symbols}
+
+
+def test_the_name_of_the_author_stands_on_the_whole_page() -> None:
+    found = with_one_name([TOLD, Note("Find", line(Name("T"))), _answer("T")])
+    assert _letters(found) == {"T", "m", "g"}
+    assert found[-1] == Answer("T", line(Value(Decimal(12), "N")))
+
+
+def test_not_where_something_else_would_be_meant() -> None:
+    """Another cord, an energy, a point; a speed at a state; a name of another letter; two names of one letter."""
+    energy = Equation((Math(sp.Symbol("T_1", real=True)), Math(MASS)))
+    at = Equation((Math(MASS), Math(GRAVITY)), None, line(Text("moments about T:")))
+    for blocks in (
+        [TOLD, energy, _answer("T")],
+        [TOLD, at, _answer("T")],
+        [TOLD, _answer("pull")],
+        [TOLD, _answer("S")],
+        [TOLD, _answer("T"), _answer("T_after")],
+        [
+            TOLD,
+            Equation((Math(sp.Symbol("v_A__2", real=True)), Math(MASS))),
+            _answer("v", sp.Symbol("v_A__2", real=True)),
+        ],
+    ):
+        assert with_one_name(blocks) == blocks
+
+
+def test_rates_have_the_name_of_what_changes() -> None:
+    page = page_of_file("ex-1-14")
+    assert "v_r = r\N{COMBINING DOT ABOVE} = 0.08256 m/s" in page
+    assert "r_P" not in page
+
+
+def test_the_state_stays_where_the_author_names_it() -> None:
+    page = page_of_file("ex-1-06")
+    assert "y_top = v0²/(2 g) + h" in page
+    assert "y_ball,top" not in page
+
+
+def test_what_goes_with_it_is_called_after_the_same() -> None:
+    """ω_gear,A beside α_gear,A, which is asked for as α_A."""
+    page = page_of_file("gear-pair")
+    assert "a_C,gear,A = α_A × r_C/A - ω_A² r_C/A" in page
+    assert "ω_A = 20 rad/s" in page
