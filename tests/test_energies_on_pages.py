@@ -115,8 +115,10 @@ def test_the_root_of_a_time_by_the_start() -> None:
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("ex-4-17", "O_x, O_y, N_slider do no work, the internal forces A_n, A_t, B_x, B_y no net work:"),
-    ("ex-4-13", "A_x, A_y do no work:"),
+    ("ex-4-17", "O_x, O_y (O is fixed), N_slider (normal to the motion) do no work, the internal forces A_n"),
+    ("ex-4-17", "A_n, A_t, B_x, B_y no net work:"),
+    ("ex-4-08", "N_C, F_C (the point of contact is at rest) do no work:"),
+    ("ex-4-13", "A_x, A_y (A is fixed) do no work:"),
 ])  # fmt: skip
 def test_a_force_between_two_bodies_does_work_on_each(stem: str, line: str) -> None:
     assert line in page(stem)

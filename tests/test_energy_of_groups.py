@@ -22,7 +22,7 @@ def _page(stem: str) -> str:
 @pytest.mark.parametrize(
     ("stem", "headings"),
     [
-        ("ball-hits-a-hanging-rod", ["From 2 to 3, rod: work and kinetic energy; A_x, A_y do no work"]),
+        ("ball-hits-a-hanging-rod", ["From 2 to 3, rod: work and kinetic energy; A_x, A_y (A is fixed) do no work"]),
         (
             "pendulum-that-rebounds-from-a-block",
             ["From 3 to 4, sphere: work and kinetic energy; S_cord does no work", "From 3 to 5, block: work and"],

@@ -150,3 +150,16 @@ def test_a_distance_in_polar_coordinates_is_not_negative() -> None:
     page = _page("momentum/ball-on-a-cord-that-goes-slack")
     assert "not -0.5108 m: a distance is not negative" in page
     assert "reached first" not in page
+
+
+@pytest.mark.parametrize(
+    ("stem", "told"),
+    [
+        ("textbook/ex-4-13", "momentum after (the impulse of the weight is negligible)."),
+        ("textbook/ex-4-14", "momentum after."),
+        ("textbook/ex-4-14", "of AB about G, Σ m r² of its point masses:"),
+        ("textbook/ex-4-16", "B moves along a straight line, so that a_B has no component across it:"),
+    ],
+)
+def test_a_reason_names_what_the_scene_has(stem: str, told: str) -> None:
+    assert told in _page(stem)

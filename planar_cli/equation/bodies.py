@@ -260,7 +260,8 @@ class MassReader:
             stand_in = Uniform(center, center_name, ZERO, ZERO)
             symbol = self._inertia(body, stand_in, mass)
         else:
-            title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
+            how = "parallel axes" if any(own != 0 for (_, own), _ in parts) else "Σ m r² of its point masses"
+            title = f"moment of inertia of {body.name} about {center_name}, {how}"
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
         own = tuple((*masses, u.center) for masses, u in parts)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta, parts=own)

@@ -46,7 +46,8 @@ class Edge:
 
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
     acceleration unknowns. A free body has `slide` along x and `rise` along y; one that the file
-    places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent.
+    places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent. `turn`: -1
+    where `spin` and `spin_rate` count clockwise.
     """
 
     body: str
@@ -61,6 +62,7 @@ class Edge:
     rise_rate: sp.Symbol | None = None
     particle: bool = False
     components: Components | None = None
+    turn: int = 1
 
 
 @record
@@ -92,6 +94,8 @@ class TreeBuilder:
         """`heading`: does a body move forward on a path, +1, or back, -1? 0: that is not known."""
         self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
         self.components, self.heading = components or {}, heading
+        self.clockwise: frozenset[str] = frozenset()
+        """Bodies whose angular velocities count clockwise where they hang on the tree."""
         self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 
@@ -197,7 +201,8 @@ class TreeBuilder:
             if slide in taken:
                 path = f"of {body} along its path{seen}"
                 slide, slide_rate = self._pair(body, f"speed {path}", f"acceleration {path}", bent=bent)
-        return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
+        own, turn = not self.rigid(body), -1 if body in self.clockwise else 1
+        return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=own, turn=turn)
 
     def _onward(self, joining: Joining, body: str, path: Path) -> Joining:
         """The same joining with a path in space the way the body moves on it."""
@@ -209,6 +214,11 @@ class TreeBuilder:
 def component(name: str, axis: str) -> str:
     """The index of a component: Gx of a point G, ball_x of what has a word for a name."""
     return f"{name}{axis}" if len(name) <= SHORT_NAME else f"{name}_{axis}"
+
+
+def _spin_rate(edge: Edge) -> sp.Expr:
+    """α counterclockwise; 0 of what can not turn."""
+    return ZERO if edge.spin_rate is None else edge.spin_rate * edge.turn
 
 
 class Motion:
@@ -234,6 +244,10 @@ class Motion:
     def _v(self, symbol: sp.Symbol | None) -> sp.Expr:
         return ZERO if symbol is None else self.known.get(symbol, symbol)
 
+    def _spin(self, edge: Edge) -> sp.Expr:
+        """ω counterclockwise."""
+        return self._v(edge.spin) * edge.turn
+
     def _settled(self, v: Vec) -> Vec:
         return Vec(v.x.xreplace(self.known), v.y.xreplace(self.known)) if self.known else v
 
@@ -245,13 +259,13 @@ class Motion:
             self.accelerations[edge.body] = Twist(at, self._settled(own.vector(own.accelerations)), ZERO)
             return
         if edge.joining is None:
-            self.velocities[edge.body] = Twist(at, Vec(self._v(edge.slide), self._v(edge.rise)), self._v(edge.spin))
-            self.accelerations[edge.body] = Twist(at, Vec(edge.slide_rate, edge.rise_rate), edge.spin_rate or ZERO)
+            self.velocities[edge.body] = Twist(at, Vec(self._v(edge.slide), self._v(edge.rise)), self._spin(edge))
+            self.accelerations[edge.body] = Twist(at, Vec(edge.slide_rate, edge.rise_rate), _spin_rate(edge))
             return
         point, sign = edge.joining.point, -1 if edge.backward else 1
         parent_spin, parent_rate = self.velocities[edge.parent].angular, self.accelerations[edge.parent].angular
-        omega = ZERO if edge.particle else self._v(edge.spin) if edge.spin is not None else parent_spin
-        alpha = ZERO if edge.particle else edge.spin_rate if edge.spin_rate is not None else parent_rate
+        omega = ZERO if edge.particle else self._spin(edge) if edge.spin is not None else parent_spin
+        alpha = ZERO if edge.particle else _spin_rate(edge) if edge.spin_rate is not None else parent_rate
         base_spin = omega if edge.backward else parent_spin
         mover_spin = parent_spin if edge.backward else omega
         speed, pace = self._v(edge.slide), edge.slide_rate or ZERO

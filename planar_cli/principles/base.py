@@ -180,6 +180,14 @@ class EnergyParts:
 
 
 @record
+class Idle:
+    """A reaction that does no work, and why that is so in two or three words; "": nothing short tells it."""
+
+    force: sp.Symbol
+    why: str
+
+
+@record
 class Balance:
     """amount at the end - amount at the beginning = Σ what the sources bring, over any stretch of time."""
 
@@ -210,7 +218,7 @@ class Balance:
     """The letter of what a source brings."""
     lead: str = ""
     """What stands before the equation: → ↑ ↺."""
-    idle: tuple[sp.Symbol, ...] = ()
+    idle: tuple[Idle, ...] = ()
     """Reactions that bring nothing, which is told."""
     internal: tuple[sp.Symbol, ...] = ()
     """Reactions between bodies that move, which bring nothing in all: what one body gets another gives."""

@@ -14,7 +14,7 @@ from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
 from planar_cli.principles._bodies import joined, moving_of
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
-from planar_cli.principles.base import Balance, Position, Principle, Source, Stored
+from planar_cli.principles.base import Balance, Idle, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
@@ -113,7 +113,7 @@ def _of(
         bodies=told,
         letter=scene.problem.kinetic_energy,
         bring="U",
-        idle=tuple(position.system.symbols[p.name] for p in ideal if not _is_internal(p)),
+        idle=tuple(Idle(position.system.symbols[p.name], _why_idle(position, p)) for p in ideal if not _is_internal(p)),
         internal=tuple(position.system.symbols[p.name] for p in ideal if _is_internal(p)),
         adds=True,
         timeless=True,
@@ -221,6 +221,23 @@ def _ideal(position: Position, bodies: tuple[str, ...]) -> list[Push]:
     own = [p for p in system.pushes if any(a.body in bodies for a in p.actions)]
     drawn = [p for p in own if not guides_nothing(system, p)]
     return [p for p in drawn if p.name not in followers and p.kind != "drive"]
+
+
+def _why_idle(position: Position, push: Push) -> str:
+    """Why a reaction between a body and the ground does no work: its point rests, or it moves across the force."""
+    system = position.system
+    if push.kind == "tension":
+        return "normal to the motion" if len({a.body for a in push.actions}) == len(push.actions) else ""
+    joinings = (j for mode in system.modes.values() for j in mode.facts.joinings if j.joint == push.joint)
+    joining = next((j for j in joinings if GROUND in (j.mover, j.base)), None)
+    if joining is None or joining.drift is not None:
+        return ""
+    if joining.path is not None:
+        return "normal to the motion" if any(a.force is not None for a in push.actions) else "no rotation"
+    if not joining.turns:
+        return "at rest"
+    pinned = any(j.name == push.joint and j.kind == "pin" for j in system.scene.problem.joints)
+    return f"{joining.place or 'the pin'} is fixed" if pinned else "the point of contact is at rest"
 
 
 def _is_internal(push: Push) -> bool:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.principles.base import Idle
 from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
@@ -34,7 +35,6 @@ SHORT, SOME, FEW = 36, 24, 16
 in which one unknown stands plainly.
 """
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
-FINITE = "the impulse of weights, springs and other finite forces is negligible"
 
 
 @changing
@@ -65,6 +65,9 @@ class BetweenTelling:
     """Impulses that the file says are zero, each with the state before its blow."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies."""
+
+    finite: str = ""
+    """The finite forces whose impulses are negligible, in brackets."""
 
     named: Named | None = None
     """The equation that was told last, where arms in it have names."""
@@ -219,8 +222,8 @@ class BetweenTelling:
         if impact.since in self.told or solution is None:
             return
         self.told.add(impact.since)
-        words = f"Just after {impact.since}: momentum before + impulses = momentum after ({FINITE})."
-        yield Paragraph(line(words))
+        words = f"Just after {impact.since}: momentum before + impulses = momentum after"
+        yield Paragraph(line(f"{words}{self.finite}."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
         for mode in solution.trial.system.modes.values():
@@ -319,11 +322,15 @@ def dimension_of_balance(b: BalanceTrace) -> Dimension:
     return ENERGY if b.law.letter else ANGULAR_MOMENTUM if b.law.about else IMPULSE
 
 
-def _idle(reactions: tuple[sp.Symbol, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
-    """Which reactions do no work, and which none in all."""
+def _idle(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
+    """Which reactions do no work, and why; and which none in all."""
     if len(reactions) + len(internal) > MOST_NAMED:
         return ["; the reactions of all ideal joints do no work in all"]
-    alone = [*_listed(reactions), " do no work" if len(reactions) > 1 else " does no work"] if reactions else []
+    alone: list[Any] = []
+    for why in dict.fromkeys(r.why for r in reactions):
+        alone += [", "] if alone else []
+        alone += [*_listed(tuple(r.force for r in reactions if r.why == why)), f" ({why})" if why else ""]
+    alone += [" do no work" if len(reactions) > 1 else " does no work"] if reactions else []
     if not internal:
         return ["; ", *alone] if alone else []
     several = len(internal) > 1

@@ -24,6 +24,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.counted import clockwise_letter
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
@@ -283,10 +284,9 @@ def _inertia(
             parts += [Text(",  ")] * bool(parts) + [*told, Text(f" {arrow}{at}")]
     alpha = _turns(instant, stage, body)
     if model.inertia != 0 and alpha != 0:
-        parts += [Text(",  ")] * bool(parts) + [
-            *_clean(model.inertia * alpha, stage, phrases, kinds[1]),
-            Text(" ↻" if reversed_sense else " ↺"),
-        ]
+        back = clockwise_letter(alpha, instant) is not None
+        told = _clean(model.inertia * (-alpha if back else alpha), stage, phrases, kinds[1])
+        parts += [Text(",  ")] * bool(parts) + [*told, Text(" ↻" if reversed_sense != back else " ↺")]
     return tuple(parts)
 
 

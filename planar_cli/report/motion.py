@@ -12,7 +12,7 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_function, by_tangent, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
-from planar_cli.report.between import BetweenTelling, dimension_of_balance
+from planar_cli.report.between import dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
@@ -29,18 +29,16 @@ from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
-from planar_cli.report.nil_impulses import in_blow, nil_impulses, said_nil
+from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     balanced,
     head,
-    inertias_of_blows,
     is_explicit,
     is_handed_on,
     is_outright,
     is_steady,
     letter_of,
-    letters_of_blows,
     needed_results,
     needed_steps,
     says_zero,
@@ -55,6 +53,7 @@ from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.results import numbered
 from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import that_vanish, without_zeros
@@ -90,8 +89,7 @@ class MotionTelling:
         self._laws = LawTelling(phrases, found.varying, found.regimes)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found.general, phrases)
-        used, axes, nil = letters_of_blows(found), inertias_of_blows(found), {(s, a) for s, a, _ in said_nil(found)}
-        self.between = BetweenTelling(phrases, {}, self.numeric, used=used, axes=axes, nil=nil)
+        self.between = telling_between(found, phrases, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""

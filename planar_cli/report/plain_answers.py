@@ -14,6 +14,7 @@ from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.factoring import factored
+from planar_cli.report.counted import as_counted
 from planar_cli.report.ordering import factor_key
 from planar_cli.report.shorter_angles import MOST, of_two_angles, shorter
 from planar_cli.solve.solution import Found
@@ -21,9 +22,10 @@ from planar_cli.solve.solved_problem import PartSolution
 
 
 def with_plain_answers(part: PartSolution) -> PartSolution:
-    """A part whose answers in letters are in their plainest form."""
+    """A part whose answers in letters are in their plainest form, and rotations in the sense in which they count."""
     if part.followed is not None or not part.instants:
         return part
+    part = as_counted(part)
     ledger = part.instants[-1].instant.scene.ledger
     value = part.instants[-1].value if part.motion is None else part.motion.value
     letters = set(ledger.letters) - set(ledger.coordinates)

@@ -20,6 +20,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.component_sums import Turned, components_told
+from planar_cli.report.counted import as_vector
 from planar_cli.report.on_path import Once, vector_of
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.units import ACCELERATION, LENGTH, PURE, Dimension
@@ -121,7 +122,8 @@ class RolledTelling:
         return sp.S.Zero if alpha in self.vectors.zero else alpha
 
     def _product(self, alpha: sp.Expr, place: str, reference: str) -> list[Any]:
-        return [] if alpha == 0 else [self.phrases.math(alpha), " × ", _arm(place, reference)]
+        letter = as_vector(alpha, self.vectors.system)
+        return [] if alpha == 0 else [self.phrases.math(letter), " × ", _arm(place, reference)]
 
     def _told(self, base: Vec, alpha: sp.Expr, arm: Vec, omega: sp.Expr) -> Line:
         """The components with their numbers."""

@@ -15,6 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.counted import as_vector
 from planar_cli.report.words import Phrases
 
 OWN_NAME = re.compile(r"C_\d+$")
@@ -58,7 +59,7 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     note = line(name, " = [", phrases.math(arm.x), ", ", phrases.math(arm.y), "]")
     if omega == 0:
         # At rest its point of contact has no acceleration either.
-        sides = (line(Name(f"a_{centre}")), line(phrases.math(alpha), " × ", name))
+        sides = (line(Name(f"a_{centre}")), line(phrases.math(as_vector(alpha, system)), " × ", name))
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
     normal = motion.accelerations[body].linear

@@ -93,7 +93,7 @@ def _words(found: Found, positive: bool) -> str:
         return ""
     turns = what.word in TURNS or (what.word == "impulse" and found.unit.dimension == ANGULAR_MOMENTUM)
     if turns and not what.parts:
-        return rotation_words(1 if positive else -1)
+        return rotation_words(found.turn if positive else -found.turn)
     if what.word in MOVES and len(what.parts) == 1:
         (part,) = what.parts
         if part.kind == "along" and isinstance(part.direction, PointPair):

@@ -14,6 +14,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.counted import clockwise_too, counted, sense_of, turn_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.forces import force_rows
@@ -104,7 +105,7 @@ class Telling:
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
-        legend = touching(self.system, kinetic)
+        legend = [*touching(self.system, kinetic), *(counted(self.system, self.phrases) if kinetic else ())]
         resting = said_at_rest(self.instant, last, self.system)
         if kinematics or resting:
             blocks.append(self._step("Kinematic analysis", resting))
@@ -221,13 +222,14 @@ class Telling:
         sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
-        w = onward(w)
+        turn = turn_of(self.system, w.bodies) if w.law == "moment" else 1
+        w = clockwise_too(onward(w), turn)
         whole = self.principle.sides(w.left, w.right)
         sides, note = self.numeric.sides(w, stage, whole)
         group = ", ".join(w.bodies)
         if w.law == "moment":
             head = Paragraph(moment_words(self.system, self.phrases, w, stage))
-            lead = line("↺ ", Name(f"ΣM_{w.lead}"), ":")
+            lead = line(f"{sense_of(turn)} ", Name(f"ΣM_{w.lead}"), ":")
         else:
             head = Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w, stage), ":"))
             lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")

@@ -24,6 +24,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import is_along_path, on_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.counted import as_vector
 from planar_cli.report.projected import projected, unit_of, value_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
@@ -142,11 +143,11 @@ class VectorTelling:
             return line(f"{place} is fixed, ", own, " = 0; ", side)
         if j.base == GROUND and j.path is not None and (j.path.curvature == 0 or level == "velocity"):
             way = "a straight line" if j.path.curvature == 0 else "its path"
-            return line(f"{place} moves along {way}; across it ", own, " = 0")
+            return line(f"{place} moves along {way}, so that ", own, " has no component across it")
         if j.base == GROUND:
-            at_rest = all(self.phrases.value.is_zero(p) for p in self._velocity(j))
-            why = line(" = 0, as long as ", Name(f"v_{place}"), " = 0") if at_rest else line(" is its normal part")
-            return line(f"{place} moves along its path; across it ", own, *why)
+            if all(self.phrases.value.is_zero(p) for p in self._velocity(j)):
+                return line(f"{place} moves along its path, from rest, so that ", own, " has no component across it")
+            return line(f"{place} moves along its path; across it ", own, " is its normal part")
         if j.path is None:
             return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel")]
@@ -336,7 +337,7 @@ class VectorTelling:
         spin = self.edges[body].spin if body in self.edges else None
         if level == "velocity" and spin is not None and spin in self.open_speeds:
             return spin
-        return sp.S.Zero if found in self.zero else found
+        return sp.S.Zero if found in self.zero else as_vector(found, self.system)
 
     def _reference(self, edge: Edge) -> str:
         """The point of a body from which its others are reached."""

@@ -26,6 +26,7 @@ class Found:
     `expressions`: closed formulas in the file's names, where they are short or letters remain; the equation of a curve.
     `word`: of a truth value or mode.
     `asked`: the find in the unknowns of the instant. `curve`: of kind "curve", what it is and how it was found.
+    `turn`: -1 where a page counts a rotation clockwise.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Found:
     energy: bool = False
     asked: tuple[sp.Expr, ...] = ()
     curve: Curve | None = None
+    turn: int = 1
 
 
 BY_ENERGY = "the balance of energy gives the same equation of motion"

@@ -16,6 +16,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.headings import headings
+from planar_cli.equation.known_turns import with_known_turns
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, is_linear, names_in
@@ -120,7 +121,8 @@ class Instant:
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""
         scene, heading = self.scene, headings(self.scene, self.statements)
-        return TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
+        builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
+        return with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:
         """How a push is called, and its unit."""
@@ -204,10 +206,8 @@ class Instant:
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
-        scene, builder, statements = self.scene, self.builder, self.statements
-        return make_system(
-            scene, builder, statements, modes, self.symbols, self.aliases, self.plain, self.drivers, self.name_of
-        )
+        rest = (self.symbols, self.aliases, self.plain, self.drivers, self.name_of)
+        return make_system(self.scene, self.builder, self.statements, modes, *rest)
 
     def choices(self) -> Iterator[tuple[int, ...]]:
         """All choices, the natural assumptions first: by how many joints depart from their first mode."""

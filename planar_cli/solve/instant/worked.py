@@ -82,7 +82,7 @@ def _rates(edge: Edge, outcome: Outcome, accelerations: dict[str, Twist]) -> dic
     found: dict[sp.Symbol, Decimal] = {}
     linear, angular = accelerations[edge.body]
     if edge.spin_rate is not None:
-        found[edge.spin_rate] = angular
+        found[edge.spin_rate] = angular * edge.turn
     if edge.rise_rate is not None and edge.slide_rate is not None:
         found[edge.slide_rate], found[edge.rise_rate] = linear.x, linear.y
     elif edge.slide_rate is not None and edge.joining is not None and edge.joining.path is not None:

@@ -27,7 +27,7 @@ def transferred_speed(
     twists = motion.accelerations if after else motion.velocities
     point_motion = motion.acceleration if after else motion.velocity
     if speed == edge.spin:
-        return twists[edge.body].angular
+        return twists[edge.body].angular * edge.turn
     if edge.joining is None:
         v = point_motion(scene.center(edge.body), edge.body)
         return v.x if speed == edge.slide else v.y

@@ -1,0 +1,86 @@
+"""Which way a body turns, where that is known before anything is worked out: then that way counts as positive.
+
+A body that is let go or pulled from rest, and that the ground alone holds at a point or lets roll, turns the way in
+which its loads turn it about that point: all of them the same way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.bounds import certain_sign
+from planar_cli.equation.motion import Motion, TreeBuilder
+from planar_cli.equation.moving import all_wrenches
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.system import Statements
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.facts import Joining, Mode
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.walk import walk
+
+STEADY = ("force", "torque", "weight")
+"""Loads that do not wait for a motion."""
+MOVING = ("v", "a", "omega", "alpha", "x", "y", "r", "theta", "dot", "ddot")
+"""Quantities of places and motion: where one of them is stated, that tells the motion."""
+
+
+def with_known_turns(
+    builder: TreeBuilder, scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
+) -> TreeBuilder:
+    """The same builder, in which the only body of a scene counts clockwise where it is known to turn so. `modes`: of
+    each joint or load.
+    """
+    pivot = _pivot(scene, [found for _, found in modes]) if _starts(scene, statements) else None
+    if pivot is None:
+        return builder
+    (body,) = scene.bodies
+    motion = Motion(builder.build((pivot,)), scene.center, scene.arms.between, {})
+    still = dict.fromkeys(motion.tree.velocity_unknowns(), sp.S.Zero)
+    motion = Motion(motion.tree, scene.center, scene.arms.between, still)
+    turning = {
+        _sign(scene, sp.sympify((w.point - pivot.point).cross(w.force) if w.force is not None else 0) + w.couple)
+        for w in all_wrenches(scene, motion, scene.valuations[0])
+    }
+    if turning - {0} == {-1}:
+        builder.clockwise = frozenset((body,))
+    return builder
+
+
+def _starts(scene: Scene, statements: Statements) -> bool:
+    """Does one body alone start from rest, under loads that are there from the beginning?"""
+    if scene.displacement is not None or len(scene.bodies) != 1:
+        return False
+    if statements.rest != (None,) or statements.equilibrium or statements.extremes:
+        return False
+    told = (r for r, _ in statements.relations)
+    return all(load.kind in STEADY for load in scene.problem.loads) and not any(map(_tells_motion, told))
+
+
+def _tells_motion(relation: Relation) -> bool:
+    nodes = (node for side in (relation.left, relation.right) for node in walk(side))
+    return any(isinstance(node, Quantity) and node.word in MOVING for node in nodes)
+
+
+def _pivot(scene: Scene, modes: list[tuple[Mode, ...]]) -> Joining | None:
+    """The one joint with the ground, about which a body turns or over which it rolls; None: it is held otherwise."""
+    if len(modes) != 1 or len(modes[0]) != 1:
+        return None
+    facts = modes[0][0].facts
+    if len(facts.joinings) != 1 or facts.rows:
+        return None
+    (joining,) = facts.joinings
+    turns = joining.turns and joining.path is None and joining.drift is None and joining.pace is None
+    return joining if turns and {joining.mover, joining.base} == {GROUND, *scene.bodies} else None
+
+
+def _sign(scene: Scene, moment: sp.Expr) -> int | None:
+    """The sign of a moment, whatever its letters are; None: that is open."""
+    if moment == 0:
+        return 0
+    if scene.ledger.letters or scene.ledger.sought:
+        return certain_sign(moment) or None
+    number = scene.valuations[0].known(moment)
+    return None if number is None else (number > 0) - (number < 0)

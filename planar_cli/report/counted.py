@@ -1,0 +1,70 @@
+"""In which sense rotations count on a page: clockwise where a body is known to begin to turn that way."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.exact import Settled
+from planar_cli.equation.system import System
+from planar_cli.report.blocks import Block, Paragraph, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.written import Written
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
+
+
+def turn_of(system: System, bodies: Collection[str]) -> int:
+    """-1 where the rotations of these bodies count clockwise, else 1."""
+    turns = {e.turn for e in system.tree.edges if e.body in bodies and e.spin is not None}
+    return -1 if turns == {-1} else 1
+
+
+def sense_of(turn: int) -> str:
+    """The arrow before a sum of moments."""
+    return "↺" if turn > 0 else "↻"
+
+
+def clockwise_letter(expr: sp.Expr, instant: InstantSolution) -> sp.Symbol | None:
+    """The letter that counts clockwise, where an expression is that letter counted the other way; else None."""
+    found = as_vector(sp.sympify(expr), instant.trial.system)
+    return found if found != expr else None
+
+
+def as_vector(expr: sp.Expr, system: System) -> sp.Expr:
+    """ω or α before ×: the letter of the vector, whichever way its size counts."""
+    clockwise = any(e.turn < 0 and -expr in (e.spin, e.spin_rate) for e in system.tree.edges)
+    return -expr if clockwise else expr
+
+
+def as_counted(part: PartSolution) -> PartSolution:
+    """The same finds, those that are a letter which counts clockwise in its sense."""
+    return replace(part, found=tuple(_as_counted(f, part) for f in part.found)) if part.motion is None else part
+
+
+def _as_counted(found: Found, part: PartSolution) -> Found:
+    (asked, *others) = found.asked or (sp.S.Zero,)
+    letter = next(filter(None, (clockwise_letter(asked, i) for i in part.instants)), None)
+    if letter is None or others:
+        return found
+    expressions = None if found.expressions is None else tuple(-e for e in found.expressions)
+    values = None if found.values is None else tuple(Settled(-v) for v in found.values)
+    return replace(found, asked=(letter,), expressions=expressions, values=values, turn=-1)
+
+
+def counted(system: System, phrases: Phrases) -> Iterator[Block]:
+    """What is said of it, once."""
+    for e in system.tree.edges:
+        if e.turn < 0 and e.spin_rate is not None:
+            words = f" is counted clockwise, the way in which the {e.body} begins to turn."
+            yield Paragraph(line(phrases.math(e.spin_rate), words))
+
+
+def clockwise_too(w: Written, turn: int) -> Written:
+    """A sum of moments in the sense in which its rotations count."""
+    if turn > 0:
+        return w
+    left, right = (sp.Add(*(-t for t in sp.Add.make_args(side))) for side in (w.left, w.right))
+    return replace(w, left=left, right=right)

@@ -1,0 +1,42 @@
+"""What is known to turn clockwise is counted so on the page; answers and their signs stay as they are."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+def _page(stem: str) -> str:
+    return " ".join(Terminal(400).render(narrate(worked(ROOT / f"problems/{stem}.yaml")[0])).split())
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("textbook/ex-4-05", [
+        "α is counted clockwise, the way in which the spool begins to turn.",
+        "spool rolls without slipping: a_G = R α",
+        "m a_G → at G, I_G α ↻",
+        "↻ ΣM_C: P (R + r) = m a_G R + I_G α",
+        "Answer α = 6.186 rad/s² clockwise",
+    ]),
+    ("rigid-bodies/ring-on-a-pin", ["↻ ΣM_O: m g R = I_O α", "a_B = α × r_B/O = [0, -2 R α]", "α = g/(2 R) clockwise"]),
+])  # fmt: skip
+def test_a_body_that_begins_to_turn_clockwise_is_counted_so(stem: str, lines: list[str]) -> None:
+    page = _page(stem)
+    assert [x for x in lines if x not in page] == []
+
+
+@pytest.mark.parametrize("stem", ["rigid-bodies/spool-hauled-up-a-slope", "textbook/ex-4-06"])
+def test_where_the_sense_is_open_it_is_counterclockwise(stem: str) -> None:
+    """Two loads that turn it either way; or it turns that way anyhow."""
+    page = _page(stem)
+    assert "↻" not in page
+    assert "clockwise, the way" not in page
+
+
+def test_the_answer_itself_counts_counterclockwise() -> None:
+    found = worked(ROOT / "problems/textbook/ex-4-05.yaml")[0].parts[0].found
+    assert float(next(f for f in found if f.name == "alpha").values[0]) == pytest.approx(-6.18557, rel=1e-5)
