@@ -137,7 +137,7 @@ def test_a_rope_that_keeps_its_end_at_rest() -> None:
 
 
 def test_a_check_by_moments_needs_no_force_through_the_centre() -> None:
-    assert "spool: ↺ ΣM_G = -30 + 17.63 = -12.37 N·m, I_G α = -12.37 N·m" in _page("textbook/ex-4-05")
+    assert "spool: ↻ ΣM_G = 30 - 17.63 = 12.37 N·m, I_G α = 12.37 N·m" in _page("textbook/ex-4-05")
 
 
 LIMACON = """\
