@@ -46,7 +46,7 @@ def test_about_a_point_of_contact_the_acceleration_of_the_mass_centre_has_a_mome
     assert "spool rolls without slipping:   a_G = R α" in page
     assert "P (R + r) = m a_G R + I_G α" in page
     assert "3 equations, 3 unknowns: a_G, α, F_C" in page
-    assert "(1) in (2):     α = -P (R + r) / (m R² + I_G)" in page
+    assert "(1) in (2):     α = P (R + r) / (m R² + I_G)" in page
 
 
 def test_about_a_pivot_one_moment_of_inertia_is_enough() -> None:

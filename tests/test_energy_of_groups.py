@@ -25,9 +25,12 @@ def _page(stem: str) -> str:
         ("ball-hits-a-hanging-rod", ["From 2 to 3, rod: work and kinetic energy; A_x, A_y (A is fixed) do no work"]),
         (
             "pendulum-that-rebounds-from-a-block",
-            ["From 3 to 4, sphere: work and kinetic energy; S_cord does no work", "From 3 to 5, block: work and"],
+            ["kinetic energy; S_cord (normal to the motion) does no work", "From 3 to 5, block: work and"],
         ),
-        ("arrow-through-a-board", ["From 2 to 3, board: work and kinetic energy; N_board does no work"]),
+        (
+            "arrow-through-a-board",
+            ["From 2 to 3, board: work and kinetic energy; N_board (normal to the motion) does no work"],
+        ),
     ],
 )
 def test_each_group_has_its_own(stem: str, headings: list[str]) -> None:

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.exact import Settled
 from planar_cli.equation.system import System
 from planar_cli.report.blocks import Block, Paragraph, line
 from planar_cli.report.words import Phrases
@@ -46,11 +45,12 @@ def as_counted(part: PartSolution) -> PartSolution:
 
 def _as_counted(found: Found, part: PartSolution) -> Found:
     (asked, *others) = found.asked or (sp.S.Zero,)
-    letter = next(filter(None, (clockwise_letter(asked, i) for i in part.instants)), None)
-    if letter is None or others:
+    counting = ((i, letter) for i in part.instants if (letter := clockwise_letter(asked, i)) is not None)
+    instant, letter = next(counting, (None, asked))
+    if instant is None or others:
         return found
     expressions = None if found.expressions is None else tuple(-e for e in found.expressions)
-    values = None if found.values is None else tuple(Settled(-v) for v in found.values)
+    values = None if found.values is None else (instant.value.settled(letter, (expressions or (letter,))[0]),)
     return replace(found, asked=(letter,), expressions=expressions, values=values, turn=-1)
 
 

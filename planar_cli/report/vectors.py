@@ -332,8 +332,7 @@ class VectorTelling:
             yield "-", line(self.phrases.math(omega**2), " ", arm)
 
     def _symbol(self, body: str, level: str) -> sp.Expr:
-        motion = self.motion
-        found = (motion.velocities if level == "velocity" else motion.accelerations)[body].angular
+        found = (self.motion.velocities if level == "velocity" else self.motion.accelerations)[body].angular
         spin = self.edges[body].spin if body in self.edges else None
         if level == "velocity" and spin is not None and spin in self.open_speeds:
             return spin
