@@ -29,7 +29,7 @@ def _page(stem: str) -> str:
         ),
         (
             "arrow-through-a-board",
-            ["From 2 to 3, board: work and kinetic energy; N_board (normal to the motion) does no work"],
+            ["board: work and kinetic energy; N_board (normal to the motion) does no work"],
         ),
     ],
 )
