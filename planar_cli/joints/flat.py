@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.errors import Diagnostic
 from planar_cli.joints._outline_residuals import same_turn, together
@@ -12,7 +12,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Facts, Joining, Mode, Push, Row, Skid, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import PartnersKey, SideKey, key
+from planar_cli.problem.keys import Choice, PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
 
@@ -23,7 +23,9 @@ class Flat(Joint):
 
     Meaning
         With `plane: horizontal` one looks from above: the first of `between` lies on the second (a table, a turning
-        disk, or `ground`) and presses with its weight on it. Friction acts in the plane, up to mu m g.
+        disk, or `ground`) and presses with its weight on it. Friction acts in the plane, up to mu m g. Say what there
+        is: `mu` (static and kinetic; 0 is smooth), or `mu_s` and `mu_k` (`mu_k` alone: it slides; `mu_s` alone: does it
+        slide, or at its limit), or `friction`, a fixed limit of the force.
 
     YAML
         title: Block on a turntable
@@ -40,8 +42,8 @@ class Flat(Joint):
         find: {mode: mode(block), F: friction(block/block)}
 
     Equations
-        stick  the body moves with what it lies on;               |F| <= mu m g
-        slip   |F| = mu m g, against the relative velocity
+        stick  the body moves with what it lies on;               |F| <= mu_s m g
+        slip   |F| = mu_k m g, against the relative velocity
 
     Signs
         `friction(j/b)` is the force on b, in the plane.
@@ -56,8 +58,19 @@ class Flat(Joint):
     kind: ClassVar[str] = "flat"
     quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
 
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice(
+            (("mu",), ("mu_s", "mu_k"), ("mu_s",), ("mu_k",), ("friction",)),
+            "`mu: 0` when it is smooth, `mu: 0.3`, or `mu_s: 0.3, mu_k: 0.2` (`mu_k` alone: it slides; "
+            "`mu_s` alone: does it?), or `friction: 25 N`, a fixed limit",
+        ),
+    )
+
     between: tuple[str, ...] = key(PartnersKey(), "the body that lies, then the one it lies on or `ground`")
-    mu: Side = key(SideKey("1"), "coefficient of friction; 0 is smooth")
+    mu: Side | None = key(SideKey("1"), "coefficient of friction, static and kinetic; 0 is smooth", default=None)
+    mu_s: Side | None = key(SideKey("1"), "coefficient of static friction", default=None)
+    mu_k: Side | None = key(SideKey("1"), "coefficient of kinetic friction", default=None)
+    friction: Side | None = key(SideKey("N"), "the largest friction force, whatever the weight", default=None)
 
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         if scene.plane == "vertical":
@@ -76,8 +89,8 @@ class Flat(Joint):
         """The pressure carries the weight; friction holds the body, or acts at its mass centre against its sliding."""
         body, base = (scene.carrier(b) for b in self.between)
         point, place = scene.center(body), scene.center_name(body)
-        size = scene.value(self.mu) * scene.heaviness(body)
-        if scene.is_zero(size):
+        largest, size = self._sizes(scene, body)
+        if scene.is_zero(largest):
             return (Mode("slip", f"{body} slides freely on {base}", Facts()),)
         pushes = [self._push(axis, body, base, point, d) for axis, d in (("x", Vec(1, 0)), ("y", Vec(0, 1)))]
         if scene.rigid(body):
@@ -93,13 +106,23 @@ class Flat(Joint):
         )
         held = Facts((Joining(self.name, body, base, point, place, turns=False),), pushes=tuple(pushes))
         within = Test(
-            self.name, f"friction of {body} within its limit", constant=size, within=(pushes[0].name, pushes[1].name)
+            self.name, f"friction of {body} within its limit", constant=largest, within=(pushes[0].name, pushes[1].name)
         )
         slipping = Facts(skids=(Skid(self.name, body, base, point, size),))
         return (
             Mode("stick", f"{body} does not slide on {base}", held, (within,), sliding[0], touching=Facts()),
             Mode("slip", f"{body} slides on {base}", slipping, (), None),
         )
+
+    def _sizes(self, scene: Setting, body: str) -> tuple[Any, Any]:
+        """How large friction can be while the body lies still on the other, and how large it is while it slides [N]."""
+        # Of what slides, the kinetic coefficient alone may be known: at rest it holds at least as much.
+        static, kinetic = self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu or self.mu_s
+        if static is None or kinetic is None:
+            fixed = scene.value(self.friction) if self.friction is not None else 0
+            return fixed, fixed
+        pressed = scene.heaviness(body)
+        return scene.value(static) * pressed, scene.value(kinetic) * pressed
 
     def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
         """Nothing: the weight presses on the plane, and friction of a finite size has no impulse in no time."""

@@ -15,7 +15,8 @@ these states; a joint that starts with moving parts starts with an impulse).
       - belt: {between: [small, large]}                        two disks; crossed: true
       - contact: {between: [block, floor], at: C, mu: 0.3}     `mu` (0 is smooth), or `mu_s` and `mu_k`, or
                                                                `friction: 25 N`, a fixed limit
-      - flat: {between: [block, table], mu: 0.3}               a body lying on another in a horizontal plane
+      - flat: {between: [block, table], mu: 0.3}               a body lying on another in a horizontal plane; friction
+                                                               as at a contact
       - rope: {path: [A, over D, under E, T on drum]}          one rope, one tension. A point in the middle is a small
                                                                pulley; `T on drum`: wound, leaving at T; `along: 90 deg`
                                                                (all parts parallel): pulley sizes are left out
