@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import get_args
 
 import pytest
-from sympy import Abs, Add, Eq, Mul, Symbol, sqrt, symbols
+from sympy import Abs, Add, Eq, Mul, Symbol, sqrt, symbols, tan
 
 from planar_cli import registry
 from planar_cli.formats.base import runs
@@ -20,6 +20,7 @@ from planar_cli.formats.json import dumps
 from planar_cli.formats.markdown import Markdown
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report import blocks as doc
+from planar_cli.report.lettered import lettered
 
 
 def value(number: str, unit: str = "") -> doc.Value:
@@ -151,8 +152,6 @@ $$
 
 ## Step 2. Kinetic analysis
 
-(free-body diagram = kinetic diagram)
-
 | body | free-body diagram | kinetic diagram |
 | --- | --- | --- |
 | **Spool** | P → at T,  $m g$ ↓ at G,  N ↑ at C,  F → at C (assumed) | $m a_{G}$ → at G,  $I_{G} \alpha$ ↺ |
@@ -160,11 +159,11 @@ $$
 Moments about C, where N and F meet, so that neither enters:
 
 $$
-\text{↺ }\Sigma M_{C}\text{:} \quad -P (R + r) = -m a_{G} R + I_{G} \alpha \tag{2}
+\circlearrowleft \Sigma M_{C}: \quad -P (R + r) = -m a_{G} R + I_{G} \alpha \tag{2}
 $$
 
 $$
-\text{→ }\Sigma F_{x}\text{:} \quad P + F = m a_{G} \tag{3}
+\rightarrow \Sigma F_{x}: \quad P + F = m a_{G} \tag{3}
 $$
 
 ## Step 3. Solving the equations
@@ -184,9 +183,9 @@ $$
 - $\alpha = 6.186~\mathrm{rad/s^{2}}$ clockwise
 - $F = 39.18~\mathrm{N}$ to the right (as assumed)
 
-**Check:** residuals 0 in 4 equations · multibody solution agrees to 15 digits · $N = 490.5~\mathrm{N}$ \> 0
+**Check:** residuals 0 in 4 equations · multibody solution agrees to 15 digits · $N = 490.5~\mathrm{N} \gt 0$
 
-**Discussion:** The friction changes sign at $k_{G} = \sqrt{R r}$ = $0.3674~\mathrm{m}$.
+**Discussion:** The friction changes sign at $k_{G} = \sqrt{R r} = 0.3674~\mathrm{m}$.
 """.replace("@", SUBSTITUTED)
 
 
@@ -269,6 +268,60 @@ def test_the_other_blocks_in_markdown() -> None:
     assert "| method | equations |\n| --- | --- |\n| work | 1 |\n| $\\lvert x \\rvert$ | 12 |" in text
     assert "- $\\mathrm{taut}$: yes" in text
     assert "x \\ge 1~\\mathrm{N}\\text{ or more}" in text
+
+
+m, h, r = (doc.Name(n) for n in "mhr")
+
+
+@pytest.mark.parametrize(("line", "text"), [
+    (doc.line(m, " = ", value("12", "kg"), ", ", h, " = ", value("2", "m")),
+     r"$m = 12~\mathrm{kg}$, $h = 2~\mathrm{m}$"),
+    (doc.line("G(0, -", h, ") lies on AB"), r"$G(0,\ -h)$ lies on AB"),
+    (doc.line("C(0, 0), A(", r, "/", "√", "", value("2"), ", 0)"), r"C(0, 0), $A(r/\sqrt{2},\ 0)$"),
+    (doc.line("v", " = [", value("4.6"), ", ", value("-3"), "] m/s, to the right"),
+     r"v = $\lbrack 4.6,\ -3\rbrack ~\mathrm{m/s}$, to the right"),
+    (doc.line("|", m, "| = ", value("2", "N"), " ≤ ", h, r), r"$|m| = 2~\mathrm{N} \le hr$"),
+    (doc.line("at ", r, " - ", value("90", "deg"), " (seen from ", doc.Name("v_P"), ")"),
+     r"at $r - 90^{\circ}$ (seen from $v_{P}$)"),
+    (doc.line("1: ", h, " = 0; 2: ", h, " = ", r, " sin ", doc.Name("beta")), r"1: $h = 0$; 2: $h = r \sin \beta$"),
+    (doc.line("J (u + v)/2 = ", value("-4", "J")), r"J (u + v)/2 = $-4~\mathrm{J}$"),
+    (doc.line(doc.Name("v_P"), "′ = 2 ω × ", h), r"$v_{P}' = 2 \omega \times h$"),
+    (doc.line(doc.Name("low_is_stable"), ": yes"), r"low\_is\_stable: yes"),
+])  # fmt: skip
+def test_one_formula_for_each_datum(line: doc.Line, text: str) -> None:
+    """Units upright; words, and brackets of words, stay words."""
+    assert Markdown().render(doc.Document("", (doc.Paragraph(line),))) == f"# \n\n{text}\n"
+
+
+@pytest.mark.parametrize(("sentence", "names"), [
+    ("Newton's second law.", ""),
+    ("Rigid bodies: v_B = v_A + ω × r_B/A.", "v_B v_A ω r_B/A"),
+    ("Path coordinates: a = v\u0307 e_t + v²/ρ e_n.", "a v_dot e_t v ρ e_n"),
+    ("Integration over the way: v dv = a ds.", "v d v a d s"),
+    ("ratio: v = ω r about O = 4", "v ω r"),
+    ("A largest value: there a derivative is zero.", ""),
+])  # fmt: skip
+def test_letters_of_a_sentence(sentence: str, names: str) -> None:
+    pieces = lettered(sentence)
+    assert " ".join(p.name for p in pieces if isinstance(p, doc.Name)) == names
+    assert Terminal(200).render(doc.Document("", (doc.Paragraph(pieces),))).strip() == sentence
+
+
+def test_units_inside_formulas_are_upright() -> None:
+    angle = Symbol("theta")
+    sides = (doc.Math(tan(angle)), doc.Math(tan(angle), {angle: "2.06 rad"}))
+    text = Markdown().render(doc.Document("", (doc.Equation(sides),)))
+    assert r"\tan \theta = \tan(2.06~\mathrm{rad})" in text
+
+
+def test_components_of_an_answer_are_subscripts() -> None:
+    row = doc.Equation((doc.line(doc.Name("J"), ", x"), value("3", "N*s")))
+    assert "J_{x} = 3~" in Markdown().render(doc.Document("", (row,)))
+
+
+def test_diagrams_of_a_blow_have_heads_of_their_own() -> None:
+    row = doc.Forces("ball", doc.line("m v"), doc.line("m u"), ("momentum before + impulses", "momentum after"))
+    assert "| body | momentum before + impulses | momentum after |" in Markdown().render(doc.Document("", (row,)))
 
 
 def test_a_value_continues_under_its_sign() -> None:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import ClassVar, final
 
+from planar_cli.formats._formulas import joined
 from planar_cli.formats.base import Format, runs
 from planar_cli.records import record
 from planar_cli.report import latex
@@ -34,6 +35,7 @@ from planar_cli.report.blocks import (
     Title,
     Value,
 )
+from planar_cli.report.lettered import lettered
 from planar_cli.report.names import latex_name, printable
 from planar_cli.report.numbers import significant
 from planar_cli.units import pretty_unit
@@ -43,6 +45,9 @@ _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
 _OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
 
 
+NAMING = ("CASE", "STATE", "MOTION")
+"""Labels behind which stands a name, no title."""
+DIAGRAMS = "free-body diagram = kinetic diagram"
 NOTHING = (Text("0"),)
 """The right-hand side of a body in equilibrium."""
 
@@ -64,8 +69,11 @@ class Markdown(Format[str]):
     def headings(self, run: Sequence[Heading]) -> list[str]:
         pieces = []
         for heading in run:
-            pieces.append("## " + escaped(". ".join(t for t in (_label(heading.label), heading.text) if t)))
+            between = ": " if heading.label in NAMING else ". "
+            pieces.append("## " + escaped(between.join(t for t in (_label(heading.label), heading.text) if t)))
             aside = escaped(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
+            # The table below has it at its head.
+            aside = "" if heading.aside == DIAGRAMS else aside
             pieces += [f"({aside})"] if aside else []
         return pieces
 
@@ -93,7 +101,7 @@ class Markdown(Format[str]):
     def forces(self, run: Sequence[Forces]) -> list[str]:
         """A table; free-body diagram and kinetic diagram side by side where both are told."""
         both = any(f.right and f.right != NOTHING for f in run)
-        header = ["body", "free-body diagram", "kinetic diagram"] if both else ["body", "free-body diagram"]
+        header = ["body", *(run[0].heads if both else run[0].heads[:1])]
         rows = [[f"**{escaped(f.body)}**", _inline(f.left), *([_inline(f.right)] if both else [])] for f in run]
         lines = [header, ["---"] * len(header), *rows]
         return ["\n".join("| " + " | ".join(cells) + " |" for cells in lines)]
@@ -105,7 +113,8 @@ class Markdown(Format[str]):
         return ["## Answer", "\n".join(f"- {_answer(a)}" for a in run)]
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        return ["**Check:** " + " · ".join(_inline(c.line) for c in run)]
+        lines = (tuple(q for p in c.line for q in _checked(p)) for c in run)
+        return ["**Check:** " + " · ".join(map(_inline, lines))]
 
     def notes(self, run: Sequence[Note]) -> list[str]:
         label = f"**{escaped(run[0].kind)}:**"
@@ -128,27 +137,27 @@ def _paragraph(line: Line) -> str:
 
 
 def _inline(line: Line) -> str:
-    return _joined([_part(p) for p in line])
+    """A line with each of its formulas between dollar signs."""
+    return joined(line, _formula, escaped, _marked).strip()
 
 
-def _joined(parts: list[str]) -> str:
-    """Parts side by side; two neighbouring formulas are kept apart, since `$$` would open a display."""
-    text = ""
-    for part in parts:
-        text += " " + part if text.endswith("$") and part.startswith("$") else part
-    return text.strip()
+def _checked(part: Inline) -> Line:
+    """A piece of a check; where words have a formula in them, its letters are names."""
+    return lettered(part.text) if isinstance(part, Text) and re.search("[=√]|/2", part.text) else (part,)
 
 
-def _part(part: Inline) -> str:
-    if not isinstance(part, Text):
-        return f"${_formula(part)}$"
+def _marked(part: Text) -> str:
+    """Words in their style."""
     text = escaped(part.text)
-    mark = {"strong": "**", "muted": "*"}.get(part.style, "")
+    mark = {"strong": "**", "muted": "*"}[part.style]
     return f"{mark}{text}{mark}" if text.strip() == text else text
 
 
 def _display(side: Inline | Line) -> str:
     parts = side if isinstance(side, tuple) else (side,)
+    match parts:
+        case (Name(name), Text(", x" | ", y" as axis)):
+            return latex_name(f"{name}_{axis[-1]}")
     return "".join(_formula(p) for p in parts)
 
 
@@ -171,8 +180,9 @@ def _formula(part: Inline) -> str:
 
 def _quantity(number: str, unit: str) -> str:
     shown = pretty_unit(unit) if unit not in ("", "1") else ""
-    gap = "" if shown.startswith("°") else "~"
-    return latex.numeral(number) + (rf"{gap}\mathrm{{{latex.numeral(shown)}}}" if shown else "")
+    if shown == "°":
+        return latex.numeral(number + shown)
+    return latex.numeral(number) + (rf"~\mathrm{{{latex.numeral(shown)}}}" if shown else "")
 
 
 def _row(cells: Sequence[Line]) -> str:
@@ -180,10 +190,5 @@ def _row(cells: Sequence[Line]) -> str:
 
 
 def _answer(answer: Answer) -> str:
-    name, first = latex_name(answer.name), answer.line[:1]
-    if answer.relation == ":":
-        return f"${name}$: {_inline(answer.line)}"
-    if first and not isinstance(first[0], Text):
-        relation = f"${name} {latex.relation(answer.relation)} {_formula(first[0])}$"
-        return _joined([relation, *(_part(p) for p in answer.line[1:])])
-    return f"${name}$ {escaped(answer.relation)} {_inline(answer.line)}"
+    relation = ": " if answer.relation == ":" else f" {answer.relation} "
+    return _inline((Name(answer.name), Text(relation), *answer.line))

@@ -35,6 +35,8 @@ SHORT, SOME, FEW = 36, 24, 16
 in which one unknown stands plainly.
 """
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
+BLOW = ("momentum before + impulses", "momentum after")
+"""What stands over both sides of the diagrams of a blow."""
 
 
 @changing
@@ -242,7 +244,8 @@ class BetweenTelling:
         idle = [s for s in speeds if s not in self.used and self.phrases.value.vanishes(s)]
         stage = replace(stage, zero=(*stage.zero, *idle))
         nil = {symbol for symbol, since in self.nil if since == impact.since}
-        yield from force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
+        rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
+        yield from (replace(row, heads=BLOW) for row in rows)
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

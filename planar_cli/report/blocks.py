@@ -135,12 +135,13 @@ class Result:
 class Forces:
     """One row of a free-body diagram = kinetic diagram: the body, what acts on it, what that amounts to.
 
-    Without a right-hand line it is a free-body diagram alone.
+    Without a right-hand line it is a free-body diagram alone. `heads`: what stands over both sides in a table.
     """
 
     body: str
     left: Line
     right: Line = ()
+    heads: tuple[str, str] = ("free-body diagram", "kinetic diagram")
 
 
 @record

@@ -19,6 +19,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
 
 ASSUMED = " (assumed)"
+IMPULSES = ("impulses", "momenta")
+"""What stands over both sides of such diagrams."""
 
 
 def before_leg(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
@@ -56,7 +58,7 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
         if row.body in bodies and (left is None or right is None):
             return
         if row.body in bodies and left is not None and right is not None:
-            rows.append(Forces(row.body, left, right))
+            rows.append(Forces(row.body, left, right, IMPULSES))
     yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} (J: impulse of a reaction)"))
     yield from rows
 

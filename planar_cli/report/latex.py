@@ -25,17 +25,33 @@ _SIGNS = {
     **{c: "\\" + c for c in "%_&#$"},
 }
 _SPOKEN = {
-    " + ": " + ",
-    " - ": " - ",
-    " = ": " = ",
-    " × ": r" \times ",
-    ", ": r",\ ",
+    **{sign: f" {sign} " for sign in "+-="},
+    "×": r" \times ",
+    "·": r" \cdot ",
+    "/": "/",
+    "(": "(",
+    ")": ")",
+    "|": "|",
+    ",": r",\ ",
     "[": r"\lbrack ",
-    "] ": r"\rbrack\ ",
     "]": r"\rbrack ",
+    "²": "^{2}",
+    "³": "^{3}",
+    "′": "'",
+    "→": r"\rightarrow ",
+    "←": r"\leftarrow ",
+    "↑": r"\uparrow ",
+    "↓": r"\downarrow ",
+    "↗": r"\nearrow ",
+    "↖": r"\nwarrow ",
+    "↘": r"\searrow ",
+    "↙": r"\swarrow ",
+    "↺": r"\circlearrowleft ",
+    "↻": r"\circlearrowright ",
+    ":": ":",
 }
-_SPLIT = re.compile("( [-+=×] |, |\\[|\\] ?)")
-_OPERATORS = re.compile(r"[-\s=\[+×,|]*(\](?: .*)?)?")
+_SPLIT = re.compile(rf"\s*([{re.escape(''.join(_SPOKEN))}])\s*|(\d+(?:\.\d+)?)|\s+")
+_OPERATORS = re.compile(rf"[\s\d.{re.escape(''.join(_SPOKEN))}]*?(?P<unit>(?<=\]) [^\W\d].*)?")
 """What stands between the parts of a vector equation, with the unit behind its components."""
 _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 _FROM_SUPERSCRIPT = str.maketrans(_SUPERSCRIPTS, "0123456789-")
@@ -55,9 +71,15 @@ def numeral(text: str) -> str:
 def words(text: str) -> str:
     """Words in a formula, as `\\text`; signs between them as signs of mathematics."""
     shown = printable(text)
-    if not _OPERATORS.fullmatch(shown):
+    match = _OPERATORS.fullmatch(shown)
+    if match is None:
         return _said(shown)
-    return text if text == "-" else "".join(_SPOKEN.get(w) or _said(w) for w in _SPLIT.split(shown) if w)
+    unit = match["unit"] or ""
+    signs = shown.removesuffix(unit)
+    if shown == "-":
+        return shown
+    found = "".join(_SPOKEN[m[1]] if m[1] else m[2] or " " for m in _SPLIT.finditer(signs))
+    return found + (_said(unit) if unit else "")
 
 
 def _said(text: str) -> str:

@@ -48,7 +48,7 @@ GREEK = {
 }
 _WORD = re.compile(r"[a-z]{3,}")
 _OF_CASE = re.compile(r"^[^\W\d]\w*\.(?=[^\W\d])")
-_LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()}
+_LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()} | {"ṙ": r"\dot{r}"}
 _RELATIVE = frozenset({"r", "v", "a", "omega", "alpha"})
 """What can be relative to something; J_N_C is an impulse of N at C."""
 _PREPOSITIONS = frozenset("from at to of in on by per with after before until".split())
@@ -70,6 +70,7 @@ _SPECIAL = {
     "<": r"\lt ",
     ">": r"\gt ",
     "`": r"\prime ",
+    "′": "'",
 }
 
 
@@ -98,8 +99,10 @@ def plain_name(name: str) -> str:
 
 
 def latex_name(name: str) -> str:
-    """A name in LaTeX mathematics."""
+    """A name in LaTeX mathematics; a phrase upright."""
     parts = _parts(name)
+    if "_" in parts.stem:
+        return rf"\mathrm{{{''.join(_SPECIAL.get(c, c) for c in parts.stem)}}}"
     stem, digits = _trailing_digits(parts.stem)
     body = _letters(stem)
     if parts.dot:

@@ -271,7 +271,8 @@ class _Latex(_Writer):
         return latex_name(name)
 
     def numeral(self, text: str) -> str:
-        return tex.numeral(text)
+        number, _, unit = text.partition(" ")
+        return tex.numeral(number) + rf"~\mathrm{{{tex.numeral(unit)}}}" if unit[:1].isalpha() else tex.numeral(text)
 
     def quotient(self, node: Quotient, leading: bool) -> str:
         return rf"\frac{{{self.write(node.above)}}}{{{self.write(node.below)}}}"

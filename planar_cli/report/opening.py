@@ -13,6 +13,7 @@ from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Text, Value, line
 from planar_cli.report.given import given_rows, idle_inertias, idle_masses
+from planar_cli.report.lettered import lettered
 from planar_cli.report.mentioned import Mentioned, mentioned
 from planar_cli.report.principles import principles
 from planar_cli.report.sides import AS_WRITTEN, said
@@ -44,7 +45,7 @@ def opening_notes(
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
     if told := principles(uses, blocks):
-        yield Note("Principle", line(" ".join(told)))
+        yield Note("Principle", line(*(p for i, t in enumerate(told) for p in (*([" "] if i else []), *lettered(t)))))
 
 
 def not_used(problem: Problem, blocks: Sequence[Block], figures: int) -> Iterator[Note]:
