@@ -302,3 +302,21 @@ def test_key(run: Any, tmp_path: Path) -> None:
     assert "Disagrees" in ran.out
     assert run("key --worked good.yaml -o key.md").status == 0
     assert "Kinetic analysis" in (tmp_path / "key.md").read_text()
+
+
+def test_key_with_both(run: Any) -> None:
+    """All answers, then all solutions, each file a level below."""
+    out = run("key --both good.yaml answered.yaml").out
+    answers, solutions = out.split("\n# Solutions\n")
+    assert answers.startswith("# Answers\n")
+    assert answers.count("\n## Rod let go") == solutions.count("\n## Rod let go") == 2
+    assert "Kinetic analysis" not in answers
+    assert solutions.count("\n### Step 2. Kinetic analysis") == 2
+    assert answers.count("\\alpha = 4.905") == 2
+
+
+def test_key_in_steps_as_short_as_a_key(run: Any) -> None:
+    long, short = (run(f"key --worked --audience {a} good.yaml").out for a in ("student", "exam"))
+    assert "Kinetic analysis" in long
+    assert "Kinetic analysis" not in short
+    assert r"= 4.905~\mathrm{rad/s^{2}}" in short

@@ -1,11 +1,13 @@
-"""Write the answers of problem files, or their worked solutions, as one Markdown document.
+"""Write the answers of problem files, or their worked solutions, or both, as one Markdown document.
 
 FILES are problem files or folders (every .yaml and .yml file below). The answers are those of the solution; one that
-the file states otherwise is marked. The exit status is that of `planar solve`.
+the file states otherwise is marked. With --both all answers come first, then all solutions. The exit status is that of
+`planar solve`.
 """
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 import click
@@ -24,39 +26,57 @@ if TYPE_CHECKING:
 @click.command(help=__doc__)
 @click.argument("files", nargs=-1, required=True)
 @click.option("--worked", is_flag=True, help="The worked solutions, not the answers alone.")
+@click.option("--both", is_flag=True, help="The answers of all files, then their worked solutions.")
+@click.option(
+    "--audience",
+    type=click.Choice(["exam", "student", "lesson"]),
+    default="student",
+    help="How solutions are worked: as short as a key, worked out, or with words on each step.",
+)
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 @click.option("--figures", type=click.IntRange(1, 40), default=4, show_default=True, help="Significant figures.")
 @click.option("--timeout", type=type_of(SECONDS), default=60, show_default=True, help="Seconds a problem; 0: none.")
-def command(files: tuple[str, ...], worked: bool, output: str | None, figures: int, timeout: float) -> int:
+def command(
+    files: tuple[str, ...], worked: bool, both: bool, audience: str, output: str | None, figures: int, timeout: float
+) -> int:
     """One section for each file, in their order."""
     from planar_cli.problem.files import problem_files
     from planar_cli.registry import members
 
     markdown = members("formats")["markdown"]()
-    sections: list[str] = []
+    answers: list[str] = []
+    solutions: list[str] = []
     worst = cli.SOLVED
     for path in problem_files(files):
         try:
             with limits(timeout):
-                document, status = _section(path, worked, figures)
-                sections.append(markdown.render(document))
+                short, long, status = _sections(path, figures, audience if worked or both else "")
+                answers.append(markdown.render(short))
+                solutions += [markdown.render(long)] if long is not None else []
         except PlanarError as error:
             status = cli.tell(error)
         except Exception as error:
             status = cli.tell_fault(error)
         worst = max(worst, status)
-    write("\n".join(sections), output)
+    if both:
+        write("\n".join(["# Answers\n", *map(_below, answers), "# Solutions\n", *map(_below, solutions)]), output)
+    else:
+        write("\n".join(solutions if worked else answers), output)
     return worst
 
 
-def _section(path: str, worked: bool, figures: int) -> tuple[Document, int]:
-    """The document of one file, and its exit status."""
+def _below(section: str) -> str:
+    """A section with its headings one level lower."""
+    return re.sub(r"^(?=#+ )", "#", section, flags=re.MULTILINE)
+
+
+def _sections(path: str, figures: int, audience: str) -> tuple[Document, Document | None, int]:
+    """The answers of one file, its worked solution for an audience (none: ""), and its exit status."""
     from planar_cli.homework.checking import read, solve_and_compare
     from planar_cli.report.key import key_document, with_disagreements
     from planar_cli.report.narrate import Voice, narrate
 
     solution, verdicts = solve_and_compare(read(path))
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
-    if worked:
-        return with_disagreements(narrate(solution, Voice(figures)), verdicts), status
-    return key_document(solution, verdicts, figures), status
+    worked = with_disagreements(narrate(solution, Voice(figures, audience)), verdicts) if audience else None
+    return key_document(solution, verdicts, figures), worked, status

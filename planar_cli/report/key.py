@@ -5,21 +5,32 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from planar_cli.homework.verdict import Verdict
-from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, line
+from planar_cli.report.answer_letters import answer_block
+from planar_cli.report.blocks import Block, Bullet, Document, Heading, Name, Note, line
+from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.narrate import phrases_in
-from planar_cli.report.words import answer_line
-from planar_cli.solve.solved_problem import Solution
+from planar_cli.report.plain_answers import with_plain_answers
+from planar_cli.solve.solved_problem import PartSolution, Solution
 
 
 def key_document(solution: Solution, verdicts: Sequence[Verdict], figures: int) -> Document:
-    """The answers, and what the file states otherwise."""
+    """The answers as the page gives them, without the letters of its solution, and what the file states otherwise."""
     blocks: list[Block] = []
     for part in solution.parts:
-        if part.case:
+        answers = _answers(part, figures)
+        if part.case and answers:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-        phrases = phrases_in(part, figures)
-        blocks += [Answer(f.name, answer_line(f, phrases), ":" if f.word else "=") for f in part.found]
+        blocks += answers
     return with_disagreements(Document(solution.problem.title or solution.problem.file, tuple(blocks)), verdicts)
+
+
+def _answers(part: PartSolution, figures: int) -> list[Bullet]:
+    """The answers of one part."""
+    phrases = phrases_in(part, figures) if part.motion is None else motion_phrases(part.motion, figures)
+    plain = with_plain_answers(part)
+    # No letter of the solution is told here that an answer could be named by.
+    told = (answer_block(f, plain, phrases, ()) for f in plain.found)
+    return [Bullet(line(Name(a.name), ": " if a.relation == ":" else f" {a.relation} ", *a.line)) for a in told]
 
 
 def with_disagreements(document: Document, verdicts: Sequence[Verdict]) -> Document:
