@@ -22,3 +22,11 @@ def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:
     page = page_of_file("ex-1-13")
     assert "a_P = v_P²/ρ e_n = [-(0.08/m) v², (0.04/m) v²]" in page
     assert "a, x" not in page
+
+
+def test_a_case_tells_only_what_differs() -> None:
+    """The kinematics of one line are as before, the moment of inertia too, and one force is gone from the diagram."""
+    case = page_of_file("ex-4-05").partition("CASE")[2]
+    assert "no friction Kinematic analysis as before: (1). STEP 2" in case
+    assert "spool: the diagram as before, without F_C Without friction at C" in case
+    assert "moment of inertia" not in case

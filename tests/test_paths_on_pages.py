@@ -21,9 +21,9 @@ def _page(name: str) -> str:
         "y′ = x = 2 lengths in m y″ = 1 ρ",
         "e_t = [1, y′]/√(1 + y′²) = [√5/5, 2 √5/5]",
         "at right angles to e_t, to the hollow side",
-        "a_P = v_P²/ρ e_n = [-(0.08/m) v_P², (0.04/m) v_P²]",
+        "a_P = v_P²/ρ e_n = [-(0.08/m) v², (0.04/m) v²]",
         "that is (0.08944/m) v² at 26.6° above -x",
-        "Check v²/ρ = v²/(11.18 m) = (0.08944/m) v², the size of a",
+        "= (0.2/m) v² - (0.16/m) v² = (0.04/m) v²",
     ],
 )
 def test_a_constant_speed_along_a_parabola(words: str) -> None:

@@ -20,7 +20,6 @@ from planar_cli.report.first_second import first_second
 from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.kinetic_check import kinetic_check
 from planar_cli.report.law_check import law_check, simpson_check
-from planar_cli.report.letter_vectors import normal_check
 from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passing import passing_check
 from planar_cli.report.polar_check import polar_check
@@ -28,6 +27,7 @@ from planar_cli.report.power_check import power_check
 from planar_cli.report.system_sum import system_sum
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.time_check import time_check
+from planar_cli.report.track_check import track_check
 from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
 
@@ -41,7 +41,7 @@ OF_MOTIONS: tuple[Candidate, ...] = (
     energy_check, blow_check, law_check, kinetic_check, root_check, passing_check, time_check, oscillation_check,
     simpson_check,
 )  # fmt: skip
-OF_PARTS: tuple[Candidate, ...] = (tale_check, normal_check, inertia_check)
+OF_PARTS: tuple[Candidate, ...] = (tale_check, track_check, inertia_check)
 
 
 def chosen_check(candidates: tuple[Candidate, ...], of: Any, phrases: Phrases) -> Line:

@@ -7,24 +7,21 @@ r_B/A = [1/2 (√3 - 1) r, -1/2 (1 + √3) r], that is √2 r at 75.0° below +x
 from __future__ import annotations
 
 from collections.abc import Iterator
-from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Line, Math, Name, Value, line
+from planar_cli.report.blocks import Line, line
 from planar_cli.report.numbers import vector_words
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
-CLOSE = Decimal("1e-20")
 SHORT = 8
 """A size, or a component of a unit vector, of more operations says nothing at sight."""
 
@@ -71,29 +68,3 @@ def _ends(point: str, unit: Vec, scene: Scene) -> Iterator[str]:
         along = simplified(arm.x * unit.x + arm.y * unit.y)
         if identically_zero(arm.x * unit.y - arm.y * unit.x) and (along.is_positive or along.is_negative):
             yield f"from {point} to {other}" if along.is_positive else f"from {other} to {point}"
-
-
-def normal_check(part: PartSolution, phrases: Phrases) -> Line:
-    """v²/ρ against the size of an acceleration in letters, where both are asked and the speed is constant."""
-    radius = next((f for f in part.found if _word(f) == "rho" and f.values is not None), None)
-    if radius is None or radius.values is None or not phrases.symbolic:
-        return ()
-    for found in part.found:
-        if _word(found) != "a" or found.kind != "vector" or found.values is not None:
-            continue
-        x, y = found.expressions or (sp.S.Zero, sp.S.Zero)
-        size = simplified(sp.sqrt(simplified(x**2 + y**2)))
-        for v in size.free_symbols:
-            number = size / v**2
-            if not number.is_number or abs(phrases.value(number) * radius.values[0] - 1) > CLOSE:
-                continue
-            shown = Value(display(radius.values[0], radius.unit, phrases.ledger.us), radius.unit.text, phrases.figures)
-            told = swallowed(size, found, phrases.ledger, phrases.figures) or phrases.math(size)
-            quotient = line(Math(v**2), "/ρ = ", Math(v**2), "/(", shown, ")")
-            return line(*quotient, " = ", told, ", the size of ", Name(found.name))
-    return ()
-
-
-def _word(found: Found) -> str:
-    what = found.find.found.what if found.find is not None else None
-    return what.word if isinstance(what, Quantity) and not what.parts else ""
