@@ -40,3 +40,10 @@ def test_where_the_sense_is_open_it_is_counterclockwise(stem: str) -> None:
 def test_the_answer_itself_counts_counterclockwise() -> None:
     found = worked(ROOT / "problems/textbook/ex-4-05.yaml")[0].parts[0].found
     assert float(next(f for f in found if f.name == "alpha").values[0]) == pytest.approx(-6.18557, rel=1e-5)
+
+
+def test_what_is_asked_downward_counts_downward() -> None:
+    page = _page("textbook/ex-4-16")
+    for told in ("a_A = √2/2 L α", "N_block ←, A_x ←, A_y ↓ = m_A a_A ↓", "Answer a_A = 8.175 m/s² downward"):
+        assert told in page
+    assert "in the sense" not in page

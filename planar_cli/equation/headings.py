@@ -9,27 +9,43 @@ import sympy as sp
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Negate, Number, Quantity, Relation, Scaled
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
 
 
 def headings(scene: Scene, statements: Statements) -> Callable[[str, Path], int]:
     """Tells of a body and its path +1 or -1: forward or backward along the tangent; 0 where the data do not tell. What
-    moves along an axis keeps the sense of the axis.
+    moves along an axis keeps the sense of the axis, unless it is asked for in the other one: a(block).along(-90 deg).
     """
     ways: dict[str, Vec] = {}
+    wanted = dict(_asked(scene)) if scene.displacement is None and not scene.problem.states else {}
     if scene.displacement is None:
         for relation in (*(r for r, _ in statements.relations), *statements.inequalities):
             for body, way in _told(scene, relation):
                 ways.setdefault(body, way)
 
     def heading(body: str, path: Path) -> int:
+        if path.curvature == 0 and body in wanted and body not in ways:
+            return scene.sign(path.tangent.dot(wanted[body]))
         way = ways.get(body)
         plain = path.curvature == 0 and 0 in (path.tangent.x, path.tangent.y)
         return 0 if way is None or plain else scene.sign(path.tangent.dot(way))
 
     return heading
+
+
+def _asked(scene: Scene) -> Iterator[tuple[str, Vec]]:
+    """The bodies of which a part along a direction in degrees is asked, with that direction."""
+    for find in scene.problem.find:
+        q = find.found.what
+        if not isinstance(q, Quantity) or q.word not in ("v", "a") or len(q.things) != 1 or len(q.parts) != 1:
+            continue
+        direction = q.parts[0].direction
+        body = q.things[0] if q.things[0] in scene.bodies else scene.owner(q.things[0])
+        if q.parts[0].kind == "along" and body in scene.bodies and isinstance(direction, Number | Negate | Scaled):
+            angle = scene.value(direction)
+            yield body, Vec(sp.cos(angle), sp.sin(angle))
 
 
 def _told(scene: Scene, relation: Relation) -> Iterator[tuple[str, Vec]]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -36,6 +37,12 @@ def as_vector(expr: sp.Expr, system: System) -> sp.Expr:
     """ω or α before ×: the letter of the vector, whichever way its size counts."""
     clockwise = any(e.turn < 0 and -expr in (e.spin, e.spin_rate) for e in system.tree.edges)
     return -expr if clockwise else expr
+
+
+def positive(part: tuple[Vec, sp.Expr]) -> tuple[Vec, sp.Expr]:
+    """A component of an acceleration that is a letter with a minus, as that letter in the opposite direction."""
+    direction, component = part
+    return (-direction, -component) if (-sp.sympify(component)).is_Symbol else part
 
 
 def as_counted(part: PartSolution) -> PartSolution:

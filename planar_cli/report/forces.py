@@ -24,7 +24,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.counted import clockwise_letter
+from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
@@ -255,7 +255,7 @@ def _inertia(
     still = vanishing(stage)
     idle = _idle(instant, stage)
     components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
-    apart = [part for direction, component in components for part in _apart(direction, component, instant, body)]
+    apart = [positive(p) for direction, component in components for p in _apart(direction, component, instant, body)]
     for direction, component in apart if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
