@@ -22,6 +22,18 @@ def _page(stem: str) -> str:
         "↻ ΣM_C: P (R + r) = m a_G R + I_G α",
         "Answer α = 6.186 rad/s² clockwise",
     ]),
+    ("textbook/ex-4-08", [
+        "θ: the angle by which the spool has turned, clockwise",
+        "R θ_2 = d",
+        "v_G,2 = R ω_2",
+        "the positive root, as it turns clockwise there",
+        "Answer ω = 7.415 rad/s clockwise",
+    ]),
+    ("textbook/ex-4-12", [
+        "ω is counted clockwise, the way in which the spool begins to turn.",
+        "↻ H_C: 1/2 q (R + r) t_2² = m (R² + k_G²) ω_2",
+        "Answer ω = 15.46 rad/s clockwise",
+    ]),
     ("rigid-bodies/ring-on-a-pin", ["↻ ΣM_O: m g R = I_O α", "a_B = α × r_B/O = [0, -2 R α]", "α = g/(2 R) clockwise"]),
 ])  # fmt: skip
 def test_a_body_that_begins_to_turn_clockwise_is_counted_so(stem: str, lines: list[str]) -> None:

@@ -16,9 +16,9 @@ from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import AtRest, Quantity, Relation
 from planar_cli.problem.facts import Joining, Mode
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import GROUND, Round
 from planar_cli.problem.walk import walk
 
 STEADY = ("force", "torque", "weight")
@@ -50,13 +50,19 @@ def with_known_turns(
 
 
 def _starts(scene: Scene, statements: Statements) -> bool:
-    """Does one body alone start from rest, under loads that are there from the beginning?"""
-    if scene.displacement is not None or len(scene.bodies) != 1:
+    """Does one body alone start from rest, under loads that are there from the beginning? Over time only a round one
+    counts so, whose angle is that by which it has turned.
+    """
+    problem, stated = scene.problem, (r for r, _ in statements.relations)
+    if len(problem.bodies) != 1 or not all(load.kind in STEADY and load.during is None for load in problem.loads):
         return False
-    if statements.rest != (None,) or statements.equilibrium or statements.extremes:
+    if any(map(_tells_motion, stated)):
         return False
-    told = (r for r, _ in statements.relations)
-    return all(load.kind in STEADY for load in scene.problem.loads) and not any(map(_tells_motion, told))
+    if problem.states:
+        first = problem.states[0].relations
+        rests = any(isinstance(s, AtRest) and s.body is None for s in first)
+        return rests and isinstance(problem.bodies[0].shape, Round) and not problem.coordinates
+    return statements.rest == (None,) and not statements.equilibrium and not statements.extremes
 
 
 def _tells_motion(relation: Relation) -> bool:
@@ -80,6 +86,9 @@ def _sign(scene: Scene, moment: sp.Expr) -> int | None:
     """The sign of a moment, whatever its letters are; None: that is open."""
     if moment == 0:
         return 0
+    if scene.problem.states:
+        # From the start on.
+        return certain_sign(moment.xreplace({scene.ledger.symbols["t"]: sp.Symbol("t", positive=True)})) or None
     if scene.ledger.letters or scene.ledger.sought:
         return certain_sign(moment) or None
     number = scene.valuations[0].known(moment)

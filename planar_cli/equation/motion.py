@@ -12,7 +12,7 @@ guide the speed of the slide, free bodies two components and a rotation. Joints 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -71,6 +71,11 @@ class Tree:
 
     edges: tuple[Edge, ...]
     closures: tuple[Joining, ...]
+
+    def turn(self, bodies: Collection[str]) -> int:
+        """-1 where the rotations of these bodies count clockwise, else 1."""
+        turns = {e.turn for e in self.edges if e.body in bodies and e.spin is not None}
+        return -1 if turns == {-1} else 1
 
     def velocity_unknowns(self) -> tuple[sp.Symbol, ...]:
         return tuple(s for e in self.edges for s in (e.slide, e.rise, e.spin) if s is not None)

@@ -18,10 +18,10 @@ def body_families(position: Position) -> Iterator[BodyFamily]:
 
 
 def moving_of(system: System, motion: Motion, bodies: Iterable[str]) -> Iterator[Moving]:
-    """What kinetic energies and momenta are made of."""
+    """What kinetic energies and momenta are made of; a rotation that counts clockwise in its sense."""
     for name in bodies:
         body, center = system.scene.bodies[name], system.scene.center_name(name)
-        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
+        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular * motion.tree.turn((name,))
         yield Moving(
             name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name), rolls=rolls(system, name)
         )

@@ -110,7 +110,10 @@ def _balances(position: Position) -> Iterator[Balance]:
                 through, parts = _passing(position, group, center), _angular(position, group, center)
                 aside = "" if name in fixed else _beside(position, group[0], name)
                 moving = tuple(moving_of(system, position.motion, group))
-                yield from _balance(group, parts, rate, "↺ ", name, aside, through, moving)
+                if clockwise := position.motion.tree.turn(group) < 0:
+                    parts, rate = {b: -e for b, e in parts.items()}, -rate
+                arrow = "↻ " if clockwise else "↺ "
+                yield from _balance(group, parts, rate, arrow, name, aside, through, moving)
 
 
 def _balance(

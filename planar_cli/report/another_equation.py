@@ -15,7 +15,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.counted import sense_of, turn_of
+from planar_cli.report.counted import sense_of
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -69,7 +69,7 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
         alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
         name = model.center_name if model.center_name and model.center_name != body else "G"
         if None not in turned:
-            turn = turn_of(instant.trial.system, (body,))
+            turn = instant.trial.system.tree.turn((body,))
             lead = line(f"{sense_of(turn)} ", Name(f"ΣM_{name}"))
             yield _Sum(lead, tuple(turn * t for t in turned if t is not None), ENERGY, turn * alpha)
     for axis, arrow in (("x", "→"), ("y", "↑")):

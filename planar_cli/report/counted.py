@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
-
-
-def turn_of(system: System, bodies: Collection[str]) -> int:
-    """-1 where the rotations of these bodies count clockwise, else 1."""
-    turns = {e.turn for e in system.tree.edges if e.body in bodies and e.spin is not None}
-    return -1 if turns == {-1} else 1
 
 
 def sense_of(turn: int) -> str:
@@ -47,7 +43,18 @@ def positive(part: tuple[Vec, sp.Expr]) -> tuple[Vec, sp.Expr]:
 
 def as_counted(part: PartSolution) -> PartSolution:
     """The same finds, those that are a letter which counts clockwise in its sense."""
-    return replace(part, found=tuple(_as_counted(f, part) for f in part.found)) if part.motion is None else part
+    if part.motion is None:
+        return replace(part, found=tuple(_as_counted(f, part) for f in part.found))
+    motion, found = part.motion, list(part.found)
+    requests = []
+    for r in motion.requests:
+        letter = -r.parts[0] if len(r.parts) == 1 else sp.S.Zero
+        general = motion.general.get(letter, letter)
+        turned = any(clockwise_letter(-general, i) == general for i in part.instants) if letter.is_Symbol else False
+        requests.append(replace(r, parts=(letter,)) if turned else r)
+        if turned:
+            found = [_turned(f, letter, motion.value) if f.find is r.find else f for f in found]
+    return replace(part, found=tuple(found), motion=replace(motion, requests=tuple(requests)))
 
 
 def _as_counted(found: Found, part: PartSolution) -> Found:
@@ -56,8 +63,13 @@ def _as_counted(found: Found, part: PartSolution) -> Found:
     instant, letter = next(counting, (None, asked))
     if instant is None or others:
         return found
+    return _turned(found, letter, instant.value)
+
+
+def _turned(found: Found, letter: sp.Symbol, value: Valuation) -> Found:
+    """A find that is a letter which counts clockwise."""
     expressions = None if found.expressions is None else tuple(-e for e in found.expressions)
-    values = None if found.values is None else (instant.value.settled(letter, (expressions or (letter,))[0]),)
+    values = None if found.values is None else (value.settled(letter, (expressions or (letter,))[0]),)
     return replace(found, asked=(letter,), expressions=expressions, values=values, turn=-1)
 
 
@@ -65,8 +77,12 @@ def counted(system: System, phrases: Phrases) -> Iterator[Block]:
     """What is said of it, once."""
     for e in system.tree.edges:
         if e.turn < 0 and e.spin_rate is not None:
-            words = f" is counted clockwise, the way in which the {e.body} begins to turn."
-            yield Paragraph(line(phrases.math(e.spin_rate), words))
+            yield Paragraph(line(phrases.math(e.spin_rate), f" is counted clockwise, {begins(e.body)}"))
+
+
+def begins(body: str) -> str:
+    """Why it counts so."""
+    return f"the way in which {with_article(body)} begins to turn."
 
 
 def clockwise_too(w: Written, turn: int) -> Written:

@@ -173,7 +173,9 @@ def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
     titles = (r.solution.trial.system.titles.get(speed, "") for r in found.regimes)
     title = next(filter(None, titles), "")
     key = "omega" if title.startswith("angular velocity") else title.rpartition(" along ")[2]
+    clockwise = any(e.turn < 0 for r in found.regimes for e in r.solution.trial.system.tree.edges if e.spin == speed)
     if key in SENSES:
+        positive = positive != clockwise
         return line(SENSES[key][0 if positive else 1])
     ending = [r for r in found.regimes if any(b == stop for _, b in r.stretches)]
     here = ending or [r for r in found.regimes if any(a == stop for a, _ in r.stretches)]

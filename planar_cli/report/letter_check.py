@@ -13,7 +13,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.counted import sense_of, turn_of
+from planar_cli.report.counted import sense_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
@@ -71,7 +71,7 @@ def _left(instant: InstantSolution, name: str, used: list[Written]) -> Iterator[
         turned = (((p - body.center).cross(f) if f is not None else 0) * e + c * e for p, f, c, e in acting)
         alpha = sp.S.Zero if still else body.inertia * motion.accelerations[name].angular
         own = body.center_name if body.center_name and body.center_name != name else "G"
-        turn = turn_of(system, (name,))
+        turn = system.tree.turn((name,))
         yield _Sum(line(f"{sense_of(turn)} ", Name(f"ΣM_{own}")), sp.Add(*(turn * t for t in turned)), turn * alpha)
     a = motion.acceleration(body.center, name)
     for axis, arrow in (("x", "→"), ("y", "↑")):

@@ -10,7 +10,9 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
+from planar_cli.report.counted import begins
 from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import MotionTrace
 
 STEP, SHORT = "STEP", 2
@@ -28,9 +30,17 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
             stop = next((j for j in range(i + 1, len(blocks)) if isinstance(blocks[j], Heading)), len(blocks))
             seen = {found.general.get(s, s) for s in _letters(blocks[i + 1 : stop])}
             new = {s: words for s, words in meanings.items() if s in seen and str(words) not in told}
+            if not new:
+                new = {s: words for s, words in _rotations(found).items() if s in seen and not told}
             told.update(map(str, new.values()))
             if new:
                 yield Paragraph(line(*(p for k, words in enumerate(new.values()) for p in ("; " if k else "", *words))))
+
+
+def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
+    """The angular velocities that count clockwise, where no angle tells that."""
+    edges = (e for regime in found.regimes for e in regime.solution.trial.system.tree.edges if e.turn < 0)
+    return {e.spin: line(Math(e.spin), f" is counted clockwise, {begins(e.body)}") for e in edges if e.spin is not None}
 
 
 def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
@@ -45,14 +55,17 @@ def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
     for regime in found.regimes:
         scene = regime.solution.instant.scene
         for c in scene.displacement.coordinates if scene.displacement is not None else ():
-            words = "" if c.symbol.name in own else _meaning(c, scene)
+            turn = regime.solution.trial.system.tree.turn((c.body,))
+            words = "" if c.symbol.name in own else _meaning(c, scene, turn)
             if words:
                 meanings.setdefault(c.symbol, line(Math(c.symbol), f": {words}"))
     return meanings
 
 
-def _meaning(c: Coordinate, scene: Scene) -> str:
-    """What one coordinate is; empty where its name says it, as x_P does, or nothing short does."""
+def _meaning(c: Coordinate, scene: Scene, turn: int) -> str:
+    """What one coordinate is; empty where its name says it, as x_P does, or nothing short does. `turn`: -1 of an angle
+    that counts clockwise.
+    """
     if c.words.endswith(CIRCLE):
         place = c.words.removeprefix(TURNS).removesuffix(CIRCLE)
         if c.body not in (place, scene.owner(place)):
@@ -66,4 +79,4 @@ def _meaning(c: Coordinate, scene: Scene) -> str:
     if isinstance(shape, Rod):
         ends = f"{shape.start}{shape.end}" if len(shape.start) <= SHORT and len(shape.end or "") <= SHORT else ""
         return f"the angle of {ends if shape.end and ends else c.body} from the x axis, counterclockwise"
-    return f"the angle by which {with_article(c.body)} has turned, counterclockwise" if c.drawn == 0 else ""
+    return f"the angle by which {with_article(c.body)} has turned, {rotation_words(turn)}" if c.drawn == 0 else ""

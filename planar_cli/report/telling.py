@@ -14,7 +14,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
-from planar_cli.report.counted import clockwise_too, counted, sense_of, turn_of
+from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.forces import force_rows
@@ -222,7 +222,7 @@ class Telling:
         sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
-        turn = turn_of(self.system, w.bodies) if w.law == "moment" else 1
+        turn = self.system.tree.turn(w.bodies) if w.law == "moment" else 1
         w = clockwise_too(onward(w), turn)
         whole = self.principle.sides(w.left, w.right)
         sides, note = self.numeric.sides(w, stage, whole)

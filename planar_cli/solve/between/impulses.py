@@ -94,6 +94,7 @@ def _integrated(
         impulse += c * letter_of(symbol, a, b, UNITS[pushes[symbol].unit])
     before, after = (sp.Add(*(c * s.at(regime.closed(rates[x])) for x, c in inertia.terms.items())) for s in (a, b))
     about = w.lead if w.law == "moment" else ""
+    turn = system.tree.turn(w.bodies) if about else 1
     law = Balance(
         words=offer.words,
         name=f"H_{about}" if about else "",
@@ -104,9 +105,9 @@ def _integrated(
         heading=f"angular {offer.words} about " if about else "",
         about=about,
         moving=tuple(_moving(system, w.bodies)),
-        lead="↺ " if w.along is None else f"{_arrow(w.along, regime.general.value)} ",
+        lead=f"{_arrow(w.along, regime.general.value)} " if w.along is not None else "↺ " if turn > 0 else "↻ ",
     )
-    return StateBalance(law, a, b, before, after, (("", impulse),))
+    return StateBalance(law, a, b, turn * before, turn * after, (("", turn * impulse),))
 
 
 def _moving(system: System, bodies: tuple[str, ...]) -> Iterator[Moving]:
@@ -114,10 +115,10 @@ def _moving(system: System, bodies: tuple[str, ...]) -> Iterator[Moving]:
     motion = system.motion
     for body in bodies if motion is not None else ():
         assert motion is not None
-        made, twist = system.scene.bodies[body], motion.velocities[body]
+        made, omega = system.scene.bodies[body], motion.velocities[body].angular * system.tree.turn((body,))
         v = motion.velocity(made.center, body)
         why = f"{body} rolls without slipping" if rolls(system, body) else led(system, body)
-        yield Moving(body, made.mass, made.inertia, v.x, v.y, twist.angular, system.scene.center_name(body), why)
+        yield Moving(body, made.mass, made.inertia, v.x, v.y, omega, system.scene.center_name(body), why)
 
 
 def _arrow(direction: tuple[sp.Expr, sp.Expr], value: Valuation) -> str:

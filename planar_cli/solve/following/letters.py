@@ -152,7 +152,7 @@ class Letters:
         found: dict[sp.Symbol, float] = {}
         for u, edge in self._edges.items():
             if u == edge.spin:
-                found[u] = self._turning(edge.body, y)
+                found[u] = self._turning(edge.body, y) * edge.turn
             elif edge.joining is None:
                 frame = self.layout.frames[edge.body]
                 found[u] = y[self.half + (frame.x if u == edge.slide else frame.y)]
