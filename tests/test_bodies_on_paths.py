@@ -67,8 +67,8 @@ def test_an_angular_momentum_and_its_impulse_are_told_before_their_balance() -> 
     page = _page("textbook/ex-4-12")
     assert "about C (C moves parallel to G), through which" in page
     assert "spool rolls without slipping" in page
-    assert "H_C,2 = I_G ω_2 - m v_G,2 R = m (R² + k_G²) ω_2" in page
-    assert "∫[0 → t_2] (-q (R + r) t) dt = -1/2 q (R + r) t_2² = -187.5 N·m·s" in page
+    assert "H_C,2 = m v_G,2 R + I_G ω_2 = m (R² + k_G²) ω_2" in page
+    assert "∫[0 → t_2] q (R + r) t dt = 1/2 q (R + r) t_2² = 187.5 N·m·s" in page
 
 
 def test_the_speed_of_a_mass_centre_has_its_reason() -> None:

@@ -10,7 +10,7 @@ from worked import page_of_file
     ("stem", "words"),
     [
         ("ex-4-10", "θ: the angle of AB from the x axis, counterclockwise"),
-        ("ex-4-08", "θ: the angle by which the spool has turned, counterclockwise"),
+        ("ex-4-08", "θ: the angle by which the spool has turned, clockwise"),
         ("car-on-a-circle", "φ_A: the angle of the radius to A from the x axis, counterclockwise"),
         ("block-down-a-free-wedge", "s_P: the way of P along its path, from where it is drawn"),
     ],
