@@ -110,9 +110,8 @@ class Displacer:
             turn = ZERO if edge.particle else self.poses[edge.parent].turn
             return (body.theta, body.theta + turn) if turn != 0 else (ZERO, ZERO)
         name = "theta" if sum(e.spin is not None for e in self.tree.edges) == 1 else f"theta_{edge.body}"
-        drawn, words = body.theta * edge.turn, f"angle of {edge.body}"
-        now = self._coordinate(name, "rad", drawn, edge.spin, sp.S.One, words, edge.body, True)
-        return body.theta, now * edge.turn
+        own = (body.theta * edge.turn, edge.spin, sp.S.One, f"angle of {edge.body}", edge.body, True)
+        return body.theta, self._coordinate(name, "rad", *own) * edge.turn
 
     def _fixed(self, edge: Edge) -> Pose:
         """The file says where the body is; only an angle that it does not say may be left."""
