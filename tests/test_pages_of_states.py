@@ -216,3 +216,12 @@ def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
     assert "ω_squared from 1 to 2, as a function of θ: From 1 on, ω dω = α dθ:" in page
     assert "S from 1 to 2, as a function of θ: S = m (g cos θ + l" in page
     assert page.count("From 1 on, ") == 1
+
+
+def test_forces_that_last_are_told_once() -> None:
+    """A brake presses all the time as at its first state: no section of that state tells it once more."""
+    (path,) = (p for p in (ROOT / "problems" / "friction").glob("drum-braked-by-a-lever.yaml"))
+    page = Terminal(200).render(narrate(worked(path)[0]))
+    assert "STATE" not in page
+    assert page.count("↺ ΣM_C:") == 1
+    assert page.count("= 56.69 lbf") == 2

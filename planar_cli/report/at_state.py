@@ -29,8 +29,10 @@ LONGEST = 36
 
 
 def is_told_at_states(motion: MotionTrace, regime: RegimeTrace) -> bool:
-    """Is what is asked of a regime at states too long in letters, or does it mix them with numbers that have units?"""
-    if motion.symbolic or not regime.asked or regime.wanted is None:
+    """Is what is asked of a regime at states too long in letters, or does it mix them with numbers that have units?
+    What is the same at all times has its numbers in the general position, and is not told once more.
+    """
+    if motion.symbolic or not regime.asked or regime.wanted is None or _is_constant(regime):
         return False
     stages = used_blocks(regime.solution.stages, regime.wanted)
     ledger = regime.solution.instant.scene.ledger
@@ -41,6 +43,12 @@ def is_told_at_states(motion: MotionTrace, regime: RegimeTrace) -> bool:
         if any(longer(x.formula, LONGEST) for x in block.lines):
             return True
     return False
+
+
+def _is_constant(regime: RegimeTrace) -> bool:
+    """Are all unknowns that are asked for at states the same all the time?"""
+    lasting = {x.name for x in regime.constants} | {x.name for s in regime.solution.stages for x in s.zero}
+    return regime.wanted is not None and regime.wanted - (regime.resting or set()) <= lasting and bool(regime.constants)
 
 
 def told_at_states(motion: MotionTrace) -> frozenset[str]:
