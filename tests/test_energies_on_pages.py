@@ -227,3 +227,11 @@ def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
 def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: str, line: str) -> None:
     """A mass centre with a coordinate of its own moves as that tells, whether its body rolls or not."""
     assert line in page(stem)
+
+
+def test_a_speed_that_is_no_product_has_a_place() -> None:
+    """x_G and y_G, and their rates, before v_G; each height before the weight falls from it."""
+    told = page("ex-4-17")
+    place = "x_G,AB,2 = -3/2 l cos θ_2, y_G,AB,2 = 1/2 l sin θ_2 differentiated: "
+    assert told.index(place) < told.index("v_G,AB,2 = 1/2 l") < told.index("y_OA,2 = 1/2 l sin θ_2")
+    assert "y_AB,1 = -1/2 l sin β_1 y_AB,1 - y_AB,2 = x_max/4" in page("ex-4-11")

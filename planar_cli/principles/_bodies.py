@@ -22,9 +22,9 @@ def moving_of(system: System, motion: Motion, bodies: Iterable[str]) -> Iterator
     for name in bodies:
         body, center = system.scene.bodies[name], system.scene.center_name(name)
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular * motion.tree.turn((name,))
-        yield Moving(
-            name, body.mass, body.inertia, v.x, v.y, omega, center, led(system, name), rolls=rolls(system, name)
-        )
+        why, place = led(system, name), (body.center.x, body.center.y)
+        speeds = (v.x, v.y, omega)
+        yield Moving(name, body.mass, body.inertia, *speeds, center, why, rolls(system, name), place)
 
 
 def joined(position: Position) -> list[tuple[str, ...]]:

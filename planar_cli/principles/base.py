@@ -144,6 +144,8 @@ class Moving:
     """How the body is led, so that its mass centre has this velocity."""
     rolls: bool = False
     """Is that by rolling? Where a coordinate tells the place of its mass centre, this is why it turns as it does."""
+    place: tuple[sp.Expr, ...] = ()
+    """x and y of the mass centre [m], where energies are told of it."""
 
 
 @record

@@ -19,6 +19,7 @@ from planar_cli.principles.base import Moving, Storage
 from planar_cli.records import record
 from planar_cli.report.alike import WEIGHT, told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
+from planar_cli.report.centre_speeds import centre_lines
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits
 from planar_cli.report.in_numbers import SMALL
@@ -94,6 +95,7 @@ class EnergyTelling(EnergyPieces):
         why = line(made.why) if speeds[0][0] == "v" and made.why else ()
         # A ball's mass centre goes round a trough whether it rolls or not; that it rolls says how it turns.
         reason = 1 if len(told) > 1 and made.rolls else 0
+        yield from self._centre_lines(made)
         if len(told) > 1 and fits(tuple(side for sides in told for side in sides)):
             (one, *first), (two, *second) = told
             yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))), None, note=why)
@@ -138,6 +140,14 @@ class EnergyTelling(EnergyPieces):
         # Of equal bodies the letters of one would not do for the others.
         formulas = (self.phrases.math(formula),) if len(told) == 1 else ()
         yield Equation((lead, *formulas, self.phrases.math(put)))
+
+    def _centre_lines(self, made: Moving) -> Iterator[Block]:
+        """The place of a mass centre and its rates, where its speed is a root of both."""
+        speed = next((expr for kind, _, expr in self._speeds(made) if kind == "v"), sp.S.Zero)
+        moving = [s for s in speed.free_symbols if s in self.unknowns]
+        if len(moving) == 1 and has_root(speed) and self._components(made, speed, moving) is not None:
+            name = f"{self._centre(made)}{{}}{STATE}{self.balance.stop}"
+            yield from centre_lines(made, name, moving[0], self._put, self.phrases)
 
     def _by_others(self, expr: sp.Expr) -> bool:
         """Is a speed more than the size of the one that is sought or known?"""
@@ -268,6 +278,9 @@ class EnergyTelling(EnergyPieces):
         sides = self._fitting(self._lettered(told, sizes), put, numbers)
         if numbers and numbers[0] in sides:
             yield from self._heights(heights)
+        elif len(sides) > 1 and not any(longer(e, SHORT) for e in ends):
+            yield from self._difference(heights) or self._heights(heights)
+        if numbers and numbers[0] in sides:
             self.letters[f"U of {made.words}"] = None if sizes else told
         yield self._line(lead, *sides)
 
@@ -305,6 +318,19 @@ class EnergyTelling(EnergyPieces):
             if (own, expr) not in self.told and expr != own and not (known and expr.is_number):
                 self.told.add((own, expr))
                 yield self._line(Math(own), *self._length(expr), dimension=LENGTH)
+
+    def _difference(self, ends: Mapping[sp.Symbol, sp.Expr]) -> list[Block]:
+        """y_1, and y_1 - y_2 where it is a multiple of what is sought, as both heights are of one that is asked for."""
+        (one, first), (two, last) = ends.items()
+        (u, *more) = sorted(last.free_symbols & set(self.unknowns), key=str) or (sp.S.One, sp.S.One)
+        way = sp.S.Zero if more else -simplified(sp.diff(last, u)) * u
+        rest = first - last.xreplace({u: sp.S.Zero})
+        if not way.as_coeff_Mul()[1].is_Symbol or first in (0, rest) or not self._vanishes(rest):
+            return []
+        told = (one, first) in self.told or first == one
+        self.told.add((one, first))
+        height = [] if told else [Equation((Math(one), self.phrases.math(first)))]
+        return [*height, Equation((Math(sp.Add(one, -two, evaluate=False)), self.phrases.math(way)))]
 
     def _factor(self, made: Storage, dimension: Dimension) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
         """m g or k; a number, where letters alone do not make it."""

@@ -187,6 +187,8 @@ def _relation(e: Relation, put: Put) -> Relation:
 
 
 def _parts(parts: EnergyParts, put: Put) -> EnergyParts:
-    moving = tuple(replace(m, vx=put(m.vx), vy=put(m.vy), omega=put(m.omega)) for m in parts.moving)
+    moving = tuple(
+        replace(m, vx=put(m.vx), vy=put(m.vy), omega=put(m.omega), place=tuple(map(put, m.place))) for m in parts.moving
+    )
     storages = tuple(replace(s, first=put(s.first), last=put(s.last)) for s in parts.storages)
     return EnergyParts(moving, storages)

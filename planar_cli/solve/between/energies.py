@@ -69,7 +69,9 @@ def _stored(course: StatedMotion, regime: Regime, b: StateBalance, words: str) -
 
 def _at(m: Moving, place: Callable[[sp.Expr], sp.Expr]) -> Moving:
     mass, inertia, vx, vy, omega = (place(e) for e in (m.mass, m.inertia, m.vx, m.vy, m.omega))
-    return replace(m, mass=mass, inertia=inertia, vx=vx, vy=vy, omega=omega)
+    return replace(
+        m, mass=mass, inertia=inertia, vx=vx, vy=vy, omega=omega, place=tuple(place(sp.sympify(e)) for e in m.place)
+    )
 
 
 def _storage(
