@@ -24,7 +24,7 @@ from planar_cli.units import ENERGY, FORCE, Dimension, default_unit
 
 LEAST, MOST, TINY = 2, 6, Decimal("1e-30")
 """Terms of a sum that is worth a check, and that still fits a line; what is no part of a force."""
-LONGEST = 24
+LONGEST = 14
 """Operations in what it amounts to."""
 
 

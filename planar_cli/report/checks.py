@@ -13,6 +13,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
 from planar_cli.problem.words import OF_SWINGS
+from planar_cli.records import record
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
 from planar_cli.report.letter_check import letter_check
@@ -31,10 +32,20 @@ TINY = Decimal("1e-30")
 INDEPENDENT = "checked by an independent multibody solution"
 
 
-def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> list[Check]:
+@record
+class Checks:
+    """What was checked at one instant."""
+
+    tests: tuple[Check, ...] = ()
+    """What its assumptions ask for: N > 0, friction within its limit."""
+    own: tuple[Check, ...] = ()
+    """By another equation, as a person would."""
+
+
+def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> Checks:
     """The checks of one instant that a person can follow, each a phrase. `single`: it is no part of a motion."""
     if not instant.checks.get("lines"):
-        return []
+        return Checks()
     bodies = instant.trial.system.scene.bodies.values()
     heavy = bool(instant.trial.outcomes) and not phrases.symbolic and any(b.mass != 0 for b in bodies)
     # What the page does not tell may rest on letters without a number.
@@ -45,10 +56,12 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
         (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure and forces else ([], [])
     )
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
+    own: list[Line] = []
     if single and sure and not limits:
-        told.append(chosen_check(OF_INSTANTS, instant, phrases))
-    told += [letter_check(instant, phrases)] if single and phrases.symbolic else []
-    return [Check(phrase) for phrase in told if phrase]
+        own.append(chosen_check(OF_INSTANTS, instant, phrases))
+    own += [letter_check(instant, phrases)] if single and phrases.symbolic else []
+    tests, others = (tuple(Check(phrase) for phrase in phrases_told if phrase) for phrases_told in (told, own))
+    return Checks(tests, others)
 
 
 def road_blocks(part: PartSolution) -> list[Check]:

@@ -20,6 +20,7 @@ from planar_cli.report.first_second import first_second
 from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.kinetic_check import kinetic_check
 from planar_cli.report.law_check import law_check, simpson_check
+from planar_cli.report.limit_check import limit_check
 from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passing import passing_check
 from planar_cli.report.polar_check import polar_check
@@ -41,7 +42,7 @@ OF_MOTIONS: tuple[Candidate, ...] = (
     energy_check, blow_check, law_check, kinetic_check, root_check, passing_check, time_check, oscillation_check,
     simpson_check,
 )  # fmt: skip
-OF_PARTS: tuple[Candidate, ...] = (tale_check, track_check, inertia_check)
+OF_PARTS: tuple[Candidate, ...] = (tale_check, track_check, inertia_check, limit_check)
 
 
 def chosen_check(candidates: tuple[Candidate, ...], of: Any, phrases: Phrases) -> Line:

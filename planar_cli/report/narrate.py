@@ -140,7 +140,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             numbers = (steps, count) if part.motion is not None else (0, 0)
             told_here, steps, count = _instant_blocks(part, instant, voice, why, before, numbers)
             blocks += told_here
-    phrases = phrases_in(part, figures)
+    phrases = settled = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
         from planar_cli.report.motion_phrases import motion_phrases, settled_phrases
@@ -160,19 +160,29 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
-    heard = [instant for instant in part.instants if not instant.quiet]
-    checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
-    blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
-    if part.motion is not None and why is None:
-        own = chosen_check(OF_MOTIONS, part.motion, settled)
-        blocks += [Check(told) for told in (*blow_limits(part.motion, phrases), own) if told]
-    derived = () if why is not None else chosen_check(OF_PARTS, part, phrases)
-    blocks += [Check(derived)] if derived else []
+    blocks += _student_checks(part, (phrases, settled), figures, why)
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _student_checks(part: PartSolution, speaks: tuple[Phrases, Phrases], figures: int, why: str | None) -> list[Block]:
+    """What the assumptions ask for, and one check of a person's own. `speaks`: of the part, and of its motion with
+    letters that have values.
+    """
+    phrases, settled = speaks
+    heard = [instant for instant in part.instants if not instant.quiet]
+    checks = [check_blocks(instant, phrases_of(instant, figures), part.motion is None) for instant in heard]
+    blocks: list[Block] = []
+    for b in (*(b for one in checks for b in one.tests), *(b for one in checks for b in one.own)):
+        blocks += [b] if b not in blocks else []
+    by_motion = chosen_check(OF_MOTIONS, part.motion, settled) if part.motion is not None and why is None else ()
+    limits = blow_limits(part.motion, phrases) if part.motion is not None and why is None else ()
+    own = by_motion or any(one.own for one in checks)
+    derived = () if why is not None or own else chosen_check(OF_PARTS, part, phrases)
+    return [*blocks, *(Check(x) for x in (*limits, by_motion, derived) if x)]
 
 
 def _tale(part: PartSolution, phrases: Phrases, step: int, whole: bool) -> list[Block]:

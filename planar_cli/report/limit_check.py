@@ -1,0 +1,106 @@
+"""A check that a person can make of answers in letters: a special case whose result is known beforehand.
+
+    with m_A = m_B:  a = 0, T = m_A g            equal weights balance each other
+    without friction, μ = 0:  a = g sin β
+    with m_B → 0:  a = -g                        a free fall
+
+Only formulas with sums get there something that they do not show at sight; where the special case would say that a
+force of nothing is nothing it is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.records import record
+from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import MASS, PURE
+
+LONGEST, SHORT, MOST = 40, 3, 2
+"""Operations of an answer; factors of what it comes to; answers told of one case."""
+SIMPLE = (1, -1, 2, -2, sp.Rational(1, 2), sp.Rational(-1, 2))
+"""Numbers that stand before what is known."""
+
+
+@record
+class _Case:
+    """A special case: its words, what it puts in, and whether a zero says something there."""
+
+    words: Line
+    values: Mapping[sp.Symbol, sp.Expr]
+    zero: bool
+
+
+def limit_check(part: PartSolution, phrases: Phrases) -> Line:
+    """The case that tells most answers, the first of several; empty where none comes to a short product."""
+    answers = [f for f in part.found if _is_open(f)]
+    letters = {s for f in answers for s in _formula(f).free_symbols}
+    best: list[tuple[Found, sp.Expr]] = []
+    words: Line = ()
+    for case in _cases(letters, phrases):
+        told = [(f, value) for f in answers if (value := _in_case(_formula(f), case)) is not None]
+        if len(told) > len(best):
+            best, words = told, case.words
+    shown = [
+        line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(best[:MOST])
+    ]
+    return line(*words, ": ", *(piece for one in shown for piece in one)) if shown else ()
+
+
+def _is_open(found: Found) -> bool:
+    """Is it a number with a formula in letters, which is a sum or has one in it?"""
+    return (
+        found.kind == "number"
+        and found.values is None
+        and not found.word
+        and found.curve is None
+        and len(found.expressions or ()) == 1
+        and _formula(found).has(sp.Add)
+        and not longer(_formula(found), LONGEST)
+    )
+
+
+def _formula(found: Found) -> sp.Expr:
+    assert found.expressions is not None
+    return found.expressions[0]
+
+
+def _cases(letters: set[sp.Symbol], phrases: Phrases) -> Iterator[_Case]:
+    """The special cases that a teacher would try, by the letters of the answers."""
+    ledger = phrases.ledger
+    own = [s for s in ledger.letters if s in letters and s.name != "g" and s in ledger.units]
+    masses = [s for s in own if ledger.units[s].dimension == MASS]
+    for one, other in combinations(masses, 2):
+        yield _Case(line("with ", Math(one), " = ", Math(other)), {one: other}, True)
+    for s in own:
+        if s.name in ledger.coefficients:
+            yield _Case(line("without friction, ", Math(s), " = 0"), {s: sp.S.Zero}, False)
+    for s in own:
+        if ledger.units[s].angle and ledger.units[s].dimension == PURE:
+            yield _Case(line("with ", Math(s), " = 0"), {s: sp.S.Zero}, True)
+            yield _Case(line("with ", Math(s), " = 90°"), {s: sp.pi / 2}, True)
+    for s in masses:
+        yield _Case(line("with ", Math(s), " → 0"), {s: sp.S.Zero}, False)
+
+
+def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:
+    """What a formula comes to; None: it does not depend on the case, or it is nothing that is known beforehand."""
+    if not formula.free_symbols & set(case.values):
+        return None
+    value = formula.xreplace(dict(case.values))
+    if value.has(sp.nan, sp.zoo, sp.oo, sp.Piecewise):
+        return None
+    value = simplified(value)
+    if value == 0:
+        return value if case.zero else None
+    number, rest = value.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest)
+    known = number in SIMPLE and not value.is_number and len(factors) <= SHORT
+    return value if known and not value.has(sp.Add, sp.log, sp.exp) else None
