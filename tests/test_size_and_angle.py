@@ -9,10 +9,11 @@ from worked import page_of_file
 @pytest.mark.parametrize(
     ("stem", "line"),
     [
-        ("ex-1-10", "|a_B| = √(0.2282² + 0.1704²) = 0.2848 m/s² direction of a_B = arctan(0.1704/0.2282) = 36.7° below -x"),
+        ("ex-1-10", "|a_B| = √(0.2282² + 0.1704²) = 0.2848 m/s² direction of a_B = arctan("),
+        ("ex-1-10", "direction of a_B = arctan(0.1704/0.2282) = 36.7° below -x"),
         ("pucks-at-an-angle", "direction of v_B = arctan(2.799/1.384) = 63.7° above +x"),
     ],
-)  # fmt: skip
+)
 def test_size_and_direction(stem: str, line: str) -> None:
     assert line in page_of_file(stem)
 
