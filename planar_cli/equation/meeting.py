@@ -37,9 +37,17 @@ class Partner:
     particle: bool = False
 
 
-def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark: Mark, at: str = "") -> Meeting:
+def meeting_of(
+    scene: Scene,
+    between: tuple[str, ...],
+    normal: Vec | None,
+    mark: Mark,
+    at: str = "",
+    during: tuple[str, str] | None = None,
+) -> Meeting:
     """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open. `at`:
-    the point that the file names, "": none.
+    the point that the file names, "": none. `during`: between which states alone they strike each other; until then
+    nothing keeps them on the side of a line without end on which they are drawn.
     """
     a, b = partners_of(scene, between, at)
     point = _point(scene, a, b)
@@ -54,7 +62,9 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
         raise refuse(mark, "PL528", text, "write `normal: 0 deg`, the direction of the common normal")
     named = scene.point(at) if at and at not in between and scene.owner(at) in (a.body, b.body) else None
     side = _side(scene, a, b, across, point, named)
-    return Meeting(point, across * side if side else across, bool(side))
+    lined = any(p.line is not None and not p.corners for p in (a, b))
+    passed = lined and during is not None and not scene.problem.holds_at_first(during)
+    return Meeting(point, across * side if side else across, bool(side) and not passed)
 
 
 def partners_of(scene: Scene, between: tuple[str, ...], at: str = "") -> tuple[Partner, Partner]:

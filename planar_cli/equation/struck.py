@@ -60,9 +60,18 @@ class StruckScene(Scene):
                 constant.append(symbol)
         return constant
 
-    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark, at: str = "") -> Meeting:
-        """Where two bodies strike each other. `at`: the point that the file names."""
-        return meeting_of(self, between, None if normal is None else heading(self, normal), mark, at)
+    def meeting(
+        self,
+        between: tuple[str, ...],
+        normal: Side | None,
+        mark: Mark,
+        at: str = "",
+        during: tuple[str, str] | None = None,
+    ) -> Meeting:
+        """Where two bodies strike each other. `at`: the point that the file names; `during`: the states between which
+        alone they do.
+        """
+        return meeting_of(self, between, None if normal is None else heading(self, normal), mark, at, during)
 
     def distance(self, joint: Any, value: Valuation) -> Decimal | None:
         """How far apart the two bodies of an impact are, in m; None where their shapes do not tell."""

@@ -99,7 +99,7 @@ class Impact(Joint):
         return ()
 
     def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
-        meeting = scene.meeting(self.between, self.normal, self.mark, self.at)
+        meeting = scene.meeting(self.between, self.normal, self.mark, self.at, self.during)
         a, b = (scene.carrier(p) for p in self.between)
         far = (Mode(FAR, f"{self.between[0]} and {self.between[1]} are apart", Facts()),) if self.during is None else ()
         if meeting.told:

@@ -1,4 +1,4 @@
-"""On which side of a thin rod something is that may go round its ends.
+"""On which side of a thin rod something is that may go round its ends, or of a line that it may pass before they meet.
 
 The side counts that was noted last while it was beyond the ends: so the distance keeps its sign where they strike, and
 what has gone round meets the rod from the other side.
@@ -31,19 +31,25 @@ class Facing:
     side: float = 1.0
     """1: where it is drawn; -1: on the other side."""
     told: bool = False
-    """Of two points that are drawn as one: has their motion told the side?"""
+    """Of two points that are drawn as one, and of a point that comes to a line: has their motion told the side?"""
+    free: bool = False
+    """Does nothing keep it on its side until they meet?"""
 
     def at(self, off: float) -> float:
-        """The side last noted, wherever it is now."""
+        """The side last noted, wherever it is now; where it is free, that on which it is."""
+        if self.free and abs(off) > self.near:
+            return 1.0 if off > 0 else -1.0
         return self.side
 
     def note(self, off: float, *within: float) -> None:
         """It is here now."""
         if min(within, default=0.0) <= self.near < abs(off):
-            self.side, self.told = 1.0 if off > 0 else -1.0, True
+            self.side, self.told = 1.0 if off > 0 else -1.0, not self.free
 
     def parts(self, rate: float) -> bool:
-        """Would two points, drawn as one, part at this rate, so that they come from the other side? That is noted."""
+        """Would two points, drawn as one, or a point and a line part at this rate, so that they come from the other
+        side? That is noted.
+        """
         turned = rate > 0 and not self.told
         self.side *= -1 if turned else 1
         self.told = self.told or rate != 0
@@ -62,19 +68,28 @@ class Facings:
     _code: Code | None = None
 
     def both_sides(self, gap: Gap, called: str) -> Gap:
-        """A gap as it is on the side where the partners are. `called`: by this two points keep their side."""
+        """A gap as it is on the side where the partners are. `called`: by this two points, or what comes to a line,
+        keep their side.
+        """
         if gap.points and not gap.told:
-            if called not in self._points:
-                self._points[called] = self._side(Facing(gap.distance, (), NEAR * self.extent))
-            name, side = self._points[called]
+            name, side = self._kept(called, Facing(gap.distance, (), NEAR * self.extent))
             return replace(gap, distance=side * gap.distance, normal=gap.normal * side, facing=name)
-        if gap.thin is None:
+        met = gap.line if gap.free else gap.thin
+        if met is None:
             return gap
-        center, radius = gap.thin
-        facing = Facing(gap.distance + radius, gap.within, NEAR * self.extent)
-        _, side = self._side(facing)
+        center, radius = met
+        facing = Facing(gap.distance + radius, gap.within, NEAR * self.extent, free=gap.free)
+        name, side = self._kept(called, facing) if gap.free else self._side(facing)
         point = center + (gap.point - center) * side
-        return replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
+        gap = replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
+        # Of a point on a line nothing but how it moves tells from which side it has come.
+        return replace(gap, facing=name) if gap.free and radius.constant and radius.zero else gap
+
+    def _kept(self, called: str, facing: Facing) -> tuple[str, Term]:
+        """The name of a member and its side; the same however often the gap is asked for."""
+        if called not in self._points:
+            self._points[called] = self._side(facing)
+        return self._points[called]
 
     def _side(self, facing: Facing) -> tuple[str, Term]:
         """The name of a member that is new, and its side."""

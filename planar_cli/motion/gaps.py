@@ -51,6 +51,10 @@ class Gap:
     """Do two points meet, which have no faces along which they could slide?"""
     thin: tuple[Vec, Term] | None = None
     """Of a rod's long side, which may be met from both: the centre of what meets it, and its radius [m]."""
+    line: tuple[Vec, Term] | None = None
+    """The same of a line without end."""
+    free: bool = False
+    """Does nothing keep them on their side of such a line until they meet?"""
     facing: str = ""
     """Of two points that are drawn as one: the name of that which notes their side."""
 
@@ -167,7 +171,9 @@ def _on_edge(scene: Carried, one: Corner | Rim, edge: Edge) -> Gap:
     radius = one.radius if isinstance(one, Rim) else graph.number(0.0)
     within = _beside(edge, foot, distance)
     thin = (center, radius) if edge.length is not None and not edge.solid else None
-    return Gap(one.body, edge.body, distance - radius, center - out * radius, -out, within, side != 0, thin=thin)
+    line = (center, radius) if edge.length is None else None
+    touching = center - out * radius
+    return Gap(one.body, edge.body, distance - radius, touching, -out, within, side != 0, thin=thin, line=line)
 
 
 def _beside(edge: Edge, foot: Term, off: Term) -> tuple[Term, ...]:

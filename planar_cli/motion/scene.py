@@ -289,6 +289,9 @@ class MovingScene(Carried):
         owner = self.owner(at) if at else ""
         named = (self.point(at), owner) if owner in {self.carrier(p) for p in between} else None
         found = gaps_of(self, self.feet, between, None if normal is None else heading(self, normal), later, named)
+        if joint.strikes and joint.during is not None and later:
+            # Until then nothing keeps them on the side on which they are drawn.
+            found = tuple(replace(g, free=g.line is not None) for g in found)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
         return tuple(self.facings.both_sides(g, f"{joint.name}_{k}") for k, g in enumerate(found))

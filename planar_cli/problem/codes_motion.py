@@ -64,8 +64,8 @@ _STATES = {
     ),
     "PL626": (
         "A blow in which nothing strikes leaves all as it was. Bodies strike from the side on which they are drawn; a "
-        "straight line has no end, and may be crossed on the way. A file of its own that begins in a state on the "
-        "other side of it has the blow."
+        "straight line has no end, and may be crossed on the way: an `impact` that acts `during` one later blow alone "
+        "strikes it from the side from which the bodies come."
     ),
 }
 

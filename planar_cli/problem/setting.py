@@ -117,5 +117,12 @@ class StruckSetting(Setting, Protocol):
     """The scene in a blow: bodies still have the velocities with which they arrive."""
 
     def arriving(self, point: Vec, body: str) -> Vec: ...
-    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark, at: str = "") -> Meeting: ...
+    def meeting(
+        self,
+        between: tuple[str, ...],
+        normal: Side | None,
+        mark: Mark,
+        at: str = "",
+        during: tuple[str, str] | None = None,
+    ) -> Meeting: ...
     def unknown(self, name: str, unit: str) -> Any: ...

@@ -304,7 +304,10 @@ def strikes_before(course: RegimeSequence, stretch: int, time: float, words: str
     """Something strikes before the next state, and the file does not speak of it."""
     state = course.states[stretch + 1]
     text = f"before state {state.name}, at t = {time:.4g} s, something meets again, with a blow: {words}"
-    hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
+    hint = (
+        "a state `just after` it and an `impact` tell what comes of it; `during` of an `impact` names the blow in "
+        "which alone it acts; else ask for nothing later"
+    )
     return _wrong(state.mark, "PL706", text, hint)
 
 

@@ -84,7 +84,10 @@ def _nothing_strikes(blow: Blow, joint: Joint, words: str) -> Diagnostic:
     text = (
         f"{words} in state {blow.since.name}, seen from the side on which they are drawn: nothing happens in the blow"
     )
-    hint = "a straight line has no end: begin the motion in a state on that side of it from which they strike"
+    hint = "begin the motion in a state on that side from which they strike"
+    if joint.during is None:
+        span = f"{blow.since.name}->{blow.stop.name}"
+        hint = f"a straight line has no end: `during: {span}` lets it be struck in this blow alone, whence they come"
     return Diagnostic(joint.mark, "PL626", text, hint)
 
 
