@@ -13,7 +13,7 @@ def test_the_condition_of_a_largest_value_is_said() -> None:
 
 def test_the_other_roots_are_the_smallest_values() -> None:
     page = page_of_file("follower-with-cycloidal-lift")
-    assert "not 3 T/4: there it is smallest" in page
+    assert "not 3 T/4: there it would be smallest" in page
     assert "the first such time" not in page
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from planar_cli.records import record
 from planar_cli.report import blocks
-from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Paragraph, Text, Value
+from planar_cli.report.blocks import Block, Check, Equation, Forces, Inline, Line, Math, Paragraph, Text, Value
 from planar_cli.report.blocks import Relation as Related
 from planar_cli.report.ordering import HELD
 
@@ -77,7 +77,11 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
 
 
 def _valued(block: Block) -> set[str]:
-    """The names in a formula of an equation that a value follows."""
+    """The names in a formula of an equation, or of a check, that a value follows."""
+    if isinstance(block, Check):
+        told = [piece for piece in block.line if piece != Text(" = ")]
+        after = [one for one, other in pairwise(told) if isinstance(other, Value)]
+        return {s.name for piece in after if isinstance(piece, Math) for s in piece.expr.free_symbols}
     if not isinstance(block, Equation) or block.relation != "=":
         return set()
     before = [one for one, other in pairwise(block.sides[1:]) if isinstance(other, Value)]

@@ -23,13 +23,15 @@ def over_time(e: Relation) -> bool:
 
 
 def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
-    """`not 3 T/4: there it is smallest`, where that is true of all other roots; None: it is not, or no such value."""
+    """`not 3 T/4: there it would be smallest`, where that is true of all other roots; None: it is not, or there is no
+    such value.
+    """
     relation = _condition(found, r) if left else None
     senses = None if relation is None else _senses(found, r, relation, left)
     if relation is None or senses is None or not all(sense < 0 for sense in senses):
         return None
     kind = "smallest" if relation.words.endswith(LARGEST) else "largest"
-    return Paragraph(line("not ", *_listed(r, left, phrases), f": there it is {kind}"))
+    return Paragraph(line("not ", *_listed(r, left, phrases), f": there it would be {kind}"))
 
 
 def of_the_same_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:

@@ -116,7 +116,9 @@ class Story:
             rolls = f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: "
             start = " from x = 0" if r.from_origin else ""
             advances = f"{r.centre} advances{start} by the arc that has come into contact with {surface}."
-            yield Passage(rolls + advances, (), ROLLING)
+            sense = "clockwise" if r.clockwise else "counterclockwise"
+            turns = f" `{r.angle}`: the angle by which {body} has turned, {sense}." if r.angle else ""
+            yield Passage(rolls + advances + turns, (), ROLLING)
 
     def _origin(self, thing: str) -> str:
         """The point that moves and from which the file measures another; "" where there is none."""

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from planar_cli.equation.plain import identically_zero
+import sympy as sp
+
+from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Line, Round
 from planar_cli.records import record
 
@@ -19,6 +23,10 @@ class Rolled:
     surface: str
     from_origin: bool
     """Does its centre start at x = 0, where the coordinates are zero?"""
+    angle: str = ""
+    """The coordinate by which it turns as that grows; "": it turns by no coordinate itself."""
+    clockwise: bool = False
+    """In which sense it does."""
 
 
 def rolled(quantities: Quantities) -> Iterator[Rolled]:
@@ -41,4 +49,17 @@ def rolled(quantities: Quantities) -> Iterator[Rolled]:
             if touches and identically_zero(v.x) and identically_zero(v.y) and (moves.x, moves.y) != (0, 0):
                 zero = {s: 0 for s in centre.x.free_symbols if s.name in {c.name for c in scene.problem.coordinates}}
                 starts = bool(zero) and normal.x == 0 and centre.x.subs(zero) == 0
-                yield Rolled(body.name, shape.center, surface.name, starts)
+                angle, clockwise = _turned_by(scene, centre, normal, reach)
+                yield Rolled(body.name, shape.center, surface.name, starts, angle, clockwise)
+
+
+def _turned_by(scene: Scene, centre: Vec, normal: Vec, reach: sp.Expr) -> tuple[str, bool]:
+    """The coordinate that grows by the angle by which a wheel turns, θ' = -(r_G' · t)/reach, and whether it turns
+    clockwise then; "" for none.
+    """
+    for q in scene.ledger.coordinates:
+        way = Vec(sp.diff(centre.x, q), sp.diff(centre.y, q))
+        turning = simplified(way.dot(normal.turned()) / reach)
+        if turning in (1, -1):
+            return q.name, turning == -1
+    return "", False
