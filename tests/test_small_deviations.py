@@ -64,3 +64,10 @@ def test_energies_check_the_frequency(stem: str, check: str) -> None:
 def test_no_energies_of_an_unstable_equilibrium() -> None:
     page = _page("inverted-pendulum")
     assert "energies near" not in page.partition("CASE soft")[2]
+
+
+def test_a_spring_is_drawn_as_it_lies_at_rest() -> None:
+    """To the first order in δ it pulls along the line in which it lies in the equilibrium, level here."""
+    page = _page("disk-held-by-a-spring")
+    assert "F_V ← at S" in page
+    assert "F_S ↓ at Q" in _page("bar-with-a-mass-on-a-spring")

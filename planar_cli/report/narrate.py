@@ -42,11 +42,11 @@ from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.said import said, said_once, says_nothing
-from planar_cli.report.shown import place_drawn
+from planar_cli.report.shown import place_drawn, place_of_rest
 from planar_cli.report.size_and_angle import size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slots_beside import slots_beside
-from planar_cli.report.small_deviations import in_small_deviations
+from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore
@@ -210,7 +210,9 @@ def _instant_blocks(
 
     phrases = phrases_of(instant, voice.figures)
     if part.motion is not None:
-        phrases = replace(phrases, ways=part.motion.regime(instant).ways, drawn=place_drawn(part.motion, instant))
+        near = is_of_small_deviations(part.motion, instant)
+        drawn = place_of_rest(part.motion, instant) if near else place_drawn(part.motion, instant)
+        phrases = replace(phrases, ways=part.motion.regime(instant).ways, drawn=drawn)
     wanted = _needed(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)

@@ -45,6 +45,14 @@ def place_drawn(motion: MotionTrace, instant: InstantSolution) -> Valuation | No
     return None
 
 
+def place_of_rest(motion: MotionTrace, instant: InstantSolution) -> Valuation:
+    """The numbers of an equilibrium, in which is drawn what is told of small deviations from it: a spring pulls along
+    the line in which it lies there.
+    """
+    ((state, _),) = set(motion.regime(instant).stretches)
+    return instant.value.extended(motion.value.values).extended(_at(motion, state))
+
+
 def _at(motion: MotionTrace, state: str) -> Place:
     """The numbers of the general position at a state."""
     return dict(_numbers(motion, state))

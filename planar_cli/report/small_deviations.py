@@ -29,10 +29,9 @@ def in_small_deviations(
     """With the pulls and sums of a general position in their linear parts, and without the step that solves them; as
     they are where something else rests on this position, or nothing in it is long.
     """
-    linear = {p.of: p for o in motion.oscillations for p in o.linear}
-    at_rest_only = all(since == stop for since, stop in motion.regime(instant).stretches)
-    if not linear or len(motion.oscillations) > 1 or not at_rest_only or telling.principle.inertia_as_force:
+    if not is_of_small_deviations(motion, instant):
         return blocks
+    linear = {p.of: p for o in motion.oscillations for p in o.linear}
     by_number = _sums(telling, linear)
     found: list[Block] = []
     for block in _unsolved(blocks):
@@ -49,6 +48,14 @@ def in_small_deviations(
     state = motion.oscillations[0].state
     name = line(phrases.math(DEVIATION), f": a small deviation from the equilibrium {state}")
     return [*found[: last + 1], Paragraph(name), *found[last + 1 :]]
+
+
+def is_of_small_deviations(motion: MotionTrace, instant: InstantSolution) -> bool:
+    """Is a general position told in its linear parts?"""
+    at_rest_only = all(since == stop for since, stop in motion.regime(instant).stretches)
+    linear = [p for o in motion.oscillations for p in o.linear]
+    inertial = instant.instant.principle.inertia_as_force
+    return bool(linear) and len(motion.oscillations) == 1 and at_rest_only and not inertial
 
 
 def _sums(telling: Telling, linear: Mapping[sp.Expr, LinearPart]) -> dict[int | None, sp.Expr]:
