@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from math import atan, degrees, sqrt
 
 import pytest
 
 from planar_cli.errors import NoSolution
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load_text
-from planar_cli.simulate.shooting import has_no_effect, shooting
+from planar_cli.simulate import shooting as module
+from planar_cli.simulate.run import Run
+from planar_cli.simulate.shooting import TIMES, has_no_effect, shooting
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -341,3 +345,35 @@ find: {e: e}
     before, after = sqrt(2 * 9.81 * 0.6), sqrt(2 * 9.81 * 1.2 * (1 - math.cos(math.radians(15))))
     (e,) = part.found[0].values or ()
     assert float(e) == pytest.approx(((before + after) / 2.5 + after) / before)
+
+
+SWUNG = """
+title: Rod that is at its lowest place at a given time
+plane: vertical
+unknowns: {w_0: rad/s}
+points: {A: [0, 0], B: {from: A, distance: 1 m, angle: -60 deg}}
+bodies: {rod: {rod: [A, B], mass: 2 kg}}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+states:
+  1: [t = 0, omega(rod) = w_0]
+  2: [t = 0.3 s, theta(rod) = -90 deg]
+find: {w: w_0}
+"""
+
+
+def test_what_turns_too_fast_to_be_followed_is_not_tried_any_faster(monkeypatch: pytest.MonkeyPatch) -> None:
+    """α = -1.5 g cos θ from -0.92476976 rad/s on, integrated separately, leads there in 0.3 s."""
+    problem, wrong = load_text(SWUNG)
+    assert problem is not None, wrong
+    tried: list[float] = []
+    follow = module.motion_with
+
+    def counted(of: Problem, values: Mapping[str, float], times: float = TIMES, balanced: bool = True) -> Run | None:
+        tried.append(values["w_0"])
+        return follow(of, values, times, balanced)
+
+    monkeypatch.setattr(module, "motion_with", counted)
+    assert shooting(problem, {}) == pytest.approx((-0.92476976062,), rel=1e-9)
+    assert len(tried) < 90
+    assert max(map(abs, tried)) < 1e4

@@ -40,6 +40,8 @@ PROBED = 2.0
 """Over so many characteristic times it is looked whether a constant changes anything."""
 PROBES, GOLDEN = 5, 0.6180339887498949
 """For so many values of it, which multiples of the golden ratio scatter."""
+IN_A_ROW = 3
+"""So many values in a row with which the steps do not suffice tell that they do not with larger ones."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
 SHORT = 1e-3
@@ -51,7 +53,9 @@ NOTHING = 1e-9
 SAME = 1e-7
 """Roots that are apart by less than this part of the larger one are the same."""
 Missed = Callable[[float], float | None]
-"""By how much, in parts of its scale, a relation is off with a value; None: its state is not reached."""
+"""By how much, in parts of its scale, a relation is off with a value; None: its state is not reached; not a number:
+it has its time, and the steps do not suffice to come there.
+"""
 Shown = tuple[float, float]
 """A value of the constant, and by how much the relation is off with it."""
 
@@ -186,9 +190,13 @@ def scales_tried(problem: Problem, known: Mapping[str, float]) -> Scales:
 
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
+    dated = any(is_time(r) for s in shot.problem.states if s.name == shot.state for r in s.relations)
+
     def missed(value: float) -> float | None:
         run = motion_with(shot.problem, {**known, name: value}, balanced=False)
         moment = None if run is None else run.measures.moments.get(shot.state)
+        if dated and run is not None and moment is None and run.trajectory.outcome.kind == "long":
+            return math.nan
         if run is None or moment is None or _acts_no_more(shot.left, moment.regime):
             return None
         scale = Timetable(run.problem, run.measures).scale(shot.left.left, shot.left.right)
@@ -229,7 +237,7 @@ def passes(problem: Problem, values: Mapping[str, float]) -> bool:
 
 def _roots(missed: Missed, values: Sequence[float]) -> Iterator[float]:
     """Where a relation holds, between these values."""
-    found = [(v, missed(v)) for v in values]
+    found = list(_tried(missed, values))
     for low, high in pairwise(found):
         ends = _reached(missed, low, high)
         root = None if ends is None else enclosed(missed, *ends)
@@ -239,11 +247,26 @@ def _roots(missed: Missed, values: Sequence[float]) -> Iterator[float]:
             yield root
 
 
+def _tried(missed: Missed, values: Sequence[float]) -> Iterator[tuple[float, float | None]]:
+    """The values with what comes of them; where up to a given time the steps do not suffice with some in a row, as of
+    what goes round faster and faster, they do not with larger ones.
+    """
+    grow, spent = all(abs(a) <= abs(b) for a, b in pairwise(values)), 0
+    for value in values:
+        off = missed(value)
+        yield value, off
+        spent = spent + 1 if off is not None and math.isnan(off) else 0
+        if grow and spent == IN_A_ROW:
+            return
+
+
 def _reached(
     missed: Missed, low: tuple[float, float | None], high: tuple[float, float | None]
 ) -> tuple[Shown, Shown] | None:
-    """Two values between which the state is reached; None: it is not."""
+    """Two values between which the state is reached; None: it is not, or that is not known."""
     (a, f), (b, g) = low, high
+    if any(off is not None and math.isnan(off) for off in (f, g)):
+        return None
     if f is None:
         return None if g is None else (_edge(missed, a, (b, g)), (b, g))
     return (a, f), (_edge(missed, b, (a, f)) if g is None else (b, g))
@@ -254,7 +277,7 @@ def _edge(missed: Missed, lost: float, reached: Shown) -> Shown:
     for _ in range(EDGE):
         middle = (lost + reached[0]) / 2
         f = missed(middle)
-        if f is None:
+        if f is None or math.isnan(f):
             lost = middle
         else:
             reached = middle, f
@@ -278,7 +301,7 @@ def _at_edge(missed: Missed, edge: Shown, inner: Shown) -> float | None:
             share = 2 * share or SHORT
             stop = root + share * (x - root)
             h = missed(stop)
-        if h is None:
+        if h is None or math.isnan(h):
             return x if abs(f) <= HOLDS else None
         (y, g), (x, f) = (x, f), (stop, h)
     return x if abs(f) <= HOLDS else None
@@ -296,7 +319,7 @@ def enclosed(missed: Missed, low: Shown, high: Shown, tolerance: float = TOLERAN
     for _ in range(ROUNDS):
         x = (a * g - b * f) / (g - f)
         h = missed(x)
-        if h is None:
+        if h is None or math.isnan(h):
             return None
         if abs(h) <= tolerance or abs(b - a) <= CLOSE * max(abs(a), abs(b)):
             return x if abs(h) <= HOLDS else None
