@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import first, solve
 
-from planar_cli.errors import NoSolution
+from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
 
 WHEEL = """
@@ -74,3 +74,28 @@ def test_where_weight_has_a_part_the_plane_is_asked_for() -> None:
 def test_forces_need_it_at_once(asked: str) -> None:
     _, wrong = load_text(WHEEL.replace("alpha(wheel)", asked))
     assert [d.code for d in wrong] == ["PL450"]
+
+
+PENDULUM = """
+title: Pendulum made of a rod and a disk
+points: {O: [0, 0], E: [0, -1 m], K: [0, -1.2 m]}
+bodies: {pendulum: {parts: [{rod: [O, E], mass: 2 kg}, {disk: K, radius: 0.2 m, mass: 3 kg}]}}
+joints:
+  - pin: {at: O, between: [ground, pendulum]}
+instant: [omega(pendulum) = 1 rad/s, alpha(pendulum) = 2 rad/s^2]
+find: {FIND}
+"""
+
+
+def test_an_acceleration_that_is_stated_of_a_composite_body() -> None:
+    """Its masses tell where its mass centre is, and no more."""
+    found = solve(PENDULUM.replace("FIND", "x: a(K).x, y: a(K).y, G: a(pendulum).mag, T: KE(pendulum)"))
+    inertia = 2 / 3 + 3 * 0.2**2 / 2 + 3 * 1.2**2
+    expected = (2.4, 1.2, 0.92 * 5**0.5, inertia / 2)
+    assert [float(found[n].values[0]) for n in ("x", "y", "G", "T")] == pytest.approx(expected)
+
+
+def test_a_reaction_is_another_matter() -> None:
+    with pytest.raises(FileProblem) as raised:
+        solve(PENDULUM.replace("FIND", "R: reaction(O).y"))
+    assert raised.value.diagnostics[0].code == "PL450"

@@ -11,8 +11,8 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import NoSolution, Undecided
-from planar_cli.problem.check_physics import is_told_as_motion, no_plane
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.check_physics import ACCELERATIONS, OF_MOTION, is_told_as_motion, no_plane
+from planar_cli.problem.expression import Law, Quantity, Relation, Statement
 from planar_cli.problem.scene import Body, Composite, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.solved_problem import PartSolution
@@ -26,19 +26,52 @@ def in_either_plane(solve: Callable[..., PartSolution], problem: Problem, *rest:
     lacking = list(no_plane(problem)) if problem.plane is None and is_told_as_motion(problem) else []
     if not lacking:
         return solve(problem, *rest)
+    lack: NoSolution | None = None
     if not asks_for_masses(problem):
         try:
             return solve(without_masses(problem), *rest)
-        except (NoSolution, Undecided):
+        except NoSolution as error:
+            lack = error
+        except Undecided:
             # Masses have a part in it.
             pass
+    for told in (problem, driven(problem)):
+        try:
+            part, other = (solve(p, *rest) for p in (told, replace(told, plane="vertical")))
+        except (NoSolution, Undecided):
+            continue
+        if all(same_answer(one, two) for one, two in zip(part.found, other.found, strict=True)):
+            return part
+        raise NoSolution(lacking)
+    raise NoSolution(lacking) if lack is None or _is_solved(solve, problem, *rest) else lack
+
+
+def _is_solved(solve: Callable[..., PartSolution], problem: Problem, *rest: Any) -> bool:
+    """Is the plane all that is lacking?"""
     try:
-        part, other = (solve(p, *rest) for p in (problem, replace(problem, plane="vertical")))
-    except (NoSolution, Undecided) as error:
-        raise NoSolution(lacking) from error
-    if all(same_answer(one, two) for one, two in zip(part.found, other.found, strict=True)):
-        return part
-    raise NoSolution(lacking)
+        solve(replace(problem, plane="vertical"), *rest)
+    except (NoSolution, Undecided):
+        return False
+    return True
+
+
+def driven(problem: Problem) -> Problem:
+    """The problem in which something drives what its instant accelerates: whatever that is, the motion is the stated
+    one.
+    """
+    stated = tuple(s for s in problem.instant or () if _accelerates(s))
+    if not stated or problem.instant is None:
+        return problem
+    rest = tuple(s for s in problem.instant if s not in stated)
+    return replace(problem, instant=rest, motion=(*problem.motion, *(Law(s, None) for s in stated)))
+
+
+def _accelerates(statement: Statement) -> bool:
+    """Is it an equation of accelerations, with nothing that only forces tell?"""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return False
+    words = {q.word for q in walk(statement) if isinstance(q, Quantity)}
+    return bool(words & ACCELERATIONS) and words <= OF_MOTION
 
 
 def asks_for_masses(problem: Problem) -> bool:
