@@ -1,6 +1,6 @@
 """A check that a person can make of one body: moments about another point than those of the solution.
 
-spool:  ↺ ΣM_C = -75 N·m,  I α + r_G/C × m a_G = -8.889 - 66.67 = -75 N·m
+spool:  ↻ ΣM_C = 75 N·m;  I α and the moment of m a_G: 8.889 + 66.11 = 75 N·m
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.another_equation import acting_on, moment_of, product_of
 from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.counted import sense_of
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
@@ -65,17 +66,18 @@ def _told(instant: InstantSolution, name: str, about: tuple[str, Vec], phrases: 
     turned = [product_of(moment_of(a.point - point, a.force, phrases) + a.couple, a.size) for a in acting]
     if None in turned:
         return ()
-    moments = counting([t for t in turned if t is not None])
+    turn = system.tree.turn((name,))
+    moments = counting([turn * t for t in turned if t is not None])
     accelerated = (body.center - point).cross(motion.acceleration(body.center, name)) * body.mass
-    changes = [phrases.certain(sp.sympify(e)) for e in (body.inertia * motion.accelerations[name].angular, accelerated)]
+    changes = [
+        turn * phrases.certain(sp.sympify(e)) for e in (body.inertia * motion.accelerations[name].angular, accelerated)
+    ]
     if not 1 <= len(moments) <= MOST or not counting(changes) or not agree(moments, changes):
         return ()
     unit, centre = phrases.page_unit(default_unit(ENERGY)), body.center_name
     centre = centre if centre and centre != name else "G"
-    accelerated_names = line(Name(f"r_{centre}/{place}"), " × m ", Name(f"a_{centre}"))
-    both = [line("I α"), accelerated_names]
-    names = line(
-        *(p for i, t in enumerate(t for t in zip(both, changes, strict=True) if t[1]) for p in (" + " * (i > 0), *t[0]))
-    )
-    head = line(f"{name}: ↺ ", Name(f"ΣM_{place}"), " = ", *chain(moments, unit, phrases))
-    return line(*head, ", ", *names, " = ", *chain(counting(changes), unit, phrases))
+    names = (line("I α"), line("the moment of m ", Name(f"a_{centre}")))
+    first, *others = (told for told, size in zip(names, changes, strict=True) if size)
+    both = line(*first, *(p for told in others for p in (" and ", *told)))
+    head = line(f"{name}: {sense_of(turn)} ", Name(f"ΣM_{place}"), " = ", *chain(moments, unit, phrases))
+    return line(*head, "; ", *both, ": ", *chain(counting(changes), unit, phrases))

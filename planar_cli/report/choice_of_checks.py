@@ -15,8 +15,10 @@ from planar_cli.report.another_equation import another_equation
 from planar_cli.report.another_point import another_point
 from planar_cli.report.blocks import Line
 from planar_cli.report.blow_check import blow_check
+from planar_cli.report.cosine_check import cosine_check
 from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.first_second import first_second
+from planar_cli.report.harmonic_check import harmonic_check
 from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.kinetic_check import kinetic_check
 from planar_cli.report.law_check import law_check, simpson_check
@@ -25,6 +27,7 @@ from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passing import passing_check
 from planar_cli.report.polar_check import polar_check
 from planar_cli.report.power_check import power_check
+from planar_cli.report.round_check import round_check
 from planar_cli.report.system_sum import system_sum
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.time_check import time_check
@@ -40,9 +43,11 @@ OF_INSTANTS: tuple[Candidate, ...] = (
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
     energy_check, blow_check, law_check, kinetic_check, root_check, passing_check, time_check, oscillation_check,
-    simpson_check,
+    harmonic_check, simpson_check,
 )  # fmt: skip
-OF_PARTS: tuple[Candidate, ...] = (tale_check, track_check, inertia_check, limit_check)
+OF_PARTS: tuple[Candidate, ...] = (
+    tale_check, track_check, inertia_check, round_check, cosine_check, limit_check,
+)  # fmt: skip
 
 
 def chosen_check(candidates: tuple[Candidate, ...], of: Any, phrases: Phrases) -> Line:
