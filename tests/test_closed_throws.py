@@ -11,9 +11,9 @@ from worked import worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
-from planar_cli.solve.between.route import determinant
 from planar_cli.solve.between.substitution import same_as
 from planar_cli.solve.between.trace import Result
+from planar_cli.solve.multibody.linear import determinant
 
 
 @pytest.mark.parametrize(

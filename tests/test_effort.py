@@ -25,3 +25,20 @@ def test_with_newtons_law_a_constant_acceleration_is_shorter_than_energies() -> 
 
 def test_a_way_between_given_places_is_in_letters() -> None:
     assert "(5) θ_2 = h/R = 0.6/0.2 = 3 rad" in page_of_file("ex-4-09")
+
+
+def test_a_constant_acceleration_that_is_needed_anyway_serves_for_speeds_and_heights_too() -> None:
+    page = page_of_file("ex-1-06")
+    assert "Principle Newton's second law. Constant acceleration." in page
+    assert "(3): y_ball,top = v0²/(2 g) + h" in page
+    assert (
+        "From thrown to half, constant acceleration, y of ball: (4) v_ball,y,half² = 2 g (h - y_ball,half) + v0²"
+        in page
+    )
+    assert "work and kinetic energy" not in page
+
+
+def test_where_no_law_is_needed_energies_stay() -> None:
+    """The push of the buffer is asked, and no time while the block slides freely."""
+    assert "From 1 to meets, work and kinetic energy" in page_of_file("block-down-a-slope-onto-a-buffer")
+    assert "From 1 to 2, work and kinetic energy" in page_of_file("falling-rod-caught-by-a-cord")

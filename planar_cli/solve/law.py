@@ -31,6 +31,8 @@ class Law:
     """The free speed that it goes with, v = factor · speed (None: with none); the factor is 1 or a length."""
     effort: float = 0.0
     """What it takes to find it, beside what its integral costs."""
+    steady: bool = False
+    """Is an acceleration the same all the time?"""
     constant: tuple[sp.Symbol, sp.Expr] | None = None
     """The letter of a rate that does not change, in which `f` is written, and its formula; None: it has none."""
     vibration: Vibration | None = None

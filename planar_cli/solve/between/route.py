@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
+from planar_cli.solve.between.at_hand import at_hand
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
@@ -30,7 +31,7 @@ from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.substitution import linear_step, same_as, square
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
-from planar_cli.solve.multibody.linear import solve
+from planar_cli.solve.multibody.linear import determinant, solve
 from planar_cli.solve.regimes.equations import DATA, Equation
 
 MANY = 4
@@ -133,6 +134,8 @@ class Router:
                     best = self._cheapest(edges)
         if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
             best = {**self._cheapest(self.followed.edges(edges)), **best}
+        if (cheaper := at_hand(best, edges, targets)) is not None:
+            best = {**best, **self._cheapest(edges := cheaper)}
         best = by_targets(best, edges, targets)
         order: list[Derivation] = []
         # What only numbers tell, and nothing else rests on, comes last.
@@ -380,19 +383,6 @@ def _is_high(derivation: Derivation) -> bool:
     """Is it of more than a square? Then it is not what the file says of its unknown, but follows from that."""
     residual, x = derivation.equations[0].residual, derivation.unknowns[0]
     return bool(residual.is_polynomial(x)) and sp.degree(residual, x) > 2
-
-
-def determinant(rows: list[list[Decimal]]) -> Decimal:
-    """Of a square matrix, by elimination: of many rows there are too many products to write them out."""
-    left, found = rows, Decimal(1)
-    while left:
-        pivot = max(left, key=lambda row: abs(row[0]))
-        if not pivot[0]:
-            return Decimal(0)
-        found *= pivot[0] * (-1) ** left.index(pivot)
-        others = [row for row in left if row is not pivot]
-        left = [[c - row[0] / pivot[0] * p for c, p in zip(row[1:], pivot[1:], strict=True)] for row in others]
-    return found
 
 
 def _outer(residual: sp.Expr) -> set[sp.Symbol]:

@@ -157,3 +157,16 @@ class Span:
         lead = work[best]
         self.pivots.append((best, [a / lead if a else a for a in work]))
         return True
+
+
+def determinant(rows: list[list[Decimal]]) -> Decimal:
+    """Of a square matrix, by elimination: of many rows there are too many products to write them out."""
+    left, found = rows, Decimal(1)
+    while left:
+        pivot = max(left, key=lambda row: abs(row[0]))
+        if not pivot[0]:
+            return Decimal(0)
+        found *= pivot[0] * (-1) ** left.index(pivot)
+        others = [row for row in left if row is not pivot]
+        left = [[c - row[0] / pivot[0] * p for c, p in zip(row[1:], pivot[1:], strict=True)] for row in others]
+    return found

@@ -187,7 +187,7 @@ def _second_order(
     roles = regime.general.instant.scene.ledger.roles
     if any(roles[s].kind is Kind.ACCELERATION for s in letters(f) if s in roles):
         return None
-    return Law(c, 2, f, v, u, factor, effort(regime, f))
+    return Law(c, 2, f, v, u, factor, effort(regime, f), not letters(f) & set(regime.letters))
 
 
 def _linked_place(regime: Regime, link: Link, master: Coordinate) -> sp.Expr:
