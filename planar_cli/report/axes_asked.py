@@ -14,6 +14,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, line
+from planar_cli.report.counted import as_vector
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 
@@ -43,7 +44,8 @@ def without(what: Any, system: System, zero: Collection[sp.Symbol], phrases: Phr
         return ()
     parts = {name: sp.sympify(p.value) for name, p in (("x", vector.x), ("y", vector.y))}
     inside = parts["x"].free_symbols | parts["y"].free_symbols
-    turning = dict.fromkeys(s for twist in motion.accelerations.values() if (s := twist.angular) in inside)
+    spins = (as_vector(sp.sympify(twist.angular), system) for twist in motion.accelerations.values())
+    turning = dict.fromkeys(s for s in spins if s in inside)
     names = [phrases.math(s) for s in turning if s not in zero and simplified(sp.diff(parts[axis], s)) == 0]
     listed = [piece for i, name in enumerate(names) for piece in ((", " if i < len(names) - 1 else " and ", name))]
     return line(", where ", *listed[1:], " do not enter" if len(names) > 1 else " does not enter") if names else ()

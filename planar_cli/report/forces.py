@@ -381,9 +381,8 @@ def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: 
     """AG or AB of a direction that is the arm from one point of the turning body to another, or that arm turned."""
     scene, value, motion = instant.instant.scene, instant.value, instant.trial.system.motion
     assert motion is not None
-    bodies = [
-        b for b in scene.bodies if turning in (motion.accelerations[b].angular, motion.velocities[b].angular ** 2)
-    ]
+    rates = {b: (motion.accelerations[b].angular, motion.velocities[b].angular) for b in scene.bodies}
+    bodies = [b for b, (alpha, omega) in rates.items() if turning in (alpha, -alpha, omega**2)]
     for owner in sorted(bodies, key=lambda b: b != body):
         own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
         ends = {centre_of(scene, owner): scene.center(owner), centre_of(scene, body): scene.center(body), **own}

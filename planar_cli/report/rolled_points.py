@@ -39,7 +39,7 @@ def touching(system: System, kinetic: bool) -> list[Paragraph]:
 
 def is_named(parts: Sequence[tuple[Vec, sp.Expr]], twist: Twist) -> bool:
     """Is the acceleration of a mass centre one letter, of which a line tells what it is? α of its body is none."""
-    return len(parts) == 1 and parts[0][1] != twist.angular
+    return len(parts) == 1 and parts[0][1] not in (twist.angular, -twist.angular)
 
 
 def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
