@@ -7,6 +7,7 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
 
 
@@ -53,6 +54,12 @@ def test_where_the_sense_is_open_it_is_counterclockwise(stem: str) -> None:
 def test_the_answer_itself_counts_counterclockwise() -> None:
     found = worked(ROOT / "problems/textbook/ex-4-05.yaml")[0].parts[0].found
     assert float(next(f for f in found if f.name == "alpha").values[0]) == pytest.approx(-6.18557, rel=1e-5)
+
+
+def test_a_document_says_what_counts_clockwise() -> None:
+    steps = solution_data(*worked(ROOT / "problems/textbook/ex-4-05.yaml"), 4, None)["steps"]
+    solved = next(s for s in steps if s.get("symbol") == "alpha" and s["kind"] == "solved")
+    assert (solved["counts"], round(solved["value"], 3)) == ("clockwise", 6.186)
 
 
 def test_what_is_asked_downward_counts_downward() -> None:

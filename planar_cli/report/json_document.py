@@ -16,6 +16,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.verdict import Verdict
 from planar_cli.report.checks import unconfirmed
+from planar_cli.report.counted import clockwise_letter
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
 from planar_cli.report.page_units import in_base_units
@@ -233,6 +234,7 @@ def _solved(solved: Line, instant: InstantSolution) -> dict[str, Any]:
         "value": solved.value if numeric else None,
         "unit": in_base_units(unit, ledger.us).text if unit is not None else "1",
         "equations": list(solved.equations),
+        **({"counts": "clockwise"} if clockwise_letter(-solved.symbol, instant) is not None else {}),
     }
 
 
