@@ -20,7 +20,7 @@ def page(name: str) -> str:
 def test_an_acceleration_is_told_once_in_numbers() -> None:
     text = page("textbook/ex-1-10")
     assert "α = -a_Ax/r_h = -(-0.05)/0.3 = 0.1667 rad/s²" in text
-    assert "θ̈ = α = 0.1667 rad/s²" in text
+    assert text.count("= 0.1667 rad/s²") == 1
     assert "ω_2 = ω_1 + α t_2 = 0.3333 + 0.1667 · 2 = 0.6667 rad/s" in text
     assert "θ_2 = ω_1 t_2 + 1/2 α t_2² = " in text
 

@@ -50,6 +50,7 @@ from planar_cli.report.small_deviations import in_small_deviations, is_of_small_
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore
+from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
@@ -96,7 +97,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             continue
         own = with_equals_together(with_tangents(part_blocks(part, voice, why, told)))
         if part.motion is not None and why is None:
-            own = list(with_meanings(own, part.motion, meanings))
+            declared = (c.name for c in problem.coordinates)
+            own = with_turning_rates(list(with_meanings(own, part.motion, meanings)), declared)
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
             case = next(c.problem for c in problem.cases if c.name == part.case)

@@ -37,7 +37,7 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
             names |= own
     if not names:
         return list(blocks)
-    renaming = _Renaming(names)
+    renaming = Renaming(names)
     return [renaming.answered(b) if isinstance(b, Answer) else renaming.of(b) for b in blocks]
 
 
@@ -126,7 +126,7 @@ def _is_meant(letter: str, name: str, used: _Used) -> bool:
     return not any(_shortens(name, x) or plain_name(x) == plain_name(name) for x in others)
 
 
-class _Renaming:
+class Renaming:
     """Writes blocks in other names."""
 
     def __init__(self, names: Mapping[str, str]) -> None:

@@ -1,0 +1,32 @@
+"""Where a page says θ̈ = α, the rates of the angle are called ω and α throughout."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.report.blocks import Block, Check, Equation, Math, Paragraph, Value, line
+from planar_cli.report.turning_rates import with_turning_rates
+
+ALPHA, RATE, SECOND = (sp.Symbol(x, real=True) for x in ("alpha", "theta_dot", "theta_ddot"))
+NUMBER = Value(Decimal("0.1667"), "rad/s^2")
+TOLD: tuple[Block, ...] = (
+    Equation((Math(ALPHA), NUMBER)),
+    Paragraph(line("For the angle of the wheel:")),
+    Equation((Math(SECOND), Math(ALPHA), NUMBER)),
+    Equation((Math(RATE), Math(SECOND * sp.Symbol("t", real=True)))),
+    Check(line(Math(SECOND), " = ", Math(ALPHA), " is constant")),
+)
+
+
+def test_one_name() -> None:
+    first, rate, check = with_turning_rates(TOLD, ())
+    assert first == TOLD[0]
+    assert isinstance(rate, Equation)
+    assert [str(s.expr) for s in rate.sides if isinstance(s, Math)] == ["omega", "alpha*t"]
+    assert check == Check(line(Math(ALPHA), " is constant"))
+
+
+def test_not_the_coordinate_of_the_file() -> None:
+    assert with_turning_rates(TOLD, ("theta",)) == list(TOLD)
