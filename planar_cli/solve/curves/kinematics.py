@@ -18,6 +18,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.jets import Jet, direction_angle, magnitude
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find, Polar, TwoFacts, with_article
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
@@ -32,6 +33,7 @@ from planar_cli.solve.curves.kinds_asked import (
     polar_of,
     wanted_of,
 )
+from planar_cli.solve.curves.on_fixed_line import Guided, components, guided
 from planar_cli.solve.curves.rolled import rolled
 from planar_cli.solve.passages import (
     ALONG,
@@ -313,6 +315,12 @@ class Story:
             reach = reach - self.quantities.place(origin)
         reach = reach if self.driven is None else self.driven.vec(reach)
         size, angle = self._in_time(magnitude(reach)), self._in_time(direction_angle(reach))
+        line = self._on_fixed_line(point, reach, size, angle) if level and not whole else None
+        if line is not None:
+            rows = [row for row in self._polar_rows(point, size, angle, 0) if sides_of(row)[0] == line.letter("r")]
+            yield Passage(f"Distance of {point} from {origin or 'the origin'}:", tuple(rows))
+            yield components(line, level)
+            return
         rows = [row for n in range(level + 1) for row in self._polar_rows(point, size, angle, n)]
         yield Passage(
             f"Polar coordinates of {point}{f' about {origin}' if origin else ''}, and their rates:", tuple(rows)
@@ -330,6 +338,16 @@ class Story:
             pair = [sp.Symbol(f"{' va'[n]}_{point}_{name}", real=True) for name in POLAR]
             told += self._lettered(n, point, [(s, parts_told.get(s)) for s in pair])
         yield Passage("Components along r and across it:", tuple(told), RADIAL)
+
+    def _on_fixed_line(self, point: str, reach: Vec, size: Jet, angle: Jet) -> Guided | None:
+        """A point that keeps x or y at the instant that is asked for; None: it does not."""
+        if self.driven is None:
+            return None
+        own = (self.clean(sp.sympify(angle.rate)), self.clean(sp.sympify(angle.second)))
+        turning = next((q for q, rates in self.driven.driven.items() if rates == own), None)
+        if turning is None or not self.driven.value.is_zero(angle.value - turning):
+            return None
+        return guided(point, reach, size, (turning, *own), self.value)
 
     def _in_time(self, jet: Jet) -> Jet:
         """What is a function of time alone, or of coordinates whose rates are told, is differentiated as that."""

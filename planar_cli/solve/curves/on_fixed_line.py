@@ -1,0 +1,95 @@
+"""Polar components of a point that moves along a fixed line: the velocity across the line is zero, which tells v_r from
+v_θ, and the acceleration across it a_r from a_θ, so that r need not be differentiated.
+
+v_θ = r θ̇          v_y = v_r sin θ + v_θ cos θ = 0          v_r = -v_θ/tan θ           of a point that keeps its y
+a_θ = r θ̈ + 2 v_r θ̇        likewise a_r = -a_θ/tan θ       (An Introduction to Planar Dynamics, 1.4.3)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.jets import Jet
+from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
+from planar_cli.solve.passages import RADIAL, Passage, Row
+from planar_cli.units import LENGTH, TIME
+
+Angle = tuple[sp.Symbol, sp.Symbol, sp.Symbol]
+"""The letters of an angle and its rates."""
+
+
+@record
+class Guided:
+    """A point that keeps x or y, as its polar coordinates tell it: the letters of the angle and its rates, the length
+    and its rates, and `value`, of a formula in the coordinates.
+    """
+
+    point: str
+    keeps: str
+    size: Jet
+    angle: Angle
+    value: Callable[[sp.Expr], Decimal | None]
+
+    def letter(self, name: str) -> sp.Symbol:
+        """v_P_r and the like, and r_P."""
+        kind, _, part = name.partition("_")
+        return sp.Symbol(f"{kind}_{self.point}{'_' + part if part else ''}", real=True)
+
+
+def guided(
+    point: str, reach: Vec, size: Jet, angle: Angle, value: Callable[[sp.Expr], Decimal | None]
+) -> Guided | None:
+    """None: the point keeps neither x nor y. `angle`: the coordinate that it is, with the letters of its rates."""
+    if value(size.value) is None:
+        return None
+    kept = [axis for axis, jet in (("x", reach.x), ("y", reach.y)) if jet.rate == 0 and jet.value != 0]
+    return Guided(point, kept[0], size, angle, value) if len(kept) == 1 else None
+
+
+def components(g: Guided, level: int) -> Passage:
+    """v_θ and v_r, and at level 2 a_θ and a_r."""
+    r, speed = g.letter("r"), g.letter("v_r")
+    _, omega, alpha = g.angle
+    size = g.size
+    assert size.rate is not None
+    rows = [*_pair(g, "v", r * omega, size.value * omega, size.rate, {r: size.value, omega: omega})]
+    if level == 2:
+        assert size.second is not None
+        told = {r: size.value, omega: omega, alpha: alpha, speed: size.rate}
+        whole = size.value * alpha + 2 * size.rate * omega
+        along = size.second - size.value * omega**2
+        rows += _pair(g, "a", r * alpha + 2 * speed * omega, whole, along, told)
+    other = {"x": "y", "y": "x"}[g.keeps]
+    what = "its velocity has" if level == 1 else "its velocity and its acceleration have"
+    return Passage(
+        f"{g.point} moves along {other}, so that {what} no {g.keeps} component; across r and along it:",
+        tuple(rows),
+        RADIAL,
+    )
+
+
+def _pair(
+    g: Guided, kind: str, formula: sp.Expr, across: sp.Expr, along: sp.Expr, inside: dict[sp.Symbol, sp.Expr]
+) -> Iterator[Row]:
+    """The component across r by its formula, then that along r; `across`, `along`: both in the coordinates, `inside`:
+    what the letters of `formula` are.
+    """
+    theta = g.angle[0]
+    one, other = g.letter(f"{kind}_r"), g.letter(f"{kind}_theta")
+    dimension = LENGTH / TIME ** (1 if kind == "v" else 2)
+    yield Row("", (other, formula), g.value(across), dimension, False, _numbers(g, inside))
+    if g.keeps == "y":
+        kept, told = one * sp.sin(theta) + other * sp.cos(theta), -other / sp.tan(theta)
+    else:
+        kept, told = one * sp.cos(theta) - other * sp.sin(theta), other * sp.tan(theta)
+    yield Row("", sp.Eq(kept, 0, evaluate=False), Decimal(0))
+    yield Row("so that", (one, told), g.value(along), dimension, False, _numbers(g, {other: across, theta: theta}))
+
+
+def _numbers(g: Guided, inside: dict[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, Decimal]:
+    found = {s: g.value(e) for s, e in inside.items()}
+    return {s: number for s, number in found.items() if number is not None}
