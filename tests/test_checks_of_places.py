@@ -13,6 +13,7 @@ from worked import page_of_file
         ("ex-1-07", "amplitude times natural frequency: l √(k/m), the size of"),
         ("ex-1-09", "OB = √(0.4715² + 0.3710²) = 0.6 m; r_B/O · v_B = "),
         ("ex-1-09", "0.4715 (-0.1237) + 0.3710 · 0.1572 = 0, at right angles"),
+        ("ex-1-15", "relative speed √(43.30² + 25²) = 50 m/s, distance at first D: D/(50 m/s) = t_meet"),
     ],
 )  # fmt: skip
 def test_a_check_by_geometry_or_by_the_motion(stem: str, words: str) -> None:
