@@ -14,6 +14,7 @@ from planar_cli.records import record
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.asked_in_general import with_asked
+from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import (
     Block,
     Check,
@@ -95,7 +96,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         asked = [f for f in part.found if why in (None, f.name)] or (why is None and not part.case)
         if not asked:
             continue
-        own = with_equals_together(with_tangents(part_blocks(part, voice, why, told)))
+        own = with_equals_together(with_bars(list(with_tangents(part_blocks(part, voice, why, told))), part.found))
         if part.motion is not None and why is None:
             declared = (c.name for c in problem.coordinates)
             own = with_turning_rates(list(with_meanings(own, part.motion, meanings)), declared)

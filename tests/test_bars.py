@@ -1,0 +1,23 @@
+"""A vector and its size have two names: v_B = ω × r_B/O, and |v_B| = R ω."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    ("stem", "vector", "size"),
+    [
+        ("ex-1-09", "v_B = ω × r_B/O", "|v_B| = R ω = 0.6 · 0.3333 = 0.2 m/s"),
+        ("ex-4-07", "v_G,rod = v_O + ω_rod × r_G,rod/O", "|v_G,rod| = √(0.5² + (-0.5)²) = 0.7071 m/s"),
+    ],
+)
+def test_a_size_has_bars(stem: str, vector: str, size: str) -> None:
+    page = page_of_file(stem)
+    assert page.index(vector) < page.index(size)
+
+
+def test_a_component_has_none() -> None:
+    """Of a body that moves along a line a_G is what it is along that line."""
+    assert "a_G = -R α" in page_of_file("ex-4-05") or "a_G = R α" in page_of_file("ex-4-05")
