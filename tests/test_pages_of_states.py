@@ -220,8 +220,16 @@ def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
 
 def test_forces_that_last_are_told_once() -> None:
     """A brake presses all the time as at its first state: no section of that state tells it once more."""
-    (path,) = (p for p in (ROOT / "problems" / "friction").glob("drum-braked-by-a-lever.yaml"))
+    path = ROOT / "problems" / "friction" / "drum-braked-by-a-lever.yaml"
     page = Terminal(200).render(narrate(worked(path)[0]))
     assert "STATE" not in page
     assert page.count("↺ ΣM_C:") == 1
     assert page.count("= 56.69 lbf") == 2
+
+
+def test_what_lasts_has_numbers_where_letters_would_hide_units() -> None:
+    """An arm of 5 in that no letter names: moments in lbf·ft, none in twelfths of a mass."""
+    page = Terminal(200).render(narrate(worked(ROOT / "problems" / "systems" / "hoist-with-gears-in-us-units.yaml")[0]))
+    assert "-90 - 0.3333 F_C = 0.01943 α_gear,A   in lbf·ft" in page
+    assert "5/12" not in page
+    assert "STATE" not in page

@@ -46,6 +46,14 @@ def vanishing(stage: Stage) -> frozenset[sp.Symbol]:
     return frozenset((*stage.zero, *(w.left for w in data)))
 
 
+def lasts(stages: Collection[Stage], constants: Phrases) -> bool:
+    """Are all symbols in the equations that are told of a motion the same all the time?"""
+    blocks = [b for s in stages for b in s.blocks]
+    told = [w.residual for b in blocks for w in b.equations] + [x.formula for b in blocks for x in b.lines]
+    told += [x.expression for s in stages for x in s.lines]
+    return bool(told) and all(constants.value.known(x) is not None for e in told for x in e.free_symbols)
+
+
 class NumericTelling:
     """Chooses between letters and numbers. In a problem of letters everything stays in letters."""
 
