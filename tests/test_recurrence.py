@@ -10,7 +10,7 @@ from answered import solve
 from planar_cli.errors import NoSolution
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
-from planar_cli.simulate.run import Settings, simulate
+from planar_cli.simulate.run import Settings, follow, simulate
 
 SWING = """
 title: A rod that swings
@@ -80,3 +80,35 @@ def test_what_never_comes_is_told_with_the_period_and_in_its_unit() -> None:
     (told,) = caught.value.diagnostics
     assert told.code == "PL621"
     assert "the sides differ by 20 deg; the motion repeats itself every 1.51" in told.hint
+
+
+JUMPER = """
+title: Jumper on an elastic cord
+plane: vertical
+points: {O: [0, 0], P: [0, 0]}
+bodies: {man: {particle: P, mass: 70 kg}}
+joints:
+  - guide: {point: P, along: 90 deg}
+loads:
+  - spring: {between: [O, P], stiffness: 80 N/m, natural_length: 15 m, acts: pull}
+states:
+  1: [at rest]
+  2: [y(man) = 5 m]
+find: {v: v(man).y @ 2}
+"""
+
+
+def test_what_comes_back_through_other_modes_repeats_itself() -> None:
+    """The cord is slack, taut and slack again; it never comes above the bridge."""
+    problem, wrong = load_text(JUMPER)
+    assert problem is not None, wrong
+    trajectory = follow(problem, Settings(tolerance=1e-11)).trajectory
+    assert trajectory.outcome.kind == "repeats"
+    assert len(trajectory.segments) <= 6
+
+
+def test_what_loses_energy_does_not_repeat_itself() -> None:
+    text = JUMPER.replace("states:", "  - drag: {body: man, magnitude: (0.5 kg/s)*v(man).mag}\nstates:")
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    assert follow(problem, Settings(tolerance=1e-11, most_steps=1500)).trajectory.outcome.kind != "repeats"

@@ -17,7 +17,7 @@ from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
 from planar_cli.motion.guards import AGAIN, LENGTH
-from planar_cli.motion.recurrence import Recurrence, recurrence
+from planar_cli.motion.recurrence import Recurrence, Recurrences
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
@@ -76,6 +76,7 @@ class Follower:
     transitions: list[Transition] = field(default_factory=list)
     waiting: Waiting = field(init=False)
     bounces: Bounces = field(default_factory=Bounces)
+    recurrences: Recurrences = field(default_factory=Recurrences)
     returning: Recurrence | None = None
     """What looks whether the motion repeats itself, since anything happened last."""
     resting_at: float | None = None
@@ -242,8 +243,7 @@ class Follower:
             )
         finally:
             self.work = self.work.more(counts)
-        if run.changed is not None:
-            self.notes.append(run.changed.words)
+        self.notes += [] if run.changed is None else [run.changed.words]
         return run
 
     def _returns(self, regime: Regime, end: float) -> Recurrence | None:
@@ -251,8 +251,8 @@ class Follower:
         if not self.rest_ends or end != self.until or not self.automaton.autonomous or not self.waiting.next():
             return None
         if self.returning is None:
-            watch = watch_of(regime, self.choice, self.waiting.next())
-            self.returning = recurrence(regime.rates, self.t, self.y, self.automaton.scale, watch)
+            watch, here = watch_of(regime, self.choice, self.waiting.next()), (self.choice, self.waiting.names)
+            self.returning = self.recurrences.at(here, regime.rates, self.t, self.y, self.automaton.scale, watch)
         return self.returning
 
     def _end(self) -> float:
