@@ -12,7 +12,7 @@ import mpmath
 import pytest
 from answered import assert_close, solve
 
-from planar_cli.solve.multibody.motion import ENOUGH, FULL, agreeing
+from planar_cli.solve.multibody.agreement import ENOUGH, FULL, agreeing
 
 ENGINE = """
 title: Engine

@@ -19,7 +19,8 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load, load_text
 from planar_cli.solve.instant.instant import Trial, make_instant, search_modes
 from planar_cli.solve.instant.worked import Worked, unknowns_of
-from planar_cli.solve.multibody.motion import Agreement, second_road
+from planar_cli.solve.multibody.agreement import Agreement
+from planar_cli.solve.multibody.motion import second_road
 
 HIDDEN = {"particles/unknown-counterweight.yaml", "momentum/jet-against-a-hinged-plate.yaml"}
 """Files that seek a mass, or what stands inside a given name: the numbers of one choice of modes are linear in what is
@@ -180,3 +181,55 @@ def test_pushes_do_no_work_in_allowed_motions(crank: Trial) -> None:
         assert not second_road(system, worked).holds
     finally:
         system.pushes = before
+
+
+DRIVEN = """
+title: Cart with a pendulum, driven
+plane: vertical
+points: {A: [0, 0], B: [0.6 m, -0.8 m]}
+bodies:
+  cart: {particle: A, mass: 3 kg}
+  rod: {rod: [A, B], mass: 2 kg}
+joints:
+  - guide: {point: A, along: 0 deg}
+  - pin: {at: A, between: [cart, rod]}
+motion: [a(A).x = 3 m/s^2]
+instant: [at rest]
+find: {N: N(A)}
+"""
+BY_COORDINATE = DRIVEN.replace("points:", "coordinates: {s: m}\npoints:").replace("A: [0, 0]", "A: [s, 0]")
+BY_COORDINATE = BY_COORDINATE.replace("B: [0.6 m, -0.8 m]", "B: {from: A, distance: 1 m, angle: -53.13 deg}")
+BY_COORDINATE = BY_COORDINATE.replace("a(A).x =", "ddot(s) =").replace("at rest", "at rest, s = 0")
+
+
+def driven(text: str, elsewhere: str = "") -> tuple[Trial, Push]:
+    """The trial and what drives it; `elsewhere`: a body at whose mass centre it is made to act."""
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    assert not wrong
+    always = tuple(law.statement for law in problem.motion)
+    instant = make_instant(problem, always, problem.instant or (), {}, False)
+    assert instant.add_drivers()
+    if elsewhere:
+        at = instant.scene.center(elsewhere)
+        (push,) = instant.drivers
+        moved = tuple(replace(a, body=elsewhere, point=at) for a in push.actions)
+        instant.drivers = (replace(push, actions=moved),)
+    trial = search_modes(instant, instant.scene.valuations)[0][0]
+    (push,) = (p for p in trial.system.pushes if p.joint not in trial.system.modes)
+    return trial, push
+
+
+@pytest.mark.parametrize("text", [DRIVEN, BY_COORDINATE])
+def test_what_drives_is_found_anew(text: str) -> None:
+    trial, push = driven(text)
+    assert road(trial).holds
+    worked = Worked.of_solution(trial.system, trial.outcomes[0], {})
+    found = road(trial, pushes={**worked.pushes, push.name: worked.pushes[push.name] + 1})
+    assert [d.split(":")[0] for d in found.disagreements] == [f"what drives `{push.place}`"]
+
+
+def test_a_drive_at_a_wrong_place_is_caught() -> None:
+    """At the middle of the rod it would turn the rod, which a force on the cart does through the pin alone."""
+    trial, _ = driven(DRIVEN, "rod")
+    assert any(d.startswith("alpha of rod") for d in road(trial).disagreements)

@@ -18,7 +18,8 @@ from planar_cli.solve.diagnosis.left_open import LEAVE_OUT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import Outcome
 from planar_cli.solve.instant.worked import Worked, unknowns_of
-from planar_cli.solve.multibody.motion import Agreement, second_road
+from planar_cli.solve.multibody.agreement import Agreement
+from planar_cli.solve.multibody.motion import second_road
 
 AGREE = Decimal("1e-20")
 TINY_SHARE = Decimal("1e-12")

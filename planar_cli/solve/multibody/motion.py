@@ -6,8 +6,9 @@ differentiated here:
     M q̈ = Q + (Jᵀ + friction) λ,        J q̈ + φ̈(q̈ = 0) = 0
 
 Loads, the file's own relations between accelerations, and sought constants with their values are taken as the worked
-solution has them. Only what these equations determine is compared: accelerations of all bodies, and the net force and
-couple of every joint on every body.
+solution has them. What keeps a prescribed motion going is the multiplier of its relation; where that is one of
+coordinates, it acts where the worked solution has it. Only what these equations determine is compared: accelerations of
+all bodies, the net force and couple of every joint on every body, and what drives.
 """
 
 from __future__ import annotations
@@ -27,40 +28,13 @@ from planar_cli.equation.tangent import Tangent, tangent
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.problem.facts import Action, Mode, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.records import changing, record
+from planar_cli.records import changing
 from planar_cli.solve.instant.worked import PARTS, Worked
+from planar_cli.solve.multibody.agreement import ENOUGH, FEW, FULL, NOTHING, Agreement, agreeing, short
+from planar_cli.solve.multibody.drives import exerted_by
 from planar_cli.solve.multibody.poses import NearPoses, Place
 from planar_cli.solve.multibody.sparse import CONSTANT, Echelon, Line
 from planar_cli.solve.multibody.time_jets import ONE, Slopes, TimeJet
-
-FULL = 50
-"""More digits than this are not claimed."""
-ENOUGH = 15
-"""Values that agree to fewer digits disagree."""
-NOTHING = Decimal(10) ** -FULL
-FEW = Decimal(10) ** -ENOUGH
-CANCELLED = Decimal(10) ** (ENOUGH - FULL)
-"""Beside the largest of its kind a smaller number has not enough digits left."""
-
-
-@record
-class Agreement:
-    """How far two solutions agree.
-
-    `velocities_ok`: the largest rate of a residual, relative to its terms (0: the velocities fit all joints). `digits`:
-    to which all determined accelerations and joint forces agree. `disagreements`: what differs, with both values.
-    `changed`: a joint that takes for granted what the velocities change, and what it does then; None: none does.
-    """
-
-    velocities_ok: Decimal
-    digits: int
-    disagreements: tuple[str, ...]
-    changed: tuple[Joint, str] | None = None
-
-    @property
-    def holds(self) -> bool:
-        """Does nothing speak against the worked solution?"""
-        return not self.disagreements
 
 
 @changing
@@ -92,6 +66,8 @@ class Multibody:
         self.ties = self._ties()
         self.known: dict[str, Slopes] = {}
         self._friction()
+        drivers = [p for p in system.pushes if p.joint not in system.modes]
+        self.drives = {p: self.count + len(self.ties) + k for k, p in enumerate(drivers)}
         self.echelon = Echelon()
         self._assemble()
 
@@ -197,11 +173,8 @@ class Multibody:
                     tie.friction = {i: share * c for i, c in unit.items() if share}
 
     def _loads(self) -> Slopes:
-        """Loads of the file, weights, and what drives a prescribed motion (pushes that no joint exerts)."""
-        drivers = [p for p in self.system.pushes if p.joint not in self.system.modes]
-        parts = [self.push([w]) for w in self.system.wrenches]
-        parts += [self.push(d.actions, self.worked.pushes[d.name]) for d in drivers]
-        parts += self.known.values()
+        """Loads of the file, weights, and friction that is known."""
+        parts = [*(self.push([w]) for w in self.system.wrenches), *self.known.values()]
         total: Slopes = {}
         for i in set().union(*parts):
             own = [part[i] for part in parts if i in part]
@@ -213,12 +186,14 @@ class Multibody:
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def _assemble(self) -> None:
-        for title, line in [*self._kinetics(), *self._constraints(), *self._stated()]:
+        stated = self._stated()
+        driving = exerted_by(self.drives, stated, self.count, self.push)
+        for title, line in [*self._kinetics(driving), *self._constraints(), *stated]:
             remainder = self.echelon.add(line, lambda column: column < self.count)
             if remainder > FEW:
                 self.notes.append(f"{title}: the second road contradicts it, by {short(remainder)} of its size")
 
-    def _kinetics(self) -> list[tuple[str, Line]]:
+    def _kinetics(self, driving: Sequence[tuple[int, Slopes]]) -> list[tuple[str, Line]]:
         """m a - Σ F = 0, I α - Σ M = 0; bodies with mass first, so that each leads with its own acceleration."""
         loads = self._loads()
         lines: dict[int, Line] = {i: {CONSTANT: -loads.get(i, ZERO)} for i in range(self.count)}
@@ -232,6 +207,9 @@ class Multibody:
             for exerted in (tie.jet.slopes, tie.friction):
                 for i, c in exerted.items():
                     lines[i][tie.column] = lines[i].get(tie.column, ZERO) - c
+        for column, exerted in driving:
+            for i, c in exerted.items():
+                lines[i][column] = lines[i].get(column, ZERO) - c
         order = sorted(lines, key=lambda i: not lines[i][i])
         return [(titles[i], lines[i]) for i in order]
 
@@ -259,7 +237,7 @@ class Multibody:
                 if column is not None and speed is not None and rate is not None:
                     columns[rate], speeds[speed], paces[rate] = column, value, pace
         for rate in self.system.scene.evaluator.second_rates:
-            columns[rate] = self.count + len(self.ties) + len(columns)
+            columns[rate] = self.count + len(self.ties) + len(self.drives) + len(columns)
             if (pace := self.worked.numbers.known(rate)) is not None:
                 paces[rate] = pace
         pushes = {symbol: self.worked.pushes.get(name, ZERO) for name, symbol in self.system.symbols.items()}
@@ -284,6 +262,9 @@ class Multibody:
         digits = min(digits, self._compare(self._accelerations(PARTS[2:])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[:2])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[2:]), self._turned()))
+        for push, column in self.drives.items():
+            what = [(f"what drives `{push.place}`", self.worked.pushes[push.name], {column: ONE})]
+            digits = min(digits, self._compare(what, self._driven() if push.unit == "N" else self._turned()))
         return Agreement(velocities, digits, tuple(self.notes), self._changed())
 
     def _driven(self) -> Decimal:
@@ -377,22 +358,3 @@ def tidied_line(line: Line) -> Line:
     """The line without coefficients that have cancelled."""
     size = max((abs(c) for j, c in line.items() if j != CONSTANT), default=ZERO)
     return {j: c for j, c in line.items() if abs(c) > NOTHING * size}
-
-
-def agreeing(a: Decimal, b: Decimal, scale: Decimal, driven: Decimal = ZERO) -> int:
-    """Common digits of two numbers; all when both are nothing beside the largest of their kind. What has cancelled
-    agrees to the digits that it has beside what drives it, or beside that largest.
-    """
-    difference, size = abs(a - b), max(abs(a), abs(b))
-    if size < FEW * driven:
-        size = driven
-    elif size < CANCELLED * scale:
-        size = scale
-    if difference <= NOTHING * max(scale, ONE) or not size:
-        return FULL
-    return max(0, min(FULL, int(-(difference / size).log10())))
-
-
-def short(value: Decimal) -> str:
-    """A number in print."""
-    return f"{value:.12g}"
