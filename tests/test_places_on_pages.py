@@ -63,3 +63,9 @@ def test_motions_alone_tell_no_forces() -> None:
 
 def test_the_vector_comes_before_the_component_that_is_given() -> None:
     assert "v_O = ω_disk × r_O/C r_O/C = [0, 0.1] m Given: v_Ox = v_O (1) -r ω_disk = v_O" in _page("ex-4-07")
+
+
+def test_a_point_that_numbers_tell_has_a_line_before_its_arm() -> None:
+    told = _page("ex-2-09")
+    place = "D is on the line through A at 30° and at x = 400 mm: D = [0.4, 0.4 tan 30°] = [0.4, 0.2309] m"
+    assert told.index(place) < told.index("r_D/C = [0, 0.4309] m")

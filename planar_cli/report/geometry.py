@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -10,7 +11,8 @@ import sympy as sp
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import At, Polar, TwoFacts
-from planar_cli.report.blocks import Block, Equation, Line, Math, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.sides import said
@@ -32,6 +34,17 @@ def constructed(scene: Scene, stages: Collection[Stage]) -> dict[str, set[sp.Sym
     return found
 
 
+def in_numbers(scene: Scene, page: Collection[Block], phrases: Phrases) -> Iterator[Block]:
+    """The same of points that numbers alone tell, of which the page has an arm r_D/C."""
+    arms = {
+        n for b in page for p in pieces_of(b) if isinstance(p, Name) and (n := p.name).startswith("r_") and "/" in n
+    }
+    ends = {end for arm in arms for end in arm.removeprefix("r_").split("/")}
+    two = [p for p in scene.problem.points if isinstance(p.place, TwoFacts) and (p.place.distances or p.place.lines)]
+    plain = [p.name for p in two if all(sp.sympify(c).is_number for c in _pair(scene, p.name))]
+    yield from places(scene, ends.intersection(plain), phrases)
+
+
 def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[Block]:
     """C is 0.5 m from B and 0.4 m from D: C = [0.5474, 0.3965] m."""
     for point in scene.problem.points:
@@ -42,7 +55,20 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[B
         facts = _facts(scene, point.place, phrases)
         joined = line(*(p for i, f in enumerate(facts) for p in ((" and ",) if i else ()) + f))
         side = f", {_SIDES.get(point.place.side, point.place.side)}" if point.place.side else ""
-        yield Equation((line(point.name), where), None, line(f"{point.name} is ", *joined, f"{side}:"))
+        sides = (line(point.name), *_by_slope(scene, point.place, (x, y), phrases), where)
+        yield Equation(sides, None, line(f"{point.name} is ", *joined, f"{side}:"))
+
+
+def _by_slope(scene: Scene, place: TwoFacts, where: tuple[Decimal, Decimal], phrases: Phrases) -> list[Line]:
+    """[0.4, 0.4 tan 30°], of a point at a given x on a line through the origin."""
+    if len(place.lines) != 1 or place.x is None or place.distances:
+        return []
+    (through, angle), x = place.lines[0], phrases.of_dimension(where[0], LENGTH)
+    slope = said(angle, phrases.figures)
+    if not slope or len(slope) > 1 or not isinstance(slope[0], Value) or any(c != 0 for c in _pair(scene, through)):
+        return []
+    size = Value(x.number, "", phrases.figures)
+    return [line("[", size, ", ", size, " tan ", *factor(slope), "]")]
 
 
 def coordinate(scene: Scene, name: str, axis: str, figures: int) -> Line:

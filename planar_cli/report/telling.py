@@ -18,7 +18,7 @@ from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.forces import force_rows
-from planar_cli.report.geometry import constructed, places
+from planar_cli.report.geometry import constructed, in_numbers, places
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.names import GREEK
@@ -107,6 +107,7 @@ class Telling:
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
+        kinematics[:0] = in_numbers(self.scene, kinematics, self.phrases)
         legend = [*touching(self.system, kinetic), *(counted(self.system, self.phrases) if kinetic else ())]
         resting = said_at_rest(self.instant, last, self.system)
         if kinematics or resting:
