@@ -47,3 +47,10 @@ def test_polar_coordinates_about_the_pin(stem: str) -> None:
 
 def test_none_of_a_body_on_a_fixed_pin() -> None:
     assert "instantaneous centre of" not in _page("half-disk-swinging")
+
+
+def test_a_point_of_a_body_that_translates() -> None:
+    """The stem of a cam carries the pin of its roller, which rolls on the cam below."""
+    page = _page("eccentric-cam-with-roller-follower")
+    assert "instantaneous centre of roller: " in page
+    assert page.count("= 54.64 rad/s") >= 2

@@ -5,8 +5,8 @@
     v_P = ω OP = 0.5 m/s, √(v_rel² + (ω CP)²) = √(0.3² + 0.4²) = 0.5 m/s           polar coordinates about C
 
 The velocity of a point that is joined to a body on a fixed pin, or to one that rolls, is ω × r from that pin or from
-the point of contact, of a point in a fixed guide it is along the guide: neither is
-how the velocities of the body itself were found.
+the point of contact, beside a body that translates it is that of this body, in a fixed guide it is along the guide:
+none is how the velocities of the body itself were found.
 """
 
 from __future__ import annotations
@@ -88,9 +88,16 @@ class _Scene:
             if other in self.pins and j.path is None:
                 seen.append(at)
                 yield _Point(j.place, at, self.turned(other, at), other)
+            elif other != GROUND and self._translates(other) and (j.path is None or j.rolling is not None):
+                seen.append(at)
+                yield _Point(j.place, at, self.numbers(self.motion.velocities[other].linear), other)
             elif other == GROUND and j.path is not None and j.mover == body:
                 seen.append(at)
                 yield self._guided(j, at)
+
+    def _translates(self, body: str) -> bool:
+        """Do all points of a body have one velocity, as those of a rack have?"""
+        return self.system.scene.bodies[body].rigid and self.spin(body) == 0
 
     def _guided(self, j: Joining, at: Vec) -> _Point:
         """A point in a fixed guide moves along it."""
