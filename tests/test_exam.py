@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from worked import name_of, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Answer, Block, Equation, Forces, Math, Name, Paragraph, Text, Value
+from planar_cli.report.exam import key_blocks
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.narrate import Voice, narrate
 from planar_cli.report.rests_on import rests_on
@@ -42,13 +44,15 @@ def test_the_equations_are_those_of_the_page(path: Path) -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=name_of)
 def test_each_answer_has_its_line(path: Path) -> None:
-    """Formula, numbers and value: a number of an answer ends a line of the key."""
+    """Formula, numbers and value: a number of an answer ends a line of the key, there perhaps in m and here in mm."""
     key = narrate(worked(path)[0], Voice(audience="exam")).blocks
     lines = tuple(b.sides[1:] for b in key if isinstance(b, Equation))
     ends = [float(abs(p.number)) for p in pieces_of(lines) if isinstance(p, Value)]
     for answer in (b for b in key if isinstance(b, Answer)):
         numbers = [p.number for p in answer.line if isinstance(p, Value)]
-        assert not numbers or any(float(abs(n)) == pytest.approx(e) for n in numbers for e in ends)
+        assert not numbers or any(
+            float(abs(n)) == pytest.approx(e * u) for n in numbers for e in ends for u in (1, 1000)
+        )
 
 
 def test_energies_and_work_stay() -> None:
@@ -91,3 +95,12 @@ def test_signs_of_an_assumption_stay() -> None:
     assert "Instead     ladder at A slips; ladder at B slips" in key
     assert "N_A = 116.8 N > 0" in key
     assert "multibody" not in key
+
+
+def test_each_letter_is_solved_for_once() -> None:
+    """What is put in on the way to the first number stands with its own number, once."""
+    solved = [line_of("a", "-c", lead=("(1):",)), line_of("c", "d", lead=("(2):",))]
+    last = Equation((*solved[0].sides, Value(Decimal(3), "m/s^2")), lead=solved[0].lead)
+    found = Equation((*solved[1].sides, Value(Decimal(-3), "m/s^2")), lead=solved[1].lead)
+    key = key_blocks([solved[0], found, last, Answer("a", (Value(Decimal(3), "m/s^2"),))], ())
+    assert [b for b in key if isinstance(b, Equation)] == [found, last]

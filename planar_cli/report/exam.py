@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Answer, Block, Check, Equation, Heading, Line, Note, Result, Text
+from planar_cli.report.blocks import Answer, Block, Check, Equation, Heading, Line, Note, Result, Text, Value
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.rests_on import rests_on
 
@@ -28,8 +28,21 @@ def key_blocks(blocks: Sequence[Block], before: Collection[Block]) -> list[Block
     kept = rests_on(blocks)
     if kept is None:
         kept = frozenset(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.number is not None)
+    kept = _last_forms(blocks, kept)
     told = [_bare(b) for i, b in enumerate(blocks) if (i in kept and not _is_datum(b)) or _stays(b)]
     return list(_without_empty([b for b in told if not (isinstance(b, Equation) and b in before)]))
+
+
+def _last_forms(blocks: Sequence[Block], kept: frozenset[int]) -> frozenset[int]:
+    """Without lines that solve for a letter on the way, where a later line has its value."""
+    rows = [(i, b) for i in sorted(kept) if isinstance(b := blocks[i], Equation) and b.number is None and b.lead]
+    valued = {str(b.sides[0]): i for i, b in rows if isinstance(b.sides[-1], Value)}
+    return kept - {i for i, b in rows if len(b.sides) == 2 and valued.get(str(b.sides[0]), i) > i and not _ends(b)}
+
+
+def _ends(block: Equation) -> bool:
+    """Does a line end in a value?"""
+    return isinstance(block.sides[-1], Value)
 
 
 def _stays(block: Block) -> bool:
