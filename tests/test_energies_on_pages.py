@@ -235,3 +235,8 @@ def test_a_speed_that_is_no_product_has_a_place() -> None:
     place = "x_G,AB,2 = -3/2 l cos θ_2, y_G,AB,2 = 1/2 l sin θ_2 differentiated: "
     assert told.index(place) < told.index("v_G,AB,2 = 1/2 l") < told.index("y_OA,2 = 1/2 l sin θ_2")
     assert "y_AB,1 = -1/2 l sin β_1 y_AB,1 - y_AB,2 = x_max/4" in page("ex-4-11")
+
+
+def test_the_sum_from_which_a_line_goes_on_stands_before_it() -> None:
+    told = page("ex-4-17")
+    assert told.index("-1.226 - 1.226 + 3.590 = 1.137 = 0.7708 θ̇_2²") < told.index("√(1.137/0.7708)")

@@ -176,7 +176,7 @@ class BetweenTelling:
         if found is None:
             return Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
         self.counted.add(number)
-        return Equation((found.left, found.right), number, lead, found.note)
+        return Equation(found.sides, number, lead, found.note)
 
     def _ordered(self, left: sp.Expr, parts: Sequence[sp.Expr]) -> Math | Line:
         """A side with its terms in the order in which they were told: the kinetic energy, then the works."""

@@ -238,7 +238,7 @@ class MotionTelling:
             found = put_in(left, right, leg.unknowns, self.numeric, balanced)
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
-                yield Equation((found.left, found.right), None, lead, found.note)
+                yield Equation(found.sides, None, lead, found.note)
 
     def _solved(self, leg: RouteStep, r: Result, route: RouteTrace) -> list[Math]:
         """The numbers that give a letter, where its equation is linear in it or in its square."""

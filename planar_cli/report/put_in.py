@@ -51,6 +51,13 @@ class PutIn:
     unit: str
     length: int
     """How many operations they have."""
+    total: Math | None = None
+    """What the left side makes, where it is a sum of numbers."""
+
+    @property
+    def sides(self) -> tuple[Math, ...]:
+        """-1.226 + 3.590 = 2.364 = 0.77 ω², so that the number from which a line goes on stands on the page."""
+        return (self.left, self.right) if self.total is None else (self.left, self.total, self.right)
 
     @property
     def note(self) -> Line:
@@ -86,7 +93,10 @@ def put_in(
         found = writer.one_number(found) if whole is None or len(sp.Add.make_args(whole)) > PLAIN else [whole]
     before = sp.Add(*found, evaluate=False) if len(found) > 1 else found[0]
     shown = (Math(before, writer.texts), Math(after, writer.texts))
-    return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after))
+    sums = len(parts) > 1 and not left.free_symbols & set(unknowns) and bool(right.free_symbols & set(unknowns))
+    summed = writer.written(left) if sums else None
+    total = None if summed is None or summed.is_Add else Math(summed, writer.texts)
+    return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after), total)
 
 
 def _without_rounding(amounts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> list[sp.Expr]:
