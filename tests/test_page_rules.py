@@ -29,6 +29,7 @@ from page_rules import (
     unknowns_bare,
     unused,
 )
+from page_sources import without_source
 
 ALL = tuple(page_of(path) for path in PAGES)
 
@@ -62,6 +63,7 @@ def test_words_that_no_page_says(words: str) -> None:
 
 
 @pytest.mark.parametrize(("rule", "most"), [
+    pytest.param(without_source, 45, id="1: numbers without a line"),
     pytest.param(unknowns_bare, 10.5, id="2: bare numbers"),
     pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 23, id="3: words of kinematics"),
     pytest.param(decimals, 40, id="4: decimals among letters"),
