@@ -299,3 +299,30 @@ def test_an_assumption_of_known_numbers_is_told_with_them() -> None:
         solve("title: Sizes\ngiven: {a: 2 ft, b: 3 ft}\nassume: [a < b, 2*a < b]\nfind: {x: a + b}\n")
     (told,) = error.value.diagnostics
     assert (told.code, told.message) == ("PL616", "`2*a < b` does not hold: the sides are 4 ft and 3 ft")
+
+
+THREAD = """
+title: Bob on a thread
+plane: vertical
+given: {l: 0.8 m}
+unknowns: {v_0: m/s}
+points: {O: [0, 0], P: [0, -l]}
+bodies: {bob: {particle: P, mass: 0.3 kg}}
+joints:
+  - rope: {path: [O, P], name: thread}
+states:
+  1: [v(P).x = v_0, v_0 > 0]
+  2: [y(P) = l, y(O) = PLACE, tension(thread) = 0]
+find: {v: v_0}
+"""
+
+
+def test_where_a_fixed_point_is_not() -> None:
+    """No motion is looked for that would bring it there."""
+    problem, wrong = load_text(THREAD.replace("PLACE", "l"))
+    assert problem is not None, wrong
+    with pytest.raises(NoSolution) as error:
+        solve_problem(problem)
+    (told,) = error.value.diagnostics
+    assert (told.code, told.mark.line) == ("PL616", 12)
+    assert told.message == "`y(O) = l` does not hold: the sides are 0 m and 0.8 m"
