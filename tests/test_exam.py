@@ -11,7 +11,7 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Answer, Block, Equation, Forces, Math, Name, Paragraph, Text, Value
+from planar_cli.report.blocks import Answer, Block, Equation, Forces, Math, Name, Paragraph, Table, Text, Value
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.narrate import Voice, narrate
@@ -104,3 +104,17 @@ def test_each_letter_is_solved_for_once() -> None:
     found = Equation((*solved[1].sides, Value(Decimal(-3), "m/s^2")), lead=solved[1].lead)
     key = key_blocks([solved[0], found, last, Answer("a", (Value(Decimal(3), "m/s^2"),))], ())
     assert [b for b in key if isinstance(b, Equation)] == [found, last]
+
+
+def test_a_motion_followed_in_numbers_has_its_table() -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "dog-that-runs-at-a-cyclist")
+    key = narrate(worked(path)[0], Voice(audience="exam")).blocks
+    assert any(isinstance(b, Table) for b in key)
+
+
+def test_an_integral_rests_on_the_law() -> None:
+    t = sp.Symbol("t")
+    force = line_of("F", "m*a", number=1, lead=("ΣF_x",))
+    integral = Equation((Math(sp.Integral(sp.Symbol("F"), t)), Math(sp.Symbol("q"))))
+    blocks = [force, integral, line_of("v", "F*t/m", number=2), Answer("v", (Text("2"),))]
+    assert rests_on(blocks) == frozenset({0, 1, 2})

@@ -3,7 +3,7 @@
 What stays is what a marker compares: equations with the numbers that they have on the page for students, the energies
 and the work of a balance, and each line that gives an answer or leads to it, with formula, numbers and value; beside
 them what was assumed, and the test of it. Words, diagrams and what no answer rests on go. Where an answer has no line
-of its own all numbered equations stay.
+of its own all numbered equations stay; of a motion that is followed in numbers, how and with which table.
 """
 
 from __future__ import annotations
@@ -11,7 +11,21 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Answer, Block, Check, Equation, Heading, Line, Note, Result, Text, Value
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Bullet,
+    Check,
+    Equation,
+    Heading,
+    Line,
+    Note,
+    Paragraph,
+    Result,
+    Table,
+    Text,
+    Value,
+)
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.rests_on import rests_on
 
@@ -27,10 +41,25 @@ def key_blocks(blocks: Sequence[Block], before: Collection[Block]) -> list[Block
     """The key of one part of a page. `before`: what the keys of earlier parts tell."""
     kept = rests_on(blocks)
     if kept is None:
-        kept = frozenset(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.number is not None)
+        kept = _in_place(blocks)
     kept = _last_forms(blocks, kept)
     told = [_bare(b) for i, b in enumerate(blocks) if (i in kept and not _is_datum(b)) or _stays(b)]
     return list(_without_empty([b for b in told if not (isinstance(b, Equation) and b in before)]))
+
+
+def _in_place(blocks: Sequence[Block]) -> frozenset[int]:
+    """What stands in place of lines that give the answers: the numbered equations; without any all equations; without
+    any the words and tables of a motion that is followed in numbers.
+    """
+    lines = [i for i, b in enumerate(blocks) if isinstance(b, Equation)]
+    numbered = [i for i in lines if _number(blocks[i]) is not None]
+    return frozenset(
+        numbered or lines or [i for i, b in enumerate(blocks) if isinstance(b, Paragraph | Table | Bullet)]
+    )
+
+
+def _number(block: Block) -> int | None:
+    return block.number if isinstance(block, Equation) else None
 
 
 def _last_forms(blocks: Sequence[Block], kept: frozenset[int]) -> frozenset[int]:

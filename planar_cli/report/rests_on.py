@@ -86,12 +86,18 @@ def _before(row: Row, earlier: Sequence[Row]) -> list[Row]:
         last = max((r.at for r in own if r.block.number is not None), default=-1)
         found += [r for r in own if r.leads_on and r.at > last]
     # What is integrated, and that of which the frequency is read off.
-    found += [r for r in own if r.law][-1:] if row.integral else [r for r in own[-1:] if r.law]
+    laws = [r for r in own if r.law] or [r for r in own if _is_sum(r.block)]
+    found += laws[-1:] if row.integral else [r for r in own[-1:] if r.law]
     if not found:
         # A formula that is told once more; one number divided by another; ω_1, a root of an equation for ω.
         stems = {_stem(g) for g in row.gives} | row.gives
         found += ([r for r in own if _ends_alike(r, row)] or [r for r in own if (r.uses | r.gives) & stems])[-1:]
     return found
+
+
+def _is_sum(block: Equation) -> bool:
+    """Is it a sum of forces or moments?"""
+    return block.number is not None and any(isinstance(p, Name) and p.name.startswith("Σ") for p in block.lead)
 
 
 def _ends_alike(one: Row, other: Row) -> bool:
