@@ -59,7 +59,7 @@ def test_the_answer_itself_counts_counterclockwise() -> None:
 def test_a_document_says_what_counts_clockwise() -> None:
     steps = solution_data(*worked(ROOT / "problems/textbook/ex-4-05.yaml"), 4, None)["steps"]
     solved = next(s for s in steps if s.get("symbol") == "alpha" and s["kind"] == "solved")
-    assert (solved["counts"], round(solved["value"], 3)) == ("clockwise", 6.186)
+    assert (solved["counts"], float(solved["value"])) == ("clockwise", pytest.approx(6.18557, rel=1e-5))
 
 
 def test_what_is_asked_downward_counts_downward() -> None:
