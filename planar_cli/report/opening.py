@@ -25,6 +25,8 @@ IDLE = (idle_masses, idle_inertias)
 MOST_GIVEN = 18
 """More data are in the file, and not on the page."""
 GRAVITY = "g"
+REST = (" (no answer rests on it)", " (no answer rests on them)")
+"""Of a length that only places what is drawn, and of several."""
 MOST_PIECES = 24
 """A formula of the file of more pieces is given by its value alone."""
 
@@ -40,7 +42,9 @@ def opening_notes(
     """Given, find and principle. `blocks`: the page, whose data are told; `uses`: on what it rests; `phrases`: with the
     numbers of the first instant, where there is one; `drawn`: what is told of the drawing besides.
     """
-    yield from _given([*_rows(problem, mentioned(blocks), phrases, figures), drawn])
+    seen = mentioned(blocks)
+    aside = frozenset() if seen.summed else uses.drawn - seen.letters
+    yield from _given([*_rows(problem, seen, phrases, figures, aside), drawn])
     names = dict.fromkeys(f.name for f in problem.find)
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
@@ -79,10 +83,15 @@ def _changed(row: Sequence[Line], before: Collection[Line], names: Collection[st
     return new
 
 
-def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int) -> list[Sequence[Line]]:
-    """All that a file gives: its letters, then what has none."""
-    letters = [d for s in problem.given if (d := _datum(s, phrases, figures))]
+def _rows(
+    problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int, aside: Collection[str] = ()
+) -> list[Sequence[Line]]:
+    """All that a file gives: its letters, then what has none. `aside`: letters that only place what is drawn."""
+    letters = [d for s in problem.given if s.name not in aside and (d := _datum(s, phrases, figures))]
+    placing = [d for s in problem.given if s.name in aside and (d := _datum(s, phrases, figures))]
     numbers, *others = given_rows(problem, seen, figures)
+    if placing and others:
+        others[0] = (*others[0], line("drawn with ", *_listed(placing), REST[len(placing) > 1]))
     return [
         [*letters, *(line(Name(s.name)) for s in problem.symbols), *numbers, *_gravity(problem, seen, phrases)],
         *others,

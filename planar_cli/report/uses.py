@@ -18,6 +18,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
 from planar_cli.report.characteristic import linear_method
+from planar_cli.report.drawing_only import drawing_only
 from planar_cli.report.rope_lengths import drums
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
 from planar_cli.solve.instant.stages import Stage
@@ -73,6 +74,8 @@ class Uses:
     """Is something largest or smallest?"""
     axles: bool = False
     """Does a body turn about a fixed pin?"""
+    drawn: frozenset[str] = frozenset()
+    """Lengths of the file that only place what is drawn."""
     asked: set[str] = field(default_factory=set)
     """The words of all that is asked: r, v, omega."""
     taut: set[str] = field(default_factory=set)
@@ -116,6 +119,8 @@ class Uses:
 def uses_of(parts: Iterable[PartSolution]) -> Uses:
     """Of some parts together."""
     found = Uses()
+    parts = tuple(parts)
+    found.drawn = drawing_only(parts)
     for part in parts:
         if part.tale is None or not part.tale.whole:
             for instant in part.instants:
