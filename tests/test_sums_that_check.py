@@ -60,3 +60,11 @@ def test_equal_numbers_of_a_product_stay_apart() -> None:
     two, three = Decimal(2), Decimal(3)
     told = sum_of_products([(1, ((two, 1), (two, 1), (three, 1))), (-1, ((two, 1), (three, 2)))], 4)
     assert plain(told.expr, told.values) == "2 · 2 · 3 - 2 · 3²"
+
+
+def test_many_energies_are_told_by_their_values() -> None:
+    """Of three bodies five products would not fit two lines."""
+    found = re.search(r"T_2 = Σ \(1/2 m v² \+ 1/2 I ω²\) = (.*?) J; T_1 \+ U = (.*?) J", page_of_file("ex-4-17"))
+    sides = _sides(found)
+    assert [total for total, _ in sides] == pytest.approx([result for _, result in sides], rel=2e-3)
+    assert sides[0][1] == sides[1][1]

@@ -18,13 +18,13 @@ from planar_cli.report.alike import WEIGHT
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.component_sums import Power, sum_of_products
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.sums import agree, chain, counting
+from planar_cli.report.sums import added, agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace
 from planar_cli.units import ENERGY, INERTIA, MASS, RATE, VELOCITY, Dimension
 
-MOST = 4
-"""Terms of a side that fits a line."""
+MOST, FEW = 6, 3
+"""Terms of a side that fits a line; so many products do."""
 HALF = (Decimal("0.5"), 1)
 Energy = tuple[Decimal, tuple[Power, ...]]
 """Its size, J, and its factors in the units of the page."""
@@ -56,10 +56,14 @@ def _told(balance: BalanceTrace, phrases: Phrases) -> Line:
         return ()
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
     first, last = (Name(f"{balance.law.letter}__{state}") for state in (balance.since, balance.stop))
-    squares = sum_of_products([(1, factors) for _, factors in energies], phrases.figures)
+    squares = (
+        line(sum_of_products([(1, factors) for _, factors in energies], phrases.figures))
+        if len(energies) <= FEW
+        else tuple(added([size for size, _ in energies], unit, phrases))
+    )
     formula = "Σ (1/2 m v² + 1/2 I ω²)" if len(parts) > 1 else "1/2 m v² + 1/2 I ω²"
     whole = chain([sum(before, Decimal(0))], unit, phrases, "J")
-    head = line(last, f" = {formula} = ", squares, " = ", *whole, "; ", first, " + ", Name(balance.law.bring), " = ")
+    head = line(last, f" = {formula} = ", *squares, " = ", *whole, "; ", first, " + ", Name(balance.law.bring), " = ")
     return line(*head, *chain(before, unit, phrases, "J"))
 
 

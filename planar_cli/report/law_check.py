@@ -158,17 +158,20 @@ class _Ends:
         if error > COARSE:
             return
         law = self._law()
-        if len(law) < 2 or (first == half == last):
+        if first == half == last:
             return
         result = self._value(total, "v", 2) if squared else self._value(total, of)
         ends = self._difference(of, 2, half=True) if squared else self._difference(of)
         straight = abs(half - (first + last) / 2) <= largest * ROUNDING
-        if straight and (over == "t" or squared):
+        if straight and (over == "t" or (squared and len(law) > 1)):
+            # Over time the rates at both ends are easily found from the forces there; else it takes the formula.
+            told = law if len(law) > 1 else line(*law, " changes uniformly")
             mean = line("(", self._bare(first, self._per), *self._plus(last, self._per), ")/2 · ")
-            words = line(
-                *law, f": mean {self._rate_word()} times the {'time' if over == 't' else self._way()}, ", *mean
-            )
+            per = "time" if over == "t" else self._way()
+            words = line(*told, f": mean {self._rate_word()} times the {per}, ", *mean)
             yield _Check(line(*words, *self._factor(end - start, over), " = ", result, "; ", *ends), ZERO)
+            return
+        if len(law) < 2:
             return
         sides = line(f" {_sign(error)} ", result, "; ", *ends)
         yield _Check(self._at_three((over, end - start), rates, law, sides), error, exact=False)
