@@ -20,3 +20,8 @@ def test_size_and_direction(stem: str, line: str) -> None:
 
 def test_not_along_an_axis() -> None:
     assert "arctan" not in page_of_file("ex-1-14").partition("Answer")[0]
+
+
+def test_a_size_that_the_page_has_is_not_told_again() -> None:
+    page = page_of_file("collar-on-rotating-rod")
+    assert page.count("√((-8.610)² + (-2.000)²)") + page.count("√(8.610² + 2.000²)") == 1

@@ -27,8 +27,10 @@ OF_ANGLES = 3
 """Figures of a direction, as the answer has them."""
 
 
-def size_and_angle(found: Found, phrases: Phrases) -> Iterator[Block]:
-    """√(x² + y²) and arctan(y/x) with numbers; nothing of a vector in letters, of a place, or along an axis."""
+def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block] = ()) -> Iterator[Block]:
+    """√(x² + y²) and arctan(y/x) with numbers; nothing of a vector in letters, of a place, or along an axis.
+    `told`: the page before it, which may have the size.
+    """
     what = found.find.found.what if found.find is not None else None
     place = isinstance(what, Quantity) and what.word in PLACES
     if found.kind != "vector" or found.values is None or found.word or found.curve is not None or place:
@@ -42,7 +44,9 @@ def size_and_angle(found: Found, phrases: Phrases) -> Iterator[Block]:
     texts = {one: significant(abs(x), figures), other: significant(abs(y), figures)}
     root = sp.sqrt(sp.Add(one**2, other**2, evaluate=False), evaluate=False)
     size = Value(_size((x, y)), told_unit(found.unit, found.energy), phrases.figures)
-    yield Equation((line("|", name, "|"), Math(root, texts), size))
+    own = line("|", name, "|")
+    if not any(isinstance(b, Equation) and own in b.sides for b in told):
+        yield Equation((own, Math(root, texts), size))
     steep = Value(Decimal(math.degrees(math.atan(abs(y) / abs(x)))), "deg", OF_ANGLES)
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
