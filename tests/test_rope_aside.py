@@ -39,6 +39,16 @@ def test_a_trolley_does_not_leave_its_load_behind(then: str) -> None:
     assert why.message.startswith("rope: its part from A to B does not keep its direction `along`")
 
 
+def test_nor_does_a_support_that_a_coordinate_moves() -> None:
+    text = CRANE.replace("points: {A: [0, 0]", "coordinates: {s: m}\npoints: {A: [s, 0]").replace(", mass: 3 kg", "")
+    text = text.replace("  - guide: {point: A, along: 0 deg, name: rail}\n", "motion: [ddot(s) = 1 m/s^2]\n")
+    text = text.replace("joints:\nmotion: [ddot(s) = 1 m/s^2]\n", "motion: [ddot(s) = 1 m/s^2]\njoints:\n")
+    text += "states: {1: [t = 0, s = 0, at rest], 2: [t = 2 s]}\nfind: {x: x(load) @ 2}\n"
+    with pytest.raises(NoSolution) as raised:
+        solve(text)
+    assert raised.value.diagnostics[0].code == "PL539"
+
+
 @pytest.mark.parametrize("told", ["v(A).x = u", "v(A).x = u, v(B).x = u"])
 def test_the_load_goes_along(told: str) -> None:
     found = solve(CRANE + AT_ONCE.replace("VELOCITIES", told))

@@ -21,6 +21,7 @@ from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.dated_by_spans import dated_by_spans, span_relation
 from planar_cli.simulate.run import Run, Settings, begin, simulate
 from planar_cli.solve.between.reached import asked_about
+from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.diagnosis.other_masses import demand_any_mass
 from planar_cli.solve.following.dated import is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.solution import Found
@@ -90,14 +91,17 @@ def followed_part(
     ends: bool = False,
 ) -> PartSolution | None:
     """All finds of a part read off its motion; None where that does not answer all of them. NoSolution, where it is
-    asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states. What rests from
-    the start on ends nothing: from an unstable equilibrium a slight touch may lead on.
+    asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states, or the file
+    leaves open how it goes on. What rests from the start on ends nothing: from an unstable equilibrium a slight touch
+    may lead on.
     """
     timed = dated_by_spans(problem, earlier)
     if timed is None:
         return None
     problem = timed
     found = simulate(problem, Settings(values=earlier, momenta=True, most_steps=most_steps), units)
+    if ends:
+        demand_told(problem, found.run.trajectory.outcome)
     if ends and found.run.trajectory.outcome.kind in FINAL and found.run.trajectory.outcome.t > 0:
         _demand_all_reached(problem, found.run)
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
