@@ -67,4 +67,4 @@ def test_what_holds_at_a_state_is_told_in_sentences() -> None:
     told = page_of_file("ex-4-11")
     assert "At 1, as given: β_1 = 45°" in told
     assert "to be found: x_max = " in told
-    assert "At meet, x_A = x_B:" in page_of_file("ex-1-15")
+    assert "At meet, x_A = x_B:" in page_of_file("police-chase")
