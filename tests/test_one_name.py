@@ -50,9 +50,10 @@ def test_not_where_something_else_would_be_meant() -> None:
 
 
 def test_rates_have_the_name_of_what_changes() -> None:
-    page = page_of_file("ex-1-14")
-    assert "v_r = r\N{COMBINING DOT ABOVE} = 0.08256 m/s" in page
-    assert "r_P" not in page
+    way, rate = sp.Symbol("r_P", real=True), sp.Symbol("r_P_dot", real=True)
+    told = [Equation((Math(way), Math(MASS))), Equation((Math(rate), Math(GRAVITY))), _answer("r", way)]
+    assert _letters(with_one_name(told)) == {"r", "r_dot", "m", "g"}
+    assert "r_P" not in page_of_file("ex-1-14")
 
 
 def test_the_state_stays_where_the_author_names_it() -> None:
