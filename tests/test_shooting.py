@@ -376,3 +376,26 @@ def test_what_turns_too_fast_to_be_followed_is_not_tried_any_faster(monkeypatch:
     monkeypatch.setattr(module, "motion_with", counted)
     assert shooting(problem, {}) == pytest.approx((-0.92476976062,), rel=1e-9)
     assert len(tried) < 90
+
+
+BOB = """
+title: Bob of a pendulum that is at a given angle at a given time
+plane: vertical
+unknowns: {v_0: m/s}
+coordinates: {phi: deg}
+points: {O: [0, 0], P: {from: O, distance: 1 m, angle: phi - 90 deg}}
+bodies: {bob: {particle: P, mass: any}}
+joints:
+  - link: {between: [O, P]}
+states:
+  1: [t = 0, phi = 0, v(bob).mag = v_0, v(bob).x > 0]
+  2: [t = 1.2 s, phi = 20 deg]
+find: {v: v_0}
+"""
+
+
+def test_an_inequality_tells_which_way_it_starts() -> None:
+    """On its way back; φ'' = -g sin φ from 0 on, integrated separately by bisection over the speed."""
+    problem, wrong = load_text(BOB)
+    assert problem is not None, wrong
+    assert shooting(problem, {}) == pytest.approx((4.99284790584,), rel=1e-9)

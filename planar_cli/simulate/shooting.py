@@ -182,11 +182,21 @@ def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) 
 
 
 def scales_tried(problem: Problem, known: Mapping[str, float]) -> Scales:
-    """The scales of the motion with 1 for every unknown, which need not be one that the file allows."""
-    first = problem.states[0]
-    told = tuple(r for r in first.relations if not isinstance(r, Relation) or r.operator == "=")
+    """The scales of the motion with 1 for every unknown, which need not be one that the file allows. What else the
+    first state is to be may tell which of two starts it is.
+    """
+    first, sought = problem.states[0], {u.name for u in problem.unknowns}
+    told = tuple(
+        r
+        for r in first.relations
+        if not isinstance(r, Relation) or r.operator == "=" or sought.isdisjoint(_names_in(r))
+    )
     less = replace(problem, assume=(), states=(replace(first, relations=told), *problem.states[1:]))
     return prepared(less, {**known, **{u.name: 1.0 for u in problem.unknowns}}).model.scales
+
+
+def _names_in(relation: Relation) -> set[str]:
+    return {n.name for n in walk(relation) if isinstance(n, Name)}
 
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
