@@ -119,10 +119,10 @@ class Instant:
         return held(found) if self.kinematic else found
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
-        """What makes the unknowns of the motion."""
-        scene, heading = self.scene, headings(self.scene, self.statements)
+        """What makes the unknowns of the motion; the coordinates of a general position keep their own sense."""
+        scene, own, heading = self.scene, at_instants(self.scene.problem.method), headings(self.scene, self.statements)
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
-        return with_known_turns(builder, scene, self.statements, self.modes)
+        return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:
         """How a push is called, and its unit."""
