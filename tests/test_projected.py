@@ -21,10 +21,12 @@ def _page(name: str) -> str:
         "n = [-0.5, 0.8660] unit vector across AB",
         "v_D · n = -0.5 · 0.86188 = -0.4309 m/s v_D′ · n = 0.4619 ω_AB",
         "a_D · n = -0.5 (-0.0861880) + 0.866025 (-1.72376) = -1.44973 m/s²",
-        "v_rel = v_D · e = 0.8660 · 0.8619 = 0.7464 m/s e = [0.8660, 0.5] along AB, where v_D′ has no component",
-        "a_cor · n = 2 ω_AB v_rel = 2 (-0.933013) · 0.746410 = -1.39282 m/s²",
-        "|a_cor| = 2 |ω_AB v_rel| = 2 · 0.9330 · 0.7464 = 1.393 m/s² = 1393 mm/s²",
-        "a_rel = a_D · e + ω_AB² (r_D/A · e) = 0.866025 (-0.0861880) + 0.5 (-1.72376) + 0.461880 (-0.933013)²",
+        "v_rel · e = v_D · e = 0.8660 · 0.8619 = 0.7464 m/s e = [0.8660, 0.5] along AB, where v_D′ has no component",
+        "(2 ω_AB × v_rel) · n = 2 ω_AB (v_rel · e) = 2 (-0.933013) · 0.746410 = -1.39282 m/s²",
+        "|a_cor| = |2 ω_AB × v_rel| = 2 |ω_AB| |v_rel| = 2 · 0.9330 · 0.7464 = 1.393 m/s² = 1393 mm/s²",
+        "a_rel · e = a_D · e + ω_AB² (r_D/A · e) = 0.866025 (-0.0861880) + 0.5 (-1.72376) + 0.461880 (-0.933013)²",
+        "along e neither α_AB × r_D/A nor 2 ω_AB × v_rel has a component",
+        "v_rel · e = 0.7464 m/s = 746.4 mm/s",
         "a_D′ · n = 0.4619 α_AB",
         "v_rel = 746.4 mm/s from A towards B",
         "a_rel = 534.4 mm/s² from B towards A",
@@ -49,10 +51,15 @@ def test_relative_motion_along_a_line_is_one_component() -> None:
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("kinematics/bar-driven-by-a-pin-on-a-rolling-wheel", "v_rel = v_P · u = 0.8137 · 1.5 = 1.221 m/s u = ["),
-        ("kinematics/crank-pin-in-a-slotted-arm", "v_slot = v_rel = -0.5547 m/s"),
-        ("kinematics/crank-pin-in-a-slotted-arm", "a_C = |a_cor| = 2 |ω_arm v_rel| = 2 · 0.9231 · 0.5547"),
-        ("kinematics/rod-through-a-swivelling-sleeve", "v_rel = -v_A · e = -0.9608 (-0.6928) - (-0.2774) (-0.4)"),
+        ("kinematics/bar-driven-by-a-pin-on-a-rolling-wheel", "v_rel · u = v_P · u = 0.8137 · 1.5 = 1.221 m/s u = ["),
+        ("kinematics/crank-pin-in-a-slotted-arm", "v_slot = v_rel · e = -0.5547 m/s"),
+        (
+            "kinematics/crank-pin-in-a-slotted-arm",
+            "a_C = |a_cor| = |2 ω_arm × v_rel| = 2 |ω_arm| |v_rel| = 2 · 0.9231 · 0.5547",
+        ),
+        ("kinematics/rod-through-a-swivelling-sleeve", "v_rel · e = -v_A · e = -0.9608 (-0.6928) - (-0.2774) (-0.4)"),
+        ("kinematics/rod-drawn-over-an-edge", "along AB, where ω × r_D/A has no component"),
+        ("kinematics/pin-in-two-slotted-rods", "v_rel · u = v_P · u"),
     ],
 )
 def test_the_letter_the_sense_and_a_pin_that_moves(name: str, words: str) -> None:

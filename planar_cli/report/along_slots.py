@@ -1,9 +1,9 @@
 """What slides along a straight line of a body, through the point about which that body turns: along the line the body
 itself has neither velocity nor Coriolis acceleration, so that one component tells what is relative.
 
-v_rel = v_P · e                                        e along the line; less v_A · e where A moves
-a_cor · n = 2 ω v_rel                                  n across it
-a_rel = a_P · e + ω² (r_P/A · e)                       (An Introduction to Planar Dynamics, 2.4)
+v_rel · e = v_P · e                                    e along the line; less v_A · e where A moves
+(2 ω × v_rel) · n = 2 ω (v_rel · e)                    n across it
+a_rel · e = a_P · e + ω² (r_P/A · e)                   (An Introduction to Planar Dynamics, 2.4)
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.motion import Edge
-from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
@@ -28,6 +27,9 @@ from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.told import RATES, Told
 from planar_cli.units import LENGTH, PURE, VELOCITY
+
+LETTERS = ("e", "u", "e′", "u′")
+"""For unit vectors, in the order in which they are taken."""
 
 
 @record
@@ -43,9 +45,15 @@ class Slot:
     reach: Decimal
 
 
-def unit_letter(scene: Scene) -> Name:
-    """The letter for a unit vector along a line: e, or u beside an e of the file."""
-    return Name("u" if "e" in scene.ledger.symbols else "e")
+def unit_letter(told: Told, frame: str) -> Name:
+    """The letter for the unit vector along the line of a body: e, or another beside an e of the file or of a line along
+    which a coordinate counts, and for each body its own.
+    """
+    tree, symbols = told.system.tree, told.system.scene.ledger.symbols
+    counted = any(edge.slide is not None and edge.parent != GROUND for edge in tree.edges)
+    letters = [x for x in LETTERS if x not in symbols and not (x == "e" and counted)]
+    frames = list(dict.fromkeys(j.base for j in tree.closures if j.path is not None and j.base != GROUND))
+    return Name(letters[frames.index(frame)] if frames.index(frame) < len(letters) else f"e_{frame}")
 
 
 def slot_of(told: Told, point: str, frame: str) -> Slot | None:
@@ -98,7 +106,7 @@ def _asked(told: Told, point: str, frame: str) -> list[Vec] | None:
 def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...], Decimal]:
     """v_rel = v_P · e = numbers, or a_rel, and its value [SI]; nothing but the name where both points are at rest."""
     phrases, motion, v = told.phrases, told.motion, level[0]
-    unit = unit_letter(told.system.scene)
+    unit = unit_letter(told, slot.frame)
     place = told.system.quantities().place(slot.point)
     jets = [(p.rate if level == "velocity" else p.second) for p in (place.x, place.y)]
     base = (motion.velocities if level == "velocity" else motion.accelerations)[slot.frame].linear
@@ -125,7 +133,7 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
         for factor, power in factors:
             product *= factor**power
         value += product
-    left = line(Name(f"{v}_rel"))
+    left = component(told, slot, v)
     if not parts:
         return (left,), value
     return (left, line(*terms), line(sum_of_products(parts, phrases.figures))), value
@@ -133,10 +141,34 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
 
 def unit_told(told: Told, slot: Slot) -> Line:
     """e = [0.8660, 0.5] along AB, across which v_P′ is."""
-    e = unit_letter(told.system.scene)
-    still = all(told.phrases.value.is_zero(p) for p in _linear(told, slot))
-    why = line(", where ", Name(f"v_{_index(slot.point)}′"), " has no component") if still else ()
-    return line(e, " = ", *told.phrases.vector(*slot.unit, PURE), f" along {slot.frame}", *why)
+    e = unit_letter(told, slot.frame)
+    carried = line(Name(f"v_{_index(slot.point)}′"))
+    if not all(told.phrases.value.is_zero(p) for p in _linear(told, slot)):
+        spin = told.phrases.math(told.motion.velocities[slot.frame].angular)
+        carried = line(spin, " × ", Name(f"r_{_index(slot.point)}/{_index(slot.reference)}"))
+    of = told.phrases.vector(*slot.unit, PURE)
+    return line(e, " = ", *of, f" along {slot.frame}, where ", *carried, " has no component")
+
+
+def why_along(told: Told, slot: Slot) -> Line:
+    """Neither α × r nor the Coriolis acceleration has a component along the line."""
+    motion, math = told.motion, told.phrases.math
+    spins = motion.velocities[slot.frame].angular, motion.accelerations[slot.frame].angular
+    arm, both = (
+        Name(f"r_{_index(slot.point)}/{_index(slot.reference)}"),
+        not any(map(told.phrases.value.is_zero, spins)),
+    )
+    turning = line(math(spins[1]), " × ", arm) if not told.phrases.value.is_zero(spins[1]) else ()
+    coriolis = line("2 ", math(spins[0]), " × ", Name("v_rel")) if not told.phrases.value.is_zero(spins[0]) else ()
+    if not turning and not coriolis:
+        return ()
+    joined = line("neither ", *turning, " nor ", *coriolis, " has") if both else line(*turning, *coriolis, " has no")
+    return line("along ", unit_letter(told, slot.frame), " ", *joined, " a component" if both else " component")
+
+
+def component(told: Told, slot: Slot, v: str) -> Line:
+    """v_rel · e, or a_rel · e."""
+    return line(Name(f"{v}_rel"), " · ", unit_letter(told, slot.frame))
 
 
 def _linear(told: Told, slot: Slot) -> tuple[sp.Expr, sp.Expr]:
@@ -148,19 +180,26 @@ def _index(place: str) -> str:
     return place.replace("_", ",")
 
 
-def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line]:
-    """2 ω v_rel, the component along `normal`, in letters and in numbers. `figures`: of its value."""
+def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line, Line]:
+    """(2 ω × v_rel) · n = 2 ω (v_rel · e), and the same in numbers. `normal`: n; `figures`: of its value."""
     sense = 1 if slot.unit[0] * normal[1] - slot.unit[1] * normal[0] > 0 else -1
     spin, numbers = _turning(told, slot)
-    letters = line("-" if sense < 0 else "", "2 ", told.phrases.math(spin), " ", Name("v_rel"))
-    return letters, line(_doubled(sense, numbers, figures))
+    omega = told.phrases.math(spin)
+    own = line("(2 ", omega, " × ", Name("v_rel"), ") · ", Name("n"))
+    letters = line("-" if sense < 0 else "", "2 ", omega, " (", *component(told, slot, "v"), ")")
+    return own, letters, line(_doubled(sense, numbers, figures))
 
 
-def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line]:
-    """2 |ω v_rel| in letters and in numbers."""
+def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line, Line]:
+    """|2 ω × v_rel| = 2 |ω| |v_rel|, and the same in numbers."""
     spin, numbers = _turning(told, slot)
-    letters = line("2 |", told.phrases.math(spin), " ", Name("v_rel"), "|")
-    return letters, line(_doubled(1, [abs(x) for x in numbers], told.phrases.figures))
+    omega, v = told.phrases.math(spin), Name("v_rel")
+    letters = line("2 |", omega, "| |", v, "|")
+    return (
+        line("|2 ", omega, " × ", v, "|"),
+        letters,
+        line(_doubled(1, [abs(x) for x in numbers], told.phrases.figures)),
+    )
 
 
 def _turning(told: Told, slot: Slot) -> tuple[sp.Expr, list[Decimal]]:

@@ -84,7 +84,7 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
 
 
 def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Decimal]) -> Iterator[Block]:
-    """The same; a_cor · n as 2 ω v_rel, where the page has told v_rel along the line."""
+    """The same; a_cor · n as 2 ω (v_rel · e), where the page has told v_rel along the line."""
     slot = slot_of(told, j.place, j.base)
     own = line(Name("a_cor"), " · ", Name("n"))
     for b in lines:
@@ -92,7 +92,7 @@ def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Dec
         if slot is None or not isinstance(b, Equation) or not isinstance(result, Value):
             yield b
             continue
-        yield replace(b, sides=(own, *coriolis_across(told, slot, unit, result.figures), result))
+        yield replace(b, sides=(*coriolis_across(told, slot, unit, result.figures), result))
 
 
 def difference_of(sizes: Sequence[Decimal], number: Decimal, figures: int) -> Math | None:

@@ -12,7 +12,7 @@ import sympy as sp
 
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.along_slots import Slot, coriolis_size, relative_along, slot_of, unit_told
+from planar_cli.report.along_slots import Slot, component, coriolis_size, relative_along, slot_of, unit_told, why_along
 from planar_cli.report.blocks import Block, Equation, Name, Value, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.on_path import Once
@@ -53,7 +53,7 @@ class RelativeTelling:
             yield from self._coriolis(relative, self.vectors.motion.velocities[frame].angular)
 
     def _component(self, slot: Slot, level: str) -> Iterator[Block]:
-        """v_rel = v_P · e = 0.8660 · 0.8619 = 0.7464 m/s."""
+        """v_rel · e = v_P · e = 0.8660 · 0.8619 = 0.7464 m/s."""
         key = f"{level[0]}_rel {slot.point} {slot.frame}"
         if key in self._along:
             return
@@ -63,7 +63,7 @@ class RelativeTelling:
         first = f"e {slot.frame}" not in self.vectors.valued
         self.vectors.valued.add(f"e {slot.frame}")
         self._along[key] = value
-        note = unit_told(self.vectors, slot) if first else ()
+        note = unit_told(self.vectors, slot) if first else why_along(self.vectors, slot) if level[0] == "a" else ()
         yield Equation((*sides, self._shown(value, level)), None, note=note)
 
     def _shown(self, value: Decimal, level: str) -> Value:
@@ -71,8 +71,9 @@ class RelativeTelling:
         return Value(value, one.unit, one.figures)
 
     def part(self, answer: str, q: Quantity, axis: Sequence[Decimal], values: list[Value]) -> list[Block] | None:
-        """The line of what is asked after the component along a line was told: v_slot = v_rel, |a_cor| = 2 |ω v_rel|;
-        empty where that was the line itself. None: no component was told. `axis`: along which it is asked, if any.
+        """The line of what is asked after the component along a line was told: v_slot = v_rel · e,
+        |a_cor| = 2 |ω| |v_rel|; empty where that was the line itself. None: no component was told. `axis`: along which
+        it is asked, if any.
         """
         point, frame = q.things
         v, slot = "a" if q.word == "a" else "v", slot_of(self.vectors, point, frame)
@@ -88,9 +89,11 @@ class RelativeTelling:
             size = [Equation((*own, line("|", Name(name), "|"), *values))]
             return [] if not own and along >= 0 else [*size]
         against = sum((e * x for e, x in zip(slot.unit, axis, strict=True)), Decimal(0)) < 0
+        along_line = component(self.vectors, slot, v)
         if not own and not against:
-            return []
-        return [Equation((line(Name(answer)), line("-" if against else "", Name(name)), *values))]
+            return [Equation((along_line, *values))] if len(values) > 1 else []
+        shown = line("-(", *along_line, ")") if against else along_line
+        return [Equation((line(Name(answer)), shown, *values))]
 
     def _vectors(self, point: str, frame: str, level: str) -> Iterator[Block]:
         quantities, motion, v = self.system.quantities(), self.vectors.motion, level[0]
