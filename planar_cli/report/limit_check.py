@@ -5,7 +5,8 @@
     with m_B → 0:  a = -g                        a free fall
 
 Only formulas with sums get there something that they do not show at sight; where the special case would say that a
-force of nothing is nothing it is none.
+force of nothing is nothing it is none. Nor is one that the file rules out, or that brings a number nobody expects:
+v_0 = 2 √(5 g l) is known to no one beforehand.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.presumed import assumed_in_file
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
@@ -27,6 +29,8 @@ LONGEST, SHORT, MOST = 40, 3, 2
 """Operations of an answer; factors of what it comes to; answers told of one case."""
 SIMPLE = (1, -1, 2, -2, sp.Rational(1, 2), sp.Rational(-1, 2))
 """Numbers that stand before what is known."""
+ROOTED = (2, sp.Rational(1, 2))
+"""Numbers under a root there: √(2 g h) is known, √(5 g l) is not."""
 
 
 @record
@@ -42,16 +46,22 @@ def limit_check(part: PartSolution, phrases: Phrases) -> Line:
     """The case that tells most answers, the first of several; empty where none comes to a short product."""
     answers = [f for f in part.found if _is_open(f)]
     letters = {s for f in answers for s in _formula(f).free_symbols}
+    assumed = list(assumed_in_file(part)) if part.instants else []
     best: list[tuple[Found, sp.Expr]] = []
     words: Line = ()
-    for case in _cases(letters, phrases):
+    for case in (c for c in _cases(letters, phrases) if not any(_rules_out(r, c) for r in assumed)):
         told = [(f, value) for f in answers if (value := _in_case(_formula(f), case)) is not None]
-        if len(told) > len(best):
+        if _weight(told) > _weight(best):
             best, words = told, case.words
     shown = [
         line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(best[:MOST])
     ]
     return line(*words, ": ", *(piece for one in shown for piece in one)) if shown else ()
+
+
+def _weight(told: list[tuple[Found, sp.Expr]]) -> tuple[int, int]:
+    """By which of several cases the better is told: how many results stand without a number, and how many there are."""
+    return sum(value.as_coeff_Mul()[0] in (0, *SIMPLE) for _, value in told), len(told)
 
 
 def _is_open(found: Found) -> bool:
@@ -90,6 +100,13 @@ def _cases(letters: set[sp.Symbol], phrases: Phrases) -> Iterator[_Case]:
         yield _Case(line("with ", Math(s), " → 0"), {s: sp.S.Zero}, False)
 
 
+def _rules_out(relation: sp.Expr, case: _Case) -> bool:
+    """Does what the file assumes never hold in this case? On the border of what it assumes the answers hold still."""
+    difference = relation.lhs - relation.rhs
+    value = simplified(sp.sympify(difference).xreplace(dict(case.values)))
+    return bool(value.is_positive if relation.rel_op in ("<", "<=") else value.is_negative)
+
+
 def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:
     """What a formula comes to; None: it does not depend on the case, or it is nothing that is known beforehand."""
     if not formula.free_symbols & set(case.values):
@@ -102,5 +119,8 @@ def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:
         return value if case.zero else None
     number, rest = value.as_coeff_Mul()
     factors = sp.Mul.make_args(rest)
-    known = number in SIMPLE and not value.is_number and len(factors) <= SHORT
-    return value if known and not value.has(sp.Add, sp.log, sp.exp) else None
+    # A large ball that comes up with v and meets a small one that falls with v sends it off with 3 v: the 3 of 3 M - m.
+    told = {*SIMPLE, *(abs(n) for total in formula.atoms(sp.Add) for n in total.atoms(sp.Integer))}
+    known = number in told and not value.is_number and len(factors) <= SHORT
+    rooted = any(p.base.as_coeff_Mul()[0] not in (1, *ROOTED) for p in rest.atoms(sp.Pow) if not p.exp.is_Integer)
+    return value if known and not rooted and not value.has(sp.Add, sp.log, sp.exp) else None
