@@ -13,7 +13,7 @@ from conftest import PROBLEMS, ROOT
 from page_digits import differs, unequal_digits, worked_out
 from page_rules import PAGES, page_of
 from printed import equations, read_number
-from worked import name_of, worked
+from worked import name_of, page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Equation, Math, Value
@@ -120,3 +120,8 @@ def test_digits_of_all_pages() -> None:
     """Places on a hundred pages; it may only fall."""
     found = [text for path in PAGES for text in unequal_digits(page_of(path))]
     assert 100 * len(found) <= UNEQUAL * len(PAGES), found
+
+
+def test_a_sum_of_numbers_is_what_its_printed_numbers_give() -> None:
+    assert "17167.5 - 3433.5 = 13730 = 35 v_P,fast²" in page_of_file("bungee-jump")
+    assert "56.667 - 13.333 = 43.33 = 0.3106 v_P,2²" in page_of_file("weight-dropped-on-nested-springs")

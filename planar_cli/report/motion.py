@@ -14,7 +14,7 @@ from planar_cli.report.angles_found import by_function, by_tangent, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
-from planar_cli.report.by_data import by_data, is_spared
+from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import is_own_name
@@ -142,7 +142,7 @@ class MotionTelling:
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
         for leg in given:
-            if leg not in followed and not is_spared(leg, legs, self.found, self._formula):
+            if leg not in followed:
                 yield from self._datum(leg)
         derived = [leg for leg in legs if not leg.is_datum and not is_own_name(leg)]
         needed = {s for leg in derived for s in leg.needs}

@@ -7,6 +7,7 @@ Where an equation is a sum of products of its unknowns, `in_numbers` collects it
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -22,11 +23,12 @@ from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import Mixed, dimension_of, is_clean
-from planar_cli.report.enough_figures import DEGREE
+from planar_cli.report.enough_figures import DEGREE, figures_of
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.sums import sum_of
 from planar_cli.report.words import Phrases
 from planar_cli.units import ENERGY, PURE, Dimension, pretty_unit
 
@@ -96,7 +98,16 @@ def put_in(
     sums = len(parts) > 1 and not left.free_symbols & set(unknowns) and bool(right.free_symbols & set(unknowns))
     summed = writer.written(left) if sums else None
     total = None if summed is None or summed.is_Add else Math(summed, writer.texts)
+    if total is not None:
+        shown = (_added_up(parts, phrases), shown[1])
     return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after), total)
+
+
+def _added_up(parts: Sequence[sp.Expr], phrases: Phrases) -> Math:
+    """A sum of numbers, with so many figures that it gives what is printed behind it: 17167.5 - 3433.5 = 13734."""
+    figures = figures_of([phrases.value(e) for e in parts], sum_of, phrases.figures)
+    writer = Writer((), replace(phrases, figures=figures))
+    return Math(sp.Add(*(writer.number(e) for e in parts), evaluate=False), writer.texts)
 
 
 def _without_rounding(amounts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> list[sp.Expr]:
@@ -228,7 +239,7 @@ class Writer:
 
     def _tree(self, expr: sp.Expr) -> sp.Expr:
         if not expr.free_symbols & self.unknowns:
-            return self._number(expr)
+            return self.number(expr)
         if expr.is_Symbol:
             return expr
         if expr.is_Add:
@@ -254,16 +265,16 @@ class Writer:
         sizes = {rest: abs(self.phrases.value(known)) for rest, known in sums.items()}
         largest = max(sizes.values(), default=Decimal(0))
         kept = [(known, rest) for rest, known in sums.items() if sizes[rest] > SMALL * largest]
-        return _added(self._product(known, rest) if rest != 1 else self._number(known) for known, rest in kept)
+        return _added(self._product(known, rest) if rest != 1 else self.number(known) for known, rest in kept)
 
     def _product(self, known: sp.Expr, rest: sp.Expr) -> sp.Expr:
         if rest == 1:
-            return self._number(known)
+            return self.number(known)
         factors = [self._tree(f) for f in sp.Mul.make_args(rest)]
-        number = self._number(known) if known not in (1, -1) else known
+        number = self.number(known) if known not in (1, -1) else known
         return sp.Mul(number, *factors)
 
-    def _number(self, known: sp.Expr) -> sp.Expr:
+    def number(self, known: sp.Expr) -> sp.Expr:
         """A number behind a symbol that is printed as its text, its sign before it."""
         value = self.phrases.value(known)
         if known.is_Integer and abs(int(known)) < 10:
