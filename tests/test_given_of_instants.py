@@ -104,3 +104,8 @@ def test_lengths_that_only_place_what_is_drawn_are_said_to() -> None:
     # The way down is h, and what is read off a motion that is followed may rest on anything.
     assert "drawn with" not in _page("impact/pile-driver")
     assert "drawn with" not in _page("hard/two-rods-of-unlike-mass")
+
+
+def test_a_letter_g_is_given_beside_numbers() -> None:
+    """The distance D is a letter, the speeds are numbers, and g cancels."""
+    assert "D, g; B(0, 0)" in _page("textbook/ex-1-15")

@@ -104,9 +104,10 @@ def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iter
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
     used = GRAVITY in (*seen.counted, *seen.valued) or (GRAVITY in seen.letters and seen.summed)
-    if phrases is not None and own is not None and used and _has_number(own, phrases):
+    numbered = phrases is not None and own is not None and _has_number(own, phrases)
+    if phrases is not None and own is not None and used and numbered:
         yield line(Name(GRAVITY), " = ", phrases.shown(own))
-    elif GRAVITY in seen.letters and not seen.numeric:
+    elif GRAVITY in seen.letters and not (seen.numeric and numbered):
         yield line(Name(GRAVITY))
 
 
