@@ -25,3 +25,25 @@ def test_not_along_an_axis() -> None:
 def test_a_size_that_the_page_has_is_not_told_again() -> None:
     page = page_of_file("collar-on-rotating-rod")
     assert page.count("√((-8.610)² + (-2.000)²)") + page.count("√(8.610² + 2.000²)") == 1
+
+
+@pytest.mark.parametrize(
+    ("stem", "before", "line"),
+    [
+        ("body-ladder-point-in-time", "v_M, y = ", "|v_M| = √(0.36² + 0.1999²)"),
+        ("ball-bouncing-down-a-slope", "At 4: v_4 = ", "|v_4| = √(5.371² + 0.1270²)"),
+        ("ring-on-two-turning-rods", "v = v_P ", "|v_P| = √(1.155² + 0.4²)"),
+        ("car-seen-from-a-bend", "v_trans = v_B/A ", "|v_B/A| = √(15² + 20²)"),
+    ],
+)
+def test_after_the_components(stem: str, before: str, line: str) -> None:
+    """The same state, and the name that the vector has on the page."""
+    page = page_of_file(stem)
+    assert page.index(line) - page.index(before) < 150
+    assert page.index(before) < page.index(line)
+
+
+@pytest.mark.parametrize(("stem", "size"), [("pipe-bend", "7255 N"), ("polar-motion", "2.452 m/s")])
+def test_a_size_under_another_name(stem: str, size: str) -> None:
+    solving = page_of_file(stem).partition("Answer")[0]
+    assert solving.count(f"= {size}") == 1

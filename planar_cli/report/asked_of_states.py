@@ -88,7 +88,11 @@ class AskedTelling:
             for request, part, whole in asked:
                 if request is find:
                     yield from self._line(request, part, whole)
-        yield from vectors
+        for find, block in vectors:
+            if last and _at(find) not in ("", last):
+                last = _at(find)
+                yield Paragraph(line(f"At {last}:"))
+            yield block
 
     def _letter(self, letter: sp.Symbol, formula: sp.Expr) -> Equation:
         """A letter of a state in which something is told."""
@@ -102,7 +106,7 @@ class AskedTelling:
         sides = self._shown(formula, None, self.phrases.ledger.units[letter], values, self.numeric)
         return Equation((self.phrases.math(letter), *sides, *values))
 
-    def _vectors(self) -> Iterator[Block]:
+    def _vectors(self) -> Iterator[tuple[Request, Block]]:
         """Vectors whose components are letters of the states: name = [x, y] = numbers."""
         for asked in self._requests():
             parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
@@ -114,7 +118,7 @@ class AskedTelling:
             if all(map(self.phrases.has_numbers, parts)) and asked.unit is not None:
                 numbers = [Decimal(0) if self.found.value.is_zero(p) else self.found.value(p) for p in parts]
                 sides.append(self.phrases.vector(numbers[0], numbers[1], asked.unit.dimension))
-            yield Equation(tuple(sides))
+            yield asked, Equation(tuple(sides))
 
     @property
     def _zeros(self) -> dict[sp.Symbol, sp.Expr]:

@@ -44,7 +44,7 @@ from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.said import said, said_once, says_nothing
 from planar_cli.report.shown import place_drawn, place_of_rest
-from planar_cli.report.size_and_angle import size_and_angle
+from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
@@ -161,7 +161,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)
-    blocks += [b for f in part.found if why in (None, f.name) for b in size_and_angle(f, phrases, blocks)]
+    blocks = with_size_and_angle(blocks, (f for f in part.found if why in (None, f.name)), phrases)
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))

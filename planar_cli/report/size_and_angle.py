@@ -7,14 +7,14 @@ direction of a_B = arctan(0.1704/0.2282) = 36.7°      below -x
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, Math, Name, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -27,9 +27,19 @@ OF_ANGLES = 3
 """Figures of a direction, as the answer has them."""
 
 
-def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block] = ()) -> Iterator[Block]:
+def with_size_and_angle(blocks: Sequence[Block], found: Iterable[Found], phrases: Phrases) -> list[Block]:
+    """The blocks of a part, with the size and the direction of each vector after its components."""
+    told = list(blocks)
+    for one in found:
+        place, name = _components(told, one, phrases)
+        lines = list(size_and_angle(one, phrases, told, name))
+        told[place:place] = lines
+    return told
+
+
+def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block], called: str) -> Iterator[Block]:
     """√(x² + y²) and arctan(y/x) with numbers; nothing of a vector in letters, of a place, or along an axis.
-    `told`: the page before it, which may have the size.
+    `told`: the page, which may have the size; `called`: the name of the vector there.
     """
     what = found.find.found.what if found.find is not None else None
     place = isinstance(what, Quantity) and what.word in PLACES
@@ -38,19 +48,82 @@ def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block] = ()) -
     x, y = (display(v, found.unit, phrases.ledger.us) for v in found.values)
     if x.is_infinite() or y.is_infinite() or not x or not y:
         return
-    name = Name(found.name)
+    name = Name(called)
     one, other = (sp.Symbol(f"{NUMBER}{axis}", positive=True) for axis in ("x", "y"))
     figures = figures_of((abs(x), abs(y)), _size, phrases.figures)
     texts = {one: significant(abs(x), figures), other: significant(abs(y), figures)}
     root = sp.sqrt(sp.Add(one**2, other**2, evaluate=False), evaluate=False)
     size = Value(_size((x, y)), told_unit(found.unit, found.energy), phrases.figures)
     own = line("|", name, "|")
-    if not any(isinstance(b, Equation) and own in b.sides for b in told):
+    if called != found.name:
+        yield Equation((line(Name(found.name)), line(name)))
+    if not any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
         yield Equation((own, Math(root, texts), size))
     steep = Value(Decimal(math.degrees(math.atan(abs(y) / abs(x)))), "deg", OF_ANGLES)
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
     yield Equation((line("direction of ", name), quotient, steep), None, note=line(where))
+
+
+def _components(told: Sequence[Block], found: Found, phrases: Phrases) -> tuple[int, str]:
+    """Where the components of a vector have been told, and its name there; the end of the page where they have not."""
+    lines = [(i, b) for i, b in enumerate(told) if isinstance(b, Equation)]
+    own = [i for i, b in lines if _is_of(b, found.name)]
+    if own:
+        return own[-1] + 1, found.name
+    same = [(i + 1, name) for i, b in lines if (name := _letter(b)) and _has_numbers(b, found, phrases)]
+    return same[-1] if same else (len(told), found.name)
+
+
+def _left(equation: Equation) -> Line:
+    """The left side of an equation."""
+    side = equation.sides[0]
+    return tuple(p for p in side if p != Text("")) if isinstance(side, tuple) else (side,)
+
+
+def _letter(equation: Equation) -> str:
+    """The vector that an equation gives; "" of a component."""
+    match _left(equation):
+        case (Name(name),):
+            return name
+    return ""
+
+
+def _is_of(equation: Equation, name: str) -> bool:
+    """Does it give the second component of a vector with numbers, or both?"""
+    match _left(equation):
+        case (Name(other), Text(", y")):
+            return other == name
+        case (Name(other),):
+            return other == name and len(_numbers(equation)) == 2
+    return False
+
+
+def _numbers(equation: Equation) -> list[Value]:
+    """The numbers of a vector at the end of an equation."""
+    last = equation.sides[-1]
+    is_vector = isinstance(last, tuple) and str(getattr(last[0], "text", "")).startswith("[")
+    return [p for p in last if isinstance(p, Value)] if is_vector and isinstance(last, tuple) else []
+
+
+def _has_numbers(equation: Equation, found: Found, phrases: Phrases) -> bool:
+    """Does an equation end with the components of what is asked?"""
+    shown = [display(v, found.unit, phrases.ledger.us) for v in found.values or ()]
+    numbers = _numbers(equation)
+    return len(numbers) == len(shown) and all(_alike(n, x) for n, x in zip(numbers, shown, strict=True))
+
+
+def _alike(value: Value, number: Decimal) -> bool:
+    return significant(value.number, value.figures) == significant(number, value.figures)
+
+
+def _is_root(equation: Equation, size: Value) -> bool:
+    """Does an equation end with that size, as a root, and under a name that is not the size of another vector?"""
+    last = equation.sides[-1]
+    if not isinstance(last, Value) or last.unit != size.unit or Text("|") in _left(equation):
+        return False
+    root = any(isinstance(s, Math) and s.expr.is_Pow and s.expr.exp == sp.Rational(1, 2) for s in equation.sides[1:])
+    return root and _alike(size, last.number)
 
 
 def _size(parts: Sequence[Decimal]) -> Decimal:
