@@ -42,6 +42,13 @@ def test_several_impulses() -> None:
     assert last - first == pytest.approx(work, rel=3e-3)
 
 
+@pytest.mark.parametrize("stem", ["rod-caught-and-let-go", "ball-bouncing-twice"])
+def test_the_blow_before_the_fall_that_leads_to_it(stem: str) -> None:
+    page = _page(stem)
+    assert "(u + u′)/2" in page
+    assert "Check work and energy" not in page
+
+
 def test_none_in_letters() -> None:
     assert "T′ - T" not in _page("hinged-bars-struck")
 

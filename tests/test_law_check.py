@@ -76,6 +76,12 @@ def test_of_a_straight_line_the_mean_of_its_ends(stem: str, words: str, numbers:
     assert "Simpson" not in page
 
 
+def test_the_law_before_the_balance_by_which_the_speed_was_found() -> None:
+    page = _page("plate-let-go-at-a-corner")
+    assert "∫ θ̈ dθ by Simpson's rule" in page
+    assert "Check T_lowest" not in page
+
+
 def test_none_in_letters() -> None:
     page = _page("atwood-let-go")
     assert "times the time" not in page

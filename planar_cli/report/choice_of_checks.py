@@ -2,8 +2,9 @@
 
 Each candidate is a file of its own: a function that gives one line with numbers on both sides, or nothing. They stand
 here in the order in which a teacher would choose: what rests on another principle or on an equation that the solution
-did not need, then what was found put in again by another way, last what takes the most arithmetic. None only repeats a
-line of the solution; where no candidate speaks, the page has none.
+did not need, then what was found put in again by another way. Of a motion with a blow that of the blow comes first: a
+fall before it needs none; and Newton's law, integrated, comes before the balance by which the speed was found. None
+only repeats a line of the solution; where no candidate speaks, the page has none.
 """
 
 from __future__ import annotations
@@ -43,8 +44,8 @@ OF_INSTANTS: tuple[Candidate, ...] = (
     another_equation, system_sum, power_check, another_point, velocity_check, polar_check, first_second,
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
-    energy_check, meeting_check, blow_check, law_check, kinetic_check, root_check, passing_check,
-    time_check, oscillation_check, harmonic_check, simpson_check,
+    blow_check, energy_check, meeting_check, law_check, simpson_check, kinetic_check, root_check,
+    passing_check, time_check, oscillation_check, harmonic_check,
 )  # fmt: skip
 OF_PARTS: tuple[Candidate, ...] = (
     tale_check, track_check, inertia_check, round_check, cosine_check, limit_check,
