@@ -17,7 +17,7 @@ def _page(stem: str) -> str:
 
 @pytest.mark.parametrize(("stem", "lines"), [
     ("textbook/ex-4-05", [
-        "α is counted clockwise, the way in which the spool begins to turn.",
+        "α is counted clockwise, the way in which the loads turn the spool about C.",
         "spool rolls without slipping: a_G = R α",
         "m a_G → at G, I_G α ↻",
         "↻ ΣM_C: P (R + r) = m a_G R + I_G α",
@@ -31,7 +31,7 @@ def _page(stem: str) -> str:
         "Answer ω = 7.415 rad/s clockwise",
     ]),
     ("textbook/ex-4-12", [
-        "ω is counted clockwise, the way in which the spool begins to turn.",
+        "ω is counted clockwise, the way in which the loads turn the spool about C.",
         "↻ H_C: 1/2 q (R + r) t_2² = m (R² + k_G²) ω_2",
         "Answer ω = 15.46 rad/s clockwise",
     ]),
@@ -67,3 +67,9 @@ def test_what_is_asked_downward_counts_downward() -> None:
     for told in ("a_A = √2/2 L α", "N_block ←, A_x ←, A_y ↓ = m_A a_A ↓", "Answer a_A = 8.175 m/s² downward"):
         assert told in page
     assert "in the sense" not in page
+
+
+def test_a_speed_that_counts_against_an_axis_is_said_to() -> None:
+    """Asked along -90°, the acceleration of the end that slides down a wall counts downward."""
+    page = _page("textbook/ex-4-16")
+    assert "a_A is counted downward." in page

@@ -8,10 +8,11 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import with_article
-from planar_cli.report.blocks import Block, Paragraph, line
+from planar_cli.problem.scene import GROUND, with_article
+from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import Found, InstantSolution
@@ -77,12 +78,28 @@ def counted(system: System, phrases: Phrases) -> Iterator[Block]:
     """What is said of it, once."""
     for e in system.tree.edges:
         if e.turn < 0 and e.spin_rate is not None:
-            yield Paragraph(line(phrases.math(e.spin_rate), f" is counted clockwise, {begins(e.body)}"))
+            yield Paragraph(clockwise(phrases.math(e.spin_rate), e))
+        if e.slide_rate is not None and (way := _way(e)):
+            yield Paragraph(line(phrases.math(e.slide_rate), f" is counted {way}."))
 
 
-def begins(body: str) -> str:
-    """Why it counts so."""
-    return f"the way in which {with_article(body)} begins to turn."
+def clockwise(letter: Math, edge: Edge) -> Line:
+    """That a rotation counts clockwise, and why: all loads turn the body that way about the point that holds it."""
+    assert edge.joining is not None
+    why = f" is counted clockwise, the way in which the loads turn {with_article(edge.body)} about "
+    return line(letter, why, Name(edge.joining.place.replace("_", ",")), ".")
+
+
+def _way(edge: Edge) -> str:
+    """The direction in which a speed along a fixed axis counts, where it is against the axis: downward, to the left."""
+    path = edge.joining.path if edge.joining is not None else None
+    if path is None or path.curvature != 0 or edge.parent != GROUND:
+        return ""
+    tangent = path.tangent
+    for across, along, words in ((tangent.x, tangent.y, "downward"), (tangent.y, tangent.x, "to the left")):
+        if across == 0 and along == -1:
+            return words
+    return ""
 
 
 def clockwise_too(w: Written, turn: int) -> Written:

@@ -10,7 +10,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
-from planar_cli.report.counted import begins
+from planar_cli.report.counted import clockwise
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import MotionTrace
@@ -40,7 +40,7 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
 def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
     """The angular velocities that count clockwise, where no angle tells that."""
     edges = (e for regime in found.regimes for e in regime.solution.trial.system.tree.edges if e.turn < 0)
-    return {e.spin: line(Math(e.spin), f" is counted clockwise, {begins(e.body)}") for e in edges if e.spin is not None}
+    return {e.spin: clockwise(Math(e.spin), e) for e in edges if e.spin is not None}
 
 
 def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
