@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+import pytest
 import sympy as sp
 from worked import page_of_file
 
@@ -57,9 +58,26 @@ def test_rates_have_the_name_of_what_changes() -> None:
 
 
 def test_the_state_stays_where_the_author_names_it() -> None:
-    page = page_of_file("ex-1-06")
-    assert "y_top = v0²/(2 g) + h" in page
-    assert "y_ball,top" not in page
+    letter = sp.Symbol("T_cord__low", real=True)
+    told = [Equation((Math(letter), Math(MASS * GRAVITY))), _answer("T_low", letter)]
+    assert _letters(with_one_name(told)) == {"T_low", "m", "g"}
+
+
+@pytest.mark.parametrize(
+    ("name", "letter", "beside"),
+    [
+        ("t_1", "t__stop_1", "m"),  # 1 is another state than stop_1
+        ("x_top", "x_block__top", "v_block"),  # the block keeps its name elsewhere
+        ("x_1", "x_block__1", "x_block__start"),
+        ("a", "a_E", "m"),  # E is a point
+        ("v_AC", "v_P_AC", "m"),
+        ("t_left_again", "t__left_again", "m"),  # no shorter
+    ],
+)
+def test_what_the_name_would_not_say(name: str, letter: str, beside: str) -> None:
+    symbol = sp.Symbol(letter, real=True)
+    told = [Equation((Math(symbol), Math(sp.Symbol(beside, real=True)))), _answer(name, symbol)]
+    assert with_one_name(told) == told
 
 
 def test_what_goes_with_it_is_called_after_the_same() -> None:

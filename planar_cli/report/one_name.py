@@ -21,6 +21,9 @@ OPENING = ("Find", "Principle")
 RATES = ("dot", "ddot")
 KINDS = (("theta", "omega", "alpha"), ("v", "a"))
 """Stems of what is called after one body or point."""
+OF_POINTS = ("x", "y", "v", "a")
+"""Stems of what a point has: its letter says whose it is."""
+_POINT = re.compile(r"[A-Z]\d*")
 _COMPONENT = re.compile(r"([A-Z]\d*)([xytnr])")
 
 
@@ -33,7 +36,7 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
     names: dict[str, str] = {}
     for letter, name in asked.items():
         own = {letter: name} | {x: other for x in used.letters if (other := _along(x, letter, name))}
-        if not _stays_beside(letter, used) and all(_is_meant(x, other, used) for x, other in own.items()):
+        if not _stays_beside(letter, own, used) and all(_is_meant(x, other, used) for x, other in own.items()):
             names |= own
     if not names:
         return list(blocks)
@@ -48,7 +51,12 @@ def _asked(blocks: Iterable[Block]) -> dict[str, str]:
         if isinstance(block, Answer) and (letter := _letter(block.line)):
             found[letter].add(block.name)
     only = {letter: next(iter(names)) for letter, names in found.items() if len(names) == 1}
-    return {letter: name for letter, name in only.items() if letter != name and _shortens(name, letter)}
+    return {letter: name for letter, name in only.items() if _may_stand_for(name, letter)}
+
+
+def _may_stand_for(name: str, letter: str) -> bool:
+    """Is a name short for a letter, and says as well what it is?"""
+    return _shortens(name, letter) and bool(_left_out(name, letter)) and not _tells_the_point(name, letter)
 
 
 def _letter(told: Line) -> str:
@@ -67,12 +75,24 @@ def _pieces(name: str) -> list[str]:
 
 
 def _shortens(name: str, letter: str) -> bool:
-    """Is a name the letter without some of what stands behind its stem, but for its state?"""
+    """Is a name the letter without some of what stands behind its stem, but for its state, which is kept whole?"""
     (stem, *kept), (own, *left) = _pieces(name), _pieces(letter)
+    state = _pieces(letter.partition("__")[2]) if "__" in letter else []
     rest = iter(left)
-    if "__" in letter and kept[-1:] != left[-1:]:
+    if state and kept[-len(state) :] != state:
         return False
     return stem == own and all(piece in rest for piece in kept)
+
+
+def _left_out(name: str, letter: str) -> list[str]:
+    """What of a letter its shorter name leaves out."""
+    kept = _pieces(name)
+    return [p for p in _pieces(letter) if p not in kept]
+
+
+def _tells_the_point(name: str, letter: str) -> bool:
+    """Does what the name leaves out say of which point a place, a velocity or an acceleration is?"""
+    return _pieces(letter)[0] in OF_POINTS and any(_POINT.fullmatch(p) for p in _left_out(name, letter))
 
 
 def _along(other: str, letter: str, name: str) -> str:
@@ -88,10 +108,20 @@ def _along(other: str, letter: str, name: str) -> str:
     return f"{stem}{name.removeprefix(own_stem)}" + other.removeprefix(other.partition("__")[0])
 
 
-def _stays_beside(letter: str, used: _Used) -> bool:
-    """Is it x_P at state 2, beside which there is x_P at state 3? A state with a word for a name stands for itself."""
-    own, _, state = letter.partition("__")
-    return state.isdigit() and any(x != letter and x.partition("__")[0] == own for x in used.letters)
+def _stays_beside(letter: str, own: Mapping[str, str], used: _Used) -> bool:
+    """Do others stay that are called after the same body, v_block or x_block at the end beside x_block at the start?"""
+    name = own[letter]
+    if "__" not in letter and _pieces(letter)[0] not in OF_POINTS:
+        return False
+    dropped = set(_left_out(name, letter))
+    others = (x for x in used.letters if x not in own)
+    return any(_kindred(x, letter) and dropped <= set(_pieces(x)) for x in others)
+
+
+def _kindred(other: str, letter: str) -> bool:
+    """Are both of one kind, or of one point?"""
+    one, two = (x.split("_")[0].removeprefix("d") for x in (other, letter))
+    return one == two or any(one in kind and two in kind for kind in (*KINDS, OF_POINTS))
 
 
 class _Used:
