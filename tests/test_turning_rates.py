@@ -30,3 +30,20 @@ def test_one_name() -> None:
 
 def test_not_the_coordinate_of_the_file() -> None:
     assert with_turning_rates(TOLD, ("theta",)) == list(TOLD)
+
+
+START = Paragraph(line("From 1 to 2, constant angular acceleration, angle of wheel:"))
+OWN = sp.Symbol("alpha__1", real=True)
+
+
+def test_what_it_is_in_one_motion_stands_where_it_is_used() -> None:
+    law = (Paragraph(line("For the angle of the wheel:")), Equation((Math(SECOND), Math(OWN), NUMBER)))
+    told = with_turning_rates([TOLD[0], *law, START], ())
+    assert told == [TOLD[0], START, Equation((Math(OWN), NUMBER))]
+
+
+def test_another_motion_has_another_value() -> None:
+    """The page said α = 0 last: in this motion it is something else."""
+    rest = Equation((Math(ALPHA), Math(sp.S.Zero)))
+    told = with_turning_rates([TOLD[0], rest, *TOLD[1:3], START], ())
+    assert told[2:] == [START, Equation((Math(ALPHA), NUMBER))]

@@ -28,28 +28,58 @@ def with_turning_rates(blocks: Sequence[Block], own: Iterable[str]) -> list[Bloc
 
 
 def _once(blocks: Sequence[Block]) -> list[Block]:
-    """Without a law that only repeats what the equations gave: α = 0.1667 rad/s², under a heading of its own."""
+    """Without a law that only repeats what the equations gave, α = 0.1667 rad/s², under a heading of its own; of one
+    that says what α is in this motion, α = α_1 = 0.1667 rad/s², α_1 stands where it is first used.
+    """
     found: list[Block] = []
-    for block in blocks:
+    waiting: Equation | None = None
+    for i, block in enumerate(blocks):
         heading = found[-1] if found else None
         law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith(FOR)
         if law and isinstance(block, Equation) and _repeats(block, found):
             found.pop()
+        elif law and isinstance(block, Equation) and _is_of_motion(block) and _begins(blocks[i + 1 : i + 2]):
+            found.pop()
+            waiting = replace(block, sides=block.sides[1:])
         else:
             found.append(block)
+            found += [waiting] if waiting is not None else []
+            waiting = None
     return found
 
 
+def _begins(following: Sequence[Block]) -> bool:
+    """Is what follows the heading under which a law is used?"""
+    return any(isinstance(b, Paragraph) for b in following)
+
+
+def _is_of_motion(law: Equation) -> bool:
+    """Is it α = α_1 = number?"""
+    letters = _letters(law)
+    return law.number is None and len(letters) == len(law.sides) - 1 == 2 and len({_own(x) for x in letters}) == 1
+
+
+def _letters(equation: Equation) -> list[str]:
+    """The sides of an equation that are single letters."""
+    return [s.expr.name for s in equation.sides if isinstance(s, Math) and s.expr.is_Symbol]
+
+
 def _repeats(law: Equation, before: Iterable[Block]) -> bool:
-    """Does a law say nothing but a number that stands on the page?"""
-    letters = {str(side) for side in law.sides[:-1]}
-    told = ((b.sides[0], b.sides[-1]) for b in before if isinstance(b, Equation))
-    return law.number is None and len(letters) == 1 and (law.sides[0], law.sides[-1]) in told
+    """Does a law say nothing but a number that the page gave last for that letter, or for it in this motion, α_1?"""
+    letters = _letters(law)
+    told = {str(b.sides[0]): b.sides[-1] for b in before if isinstance(b, Equation)}
+    same = len(letters) == len(law.sides) - 1 and len({_own(x) for x in letters}) == 1
+    return law.number is None and same and told.get(str(law.sides[-2])) == law.sides[-1]
+
+
+def _own(letter: str) -> str:
+    """A letter without the state at which a motion begins."""
+    return letter.partition("__")[0]
 
 
 def _angles(equation: Equation) -> set[str]:
     """The angles of which an equation says that their rate is that of a body: θ̈ = α, or α_2 = θ̈."""
-    letters = [s.expr.name for s in equation.sides if isinstance(s, Math) and s.expr.is_Symbol]
+    letters = _letters(equation)
     found = set()
     for letter in letters:
         for mark, stem in RATES.items():
