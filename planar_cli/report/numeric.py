@@ -17,6 +17,7 @@ from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
+from planar_cli.report.with_units import led, with_units
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -34,6 +35,8 @@ DIFFERENTIATED = "coordinate"
 
 ANGLE_OF = "angle of "
 """What the turning of a body is told of that a coordinate places."""
+UNITS = {"force": FORCE, "moment": ENERGY}
+"""What the sides of these equations are."""
 STATED = {"v": VELOCITY, "a": ACCELERATION}
 
 Printed = tuple[tuple[Any, ...], Line]
@@ -54,11 +57,40 @@ def lasts(stages: Collection[Stage], constants: Phrases) -> bool:
     return bool(told) and all(constants.value.known(x) is not None for e in told for x in e.free_symbols)
 
 
+def is_spelled(stages: Collection[Stage], general: Phrases) -> bool:
+    """Do the equations of forces and moments stay in letters, with the units that their numbers hold? Not where
+    relations of kinematics hide a unit.
+    """
+    ledger, written = general.ledger, [w for s in stages for b in s.blocks for w in b.equations if not w.given]
+    named = [x for s in stages for x in s.lines]
+    if not all(is_clean(ledger, x.symbol, x.expression, dimension=ACCELERATION) for x in named):
+        return False
+    if not all(is_clean(ledger, w.left, w.right) for w in written if w.law not in UNITS):
+        return False
+    return all(_is_clean(w, ledger) or spelled(w, (w.left, w.right), general) for w in written if w.law in UNITS)
+
+
+def _is_clean(w: Written, ledger: Ledger) -> bool:
+    return is_clean(ledger, w.left, w.right, dimension=UNITS[w.law])
+
+
+def spelled(w: Written, sides: Collection[sp.Expr], general: Phrases) -> tuple[Math, ...]:
+    """The sides of an equation of forces or moments in letters, with the units of the numbers among them. Empty: there
+    are none, or they are not told so.
+    """
+    dimension = UNITS.get(w.law)
+    if dimension is None or _is_clean(w, general.ledger):
+        return ()
+    found = [with_units(general.neat(general.met(sp.sympify(e))), dimension, general) for e in sides]
+    return tuple(e for e in found if e is not None) if all(e is not None for e in found) else ()
+
+
 class NumericTelling:
     """Chooses between letters and numbers. In a problem of letters everything stays in letters."""
 
-    def __init__(self, phrases: Phrases, stages: Collection[Stage] = ()) -> None:
-        self.phrases = phrases
+    def __init__(self, phrases: Phrases, stages: Collection[Stage] = (), general: Phrases | None = None) -> None:
+        """`general`: writes letters of a motion in which nothing varies, with the units of the numbers among them."""
+        self.phrases, self.general = phrases, general
         self._put: set[tuple[int, int]] = set()
         self.components: dict[tuple[int, int], tuple[Decimal, ...]] = {}
         """The components of known vectors that were told before a relation, by its algebra and number."""
@@ -110,9 +142,22 @@ class NumericTelling:
             if found is not None:
                 self._put.add((id(stage.algebra), w.number))
                 return found
+        if self.general is not None and (letters := spelled(w, sides, self.general)):
+            return letters, ()
         if w.law == "relation":
             sides = self.phrases.writer.sides(*sides, turns=w.source == DIFFERENTIATED)
         return tuple(self.phrases.math(s) for s in sides), ()
+
+    def led(self, formula: sp.Expr) -> sp.Expr:
+        """A formula as it gets its numbers: with those that hold a unit by themselves."""
+        return formula if self.general is None else led(self.phrases.neat(formula), self.phrases.ledger)
+
+    def formula(self, symbol: sp.Symbol, formula: sp.Expr) -> Math:
+        """The formula of an unknown; where letters stay beside numbers, with the units of these."""
+        unit = self.phrases.ledger.units.get(symbol)
+        if self.general is None or unit is None or is_clean(self.phrases.ledger, symbol, formula):
+            return self.phrases.math(formula)
+        return with_units(self.phrases.neat(formula), unit.dimension, self.general) or self.phrases.math(formula)
 
     def result(self, found: SolvedLine | None, sides: tuple[Any, ...]) -> tuple[Any, ...]:
         """letter = value with its unit, where an equation in numbers says so already; else nothing."""
@@ -259,3 +304,14 @@ def _unit_note(found: Sides, phrases: Phrases) -> Line:
         return ()
     unit = coherent_unit(found.dimension, us=phrases.ledger.us).text
     return line(f"in {pretty_unit(unit)}") if unit != "1" else ()
+
+
+def numeric_telling(phrases: Phrases, constants: Phrases | None, stages: Collection[Stage]) -> NumericTelling:
+    """Where nothing in the equations of a motion varies, and letters would hide units, they have numbers as those of an
+    instant do. `constants`: speaks of what has a number all the time.
+    """
+    if constants is None or not lasts(stages, constants):
+        return NumericTelling(phrases, stages)
+    if is_spelled(stages, phrases):
+        return NumericTelling(phrases, stages, constants)
+    return NumericTelling(constants, stages)

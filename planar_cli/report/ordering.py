@@ -34,6 +34,8 @@ NUMBER = "#"
 """With this the name of a symbol begins that stands for a number as it is printed."""
 HELD = f"{NUMBER}unit"
 """The name of a number that holds a unit, among letters."""
+BEHIND = f"{NUMBER}behind"
+"""With this the name of such a number begins that stands behind the letters: P (3 ft)."""
 
 Key = tuple[float, bool, str, str, float]
 
@@ -47,6 +49,8 @@ def factor_key(factor: Any) -> Key:
         return (_NUMBERS, False, "", str(base), power)
     if base.is_Symbol:
         name = base.name
+        if name.startswith(BEHIND):
+            return (_FUNCTIONS + 1, False, "", name, power)
         if name.startswith(NUMBER):
             return (_NUMBERS, False, "", name, power)
         return (_rank(name), "_" in name, name.casefold(), name, power)

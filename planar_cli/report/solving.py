@@ -62,8 +62,8 @@ class SolvingTelling:
                 expr = simplified(self.constants.value.definitions.get(symbol, expr))
                 told += [] if expr.is_number or plain(expr) in map(plain, told) else [expr]
             bare = expr.is_Symbol or expr.is_number or any(known(s) is None for s in expr.free_symbols)
-            put = () if bare else self.constants.substituted(expr, value)
-            return (self.phrases.math(symbol), *(self.phrases.math(e) for e in told), *put, value)
+            put = () if bare else self.constants.substituted(self.numeric.led(expr), value)
+            return (self.phrases.math(symbol), *(self.numeric.formula(symbol, e) for e in told), *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):
             sides.append(self.phrases.math(expr))
@@ -246,7 +246,7 @@ class SolvingTelling:
         elif put_in := self._put_for(x, stage):
             lead = line(f"{numbered(put_in)} in ", *lead)
         if x.letters:
-            return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
+            return [Equation((self.phrases.math(x.symbol), self.numeric.formula(x.symbol, x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
         put = any(
             w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations

@@ -22,7 +22,7 @@ from planar_cli.report.geometry import constructed, in_numbers, places
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.names import GREEK
-from planar_cli.report.numeric import NumericTelling, lasts, level_of, vanishing
+from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
@@ -79,9 +79,7 @@ class Telling:
         self.vectors = VectorTelling(instant.trial, phrases, nothing - told, instant.open_speeds)
         self.data = DataTelling(self.scene, instant.state, phrases)
         self.asked = AskedTelling(instant, phrases, self.vectors)
-        # Where nothing in the equations varies they have numbers, as those of an instant do.
-        lasting = constants if constants is not None and lasts(self.stages, constants) else phrases
-        self.numeric = NumericTelling(lasting, self.stages)
+        self.numeric = numeric_telling(phrases, constants, self.stages)
         self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
         long = LONG_FORMULA if audience != "lesson" and not phrases.symbolic else None
         self.definitions = DefinitionTelling(self.system, self.solving, self.vectors, self._constructed, long)
