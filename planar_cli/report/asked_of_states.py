@@ -26,6 +26,7 @@ from planar_cli.report.oscillation import by_damping, by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.rate_first import ToldRate, by_told_rate
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.state_words import at, place
 from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, SpanIntegral
@@ -74,7 +75,7 @@ class AskedTelling:
         places = list(dict.fromkeys(_at(r) for r, _, _ in asked))
         last = places[0] if len(places) > 1 and not compared else ""
         if last:
-            yield Paragraph(line(f"Hence, at {last}:"))
+            yield Paragraph(line(f"Hence, {place(last)}:"))
         elif asked or compared or vectors or any(r.beside for r in self._requests()):
             yield HENCE
         yield from compared
@@ -82,7 +83,7 @@ class AskedTelling:
         for find in self._requests():
             if len(places) > 1 and _at(find) not in ("", last) and any(r is find for r, _, _ in asked):
                 last = _at(find)
-                yield Paragraph(line(f"At {last}:"))
+                yield Paragraph(line(at(last)))
             yield from (self._letter(x, e) for x, e in find.beside if x not in told)
             told |= {x for x, _ in find.beside}
             for request, part, whole in asked:
@@ -91,7 +92,7 @@ class AskedTelling:
         for find, block in vectors:
             if last and _at(find) not in ("", last):
                 last = _at(find)
-                yield Paragraph(line(f"At {last}:"))
+                yield Paragraph(line(at(last)))
             yield block
 
     def _letter(self, letter: sp.Symbol, formula: sp.Expr) -> Equation:

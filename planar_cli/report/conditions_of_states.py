@@ -12,7 +12,8 @@ from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.driving_speed import by_driving_speed
 from planar_cli.report.names import plain_name
-from planar_cli.report.origins import at, head, sides_of
+from planar_cli.report.origins import head, sides_of
+from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep
 from planar_cli.solve.law import IN_THE_END

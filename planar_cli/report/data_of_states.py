@@ -8,7 +8,8 @@ from typing import Any
 from planar_cli.report.as_stated import between, gives, stated_in
 from planar_cli.report.blocks import Block, Equation, line
 from planar_cli.report.conditions_of_states import condition_blocks, followed_from
-from planar_cli.report.origins import at, known_from
+from planar_cli.report.origins import known_from
+from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 

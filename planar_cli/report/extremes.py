@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import AimTrace, MotionTrace, Relation, RouteStep
 from planar_cli.units import PURE, pretty_unit
@@ -44,7 +45,7 @@ def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases)
     plain = dict(found.route.plain)
     times = {s for residual in aim.timed for s in residual.free_symbols if s.name.startswith("t__")}
     if aim.timed:
-        yield Paragraph(line(f"At {stop}, by the laws of motion:"))
+        yield Paragraph(line(at(stop, "by the laws of motion")))
     for residual in aim.timed:
         terms = sp.Add.make_args(residual.xreplace(plain))
         left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
@@ -59,7 +60,7 @@ def timed_blocks(aim: AimTrace, stop: str, found: MotionTrace, phrases: Phrases)
     numeric = any(_has_numbers(residual.xreplace(plain), phrases) for residual in aim.timed)
     note = _counted_in(aim.quantity, phrases) if numeric else ()
     # As a function of the constant: what it comes to at the extreme follows below.
-    lead = line("without ", *named, ":") if named else line(f"At {stop}, by the equations below:")
+    lead = line("without ", *named, ":") if named else line(at(stop, "by the equations below"))
     yield Equation((own, phrases.math(formula)), None, lead, note)
 
 

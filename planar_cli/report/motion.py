@@ -53,6 +53,7 @@ from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.results import numbered
 from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.state_words import at
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
 from planar_cli.report.words import Phrases
@@ -181,7 +182,7 @@ class MotionTelling:
                 numbers += told
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
-                return (yield Equation(self._chain(leg.results[0]), None, line(f"At {e.stop}:"), line(e.words)))
+                return (yield Equation(self._chain(leg.results[0]), None, line(at(e.stop)), line(e.words)))
             if single and is_explicit(e, leg, ledger):
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))

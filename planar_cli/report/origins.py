@@ -18,6 +18,7 @@ from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
+from planar_cli.report.state_words import HAPPENS, at, turning
 from planar_cli.report.turning_values import DERIVATIVE, over_time
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
@@ -30,8 +31,6 @@ from planar_cli.solve.between.trace import (
 )
 from planar_cli.solve.law import IN_THE_END, Law
 
-HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
-"""What happens at an instant; all other words say what holds up to it."""
 EDGE = "distance from the edge"
 KEPT = {
     EDGE: "the distance from the line at {} stays the same",
@@ -52,7 +51,7 @@ PLACE, ACROSS = "place of ", " across its line"
 def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     """The heading of a relation. `names`: those of symbols, which are set as mathematics."""
     if is_vibration(e):
-        return line(f"At {e.stop}:" if e.stop else f"From {e.since} on:")
+        return line(at(e.stop) if e.stop else f"From {e.since} on:")
     if e.span is not None:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
         words = calculus(e)
@@ -63,18 +62,10 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         return spoken(at(e.stop, words), names)
     if e.kind == "handed" and e.stop:
         # Its velocity or place there in other letters, from which the next part of the motion starts.
-        return line(f"At {e.stop}:")
-    place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
+        return line(at(e.stop))
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
-    return spoken(f"{place}{words}:", names)
-
-
-def at(state: str, words: str = "") -> str:
-    """The words before what holds at a state, as the beginning of a sentence; "" of what has neither name nor words."""
-    place = f"At {state}" if state else ""
-    told = ", ".join(part for part in (place, words) if part)
-    return f"{told}:" if told else ""
+    return spoken(f"From {e.since} to {e.stop}, {words}:" if e.since else at(e.stop, words), names)
 
 
 def is_vibration(e: Relation) -> bool:
@@ -96,7 +87,8 @@ def components_of(words: str) -> str:
 def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """States that were put in: until when an assumption holds, or what happens there."""
     for turning_point in found.turnings:
-        t, words, expr = turning_point.time, turning_point.words, turning_point.expr
+        t, expr = turning_point.time, turning_point.expr
+        words = turning_point.words.replace(" within its", " is within its")
         when = line(f"state {turning_point.state}")
         if t is not None:
             when = line(Math(t), " = ", phrases.shown(t), f" (state {turning_point.state})")
@@ -175,11 +167,6 @@ def known_from(e: Relation, r: trace.Result) -> str:
     plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
     given = "as given" if plainly and e.words != IN_THE_END else ""
     return {"drawn": DRAWN, "start": e.words}.get(e.kind, given)
-
-
-def turning(words: str) -> str:
-    """Why a state was put in, before a colon: what holds up to it, or what happens there."""
-    return words if words in HAPPENS else f"up to here {words}"
 
 
 def told_once(blocks: Iterable[Block]) -> Iterator[Block]:

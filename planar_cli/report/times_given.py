@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from planar_cli.problem.expression import Name, Relation
 from planar_cli.problem.walk import names_of_states, walk
 from planar_cli.report.blocks import Block, Equation, Math, line
-from planar_cli.report.origins import at
+from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
 
