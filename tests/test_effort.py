@@ -32,8 +32,9 @@ def test_a_way_between_given_places_is_in_letters() -> None:
 def test_a_constant_acceleration_that_is_needed_anyway_serves_for_speeds_and_heights_too() -> None:
     page = page_of_file("ex-1-06")
     assert "Principle Newton's second law. Constant acceleration." in page
-    assert "(3): y_top = v0²/(2 g) + h" in page
-    assert "From thrown to half, constant acceleration, y of ball: (4) v_half² = 2 g (h - y_ball,half) + v0²" in page
+    assert "(3): y_ball,top = v0²/(2 g) + h" in page
+    assert "From thrown to half, constant acceleration, y of ball:" in page
+    assert "(4) v_ball,y,half² = 2 g (h - y_ball,half) + v0²" in page
     assert "work and kinetic energy" not in page
 
 
@@ -41,3 +42,18 @@ def test_where_no_law_is_needed_energies_stay() -> None:
     """The push of the buffer is asked, and no time while the block slides freely."""
     assert "From 1 to meets, work and kinetic energy" in page_of_file("block-down-a-slope-onto-a-buffer")
     assert "From 1 to 2, work and kinetic energy" in page_of_file("falling-rod-caught-by-a-cord")
+
+
+def test_a_velocity_that_stays_has_its_reason() -> None:
+    """No equation of the rolling ball and of the free carriages says that their accelerations are zero."""
+    ball, carriages = page_of_file("body-ball-that-slides-then-rolls"), page_of_file("three-carriages")
+    assert "no angular acceleration" not in ball
+    assert "(8) T_rolls + U = T_later" in ball
+    assert "no acceleration, x of" not in carriages
+    assert carriages.count("conservation of momentum:") == 6
+
+
+def test_a_height_that_was_sought_has_its_number() -> None:
+    page = page_of_file("ladder-leaving-the-wall")
+    assert "y_ladder,2 = 1/2 l sin θ_2 = 2 sin θ_2 in m" in page
+    assert "y_ladder,2 = 1/2 l sin θ_2 = 1/2 · 4 sin 141.2° = 1.253 m" in page

@@ -312,11 +312,12 @@ class EnergyTelling(EnergyPieces):
         return next((m.mass for m in moving if m.body == body), sp.S.One)
 
     def _heights(self, ends: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
-        """y_1 = formula = number, and y_2: each once."""
+        """y_1 = formula = number, and y_2: each once, but again where it has a number that was still to be found."""
         for own, expr in ends.items():
             known = self.phrases.value.known(own) is not None
             if (own, expr) not in self.told and expr != own and not (known and expr.is_number):
-                self.told.add((own, expr))
+                if not expr.free_symbols & set(self.unknowns):
+                    self.told.add((own, expr))
                 yield self._line(Math(own), *self._length(expr), dimension=LENGTH)
 
     def _difference(self, ends: Mapping[sp.Symbol, sp.Expr]) -> list[Block]:

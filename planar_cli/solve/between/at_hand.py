@@ -47,7 +47,10 @@ def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) 
 
 
 def _law(e: Equation) -> Known | None:
-    if e.law is None or not e.law.steady:
+    """None also of an acceleration that is zero: no equation of it stands on the page, where energies or momentum tell
+    why a velocity stays.
+    """
+    if e.law is None or not e.law.steady or e.law.f == 0:
         return None
     return e.law.coordinate.symbol, e.law.f if e.law.constant is None else e.law.constant[1]
 
