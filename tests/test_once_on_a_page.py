@@ -25,8 +25,22 @@ def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:
 
 
 def test_a_case_tells_only_what_differs() -> None:
-    """The kinematics of one line are as before, the moment of inertia too, and one force is gone from the diagram."""
+    """The kinematics of one line are as before, and one force is gone from the diagram; I_G has no number any more."""
     case = page_of_file("ex-4-05").partition("CASE")[2]
-    assert "no friction Kinematic analysis as before: (1). STEP 2" in case
-    assert "spool: the diagram as before, without F_C Without friction at C" in case
-    assert "moment of inertia" not in case
+    assert "STEP 1 Kinematic analysis at rest: all velocities are zero; as before: (1) STEP 2" in case
+    assert (
+        "spool: the diagram as before, without F_C moment of inertia of spool: I_G = m k_G² Without friction at C"
+        in case
+    )
+
+
+def test_before_is_the_last_diagram() -> None:
+    """The case before has another mass, and nothing that enters: its diagram is not the one without F."""
+    case = page_of_file("sand-wagon").partition("CASE coasting")[2]
+    assert "wagon: g (M + q t) ↓, v_P q ←, N_rails ↑ = (M + q t) a_P →" in case
+
+
+def test_what_is_as_before_has_a_name() -> None:
+    case = page_of_file("wheel-over-a-kerb").partition("CASE")[2]
+    assert "As before: I_G = 0.45 kg·m², I_K = 1.35 kg·m², θ_3 = -0.6435 rad. From 2 to 3" in case
+    assert "As before." not in case

@@ -4,7 +4,10 @@ numbers of equations, only that it is as before; of a diagram from which forces 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from decimal import Decimal
 
 from planar_cli.report.blocks import (
     Block,
@@ -13,6 +16,8 @@ from planar_cli.report.blocks import (
     Heading,
     Inline,
     Line,
+    Math,
+    Name,
     Paragraph,
     Result,
     Table,
@@ -23,16 +28,19 @@ from planar_cli.report.blocks import (
 LEAST = 3
 """Fewer lines are printed again, unless they are all of a step."""
 TOLD = (Paragraph, Equation, Forces, Result, Table)
+NUMBER = re.compile(r"Decimal\('([^']+)'\)")
 INERTIA, BETWEEN = "moment of inertia of", ",  "
 """Begins the line of a moment of inertia; stands between the forces of a diagram."""
 
 
 def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     """The blocks of a case. `before`: those of earlier cases."""
-    earlier = {kind: [b for b in before if isinstance(b, kind)] for kind in TOLD}
-    rest = [b for b in blocks if not _names_again(b, earlier[Equation])]
-    drawn = [(_without(b, earlier[Forces]) or b) if isinstance(b, Forces) else b for b in rest]
-    known = [isinstance(b, TOLD) and b in earlier[type(b)] for b in drawn]
+    printed = _Printed(before)
+    if not printed.said:
+        return list(blocks)
+    drawn = [printed.reduced(b) for b in blocks]
+    known = [printed.knows(b) for b in drawn]
+    known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
     found: list[Block] = []
     start = 0
     while start < len(drawn):
@@ -43,11 +51,13 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         # A sentence that leads to what is new stays.
         while stop > start and stop < len(drawn) and _leads(drawn[stop - 1]) and not isinstance(drawn[stop], Heading):
             stop -= 1
-        if stop > start and isinstance(heading, Heading) and heading in before:
-            found[-1] = _as_before(drawn[start:stop], heading.text)
+        run = drawn[start:stop]
+        told = _as_before(run)
+        if run and isinstance(heading, Heading) and heading in before:
+            found[-1] = _headed(heading, run, told)
             start = stop
-        elif stop - start >= LEAST:
-            found.append(_as_before(drawn[start:stop]))
+        elif run and told and (len(run) >= LEAST or all(_defines(b) for b in run)):
+            found.append(Paragraph(line("As before: ", told, ".")))
             start = stop
         else:
             found += drawn[start : max(stop, start + 1)]
@@ -55,37 +65,67 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     return found
 
 
+class _Printed:
+    """What earlier cases printed: word for word, and the last diagram of each body and the last equation of each
+    number, since only those are meant by `before`.
+    """
+
+    def __init__(self, before: Sequence[Block]) -> None:
+        # A letter that is sought in one case and given in another is the same in print.
+        self.said = {_read(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
+        self.numbered = {b.number: _read(b) for b in before if isinstance(b, Equation) and b.number is not None}
+        self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
+
+    def knows(self, block: Block) -> bool:
+        """Does it stand there word for word, and would `before` mean it?"""
+        if isinstance(block, Forces):
+            last = self.diagrams.get(block.body)
+            return last is not None and _read(last) == _read(block)
+        if isinstance(block, Equation) and block.number is not None:
+            return self.numbered.get(block.number) == _read(block)
+        return isinstance(block, TOLD) and _read(block) in self.said
+
+    def reduced(self, block: Block) -> Block:
+        """The diagram of a body by the forces that are gone from the last one; itself, where it is another."""
+        other = self.diagrams.get(block.body) if isinstance(block, Forces) else None
+        if not isinstance(block, Forces) or other is None or _read(other.right) != _read(block.right):
+            return block
+        own, entries = [_read(e) for e in _entries(block.left)], list(_entries(other.left))
+        gone = [e for e in entries if _read(e) not in own]
+        if not gone or [_read(e) for e in entries if e not in gone] != own:
+            return block
+        names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
+        return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
+
+
 def _ends(blocks: Sequence[Block], stop: int) -> bool:
     """Does a step of the solution end there?"""
     return stop < len(blocks) and isinstance(blocks[stop], Heading)
 
 
-def _names_again(block: Block, earlier: Sequence[Block]) -> bool:
-    """Does it only name something, as an earlier line did, there perhaps with its number: I_G = m k_G²?"""
-    if not isinstance(block, Equation) or block.number is not None or len(block.lead) != 1 or block.note:
-        return False
-    words = block.lead[0]
-    if not isinstance(words, Text) or not words.text.startswith(INERTIA):
-        return False
-    # A letter that is sought in one case and given in another is the same in print.
-    own = repr(block.sides)
-    return any(
-        isinstance(b, Equation) and b.lead == block.lead and repr(b.sides[: len(block.sides)]) == own for b in earlier
-    )
+def _read(piece: object) -> str:
+    """What tells pieces that read alike: the last digits of a number are not seen in print."""
+    return NUMBER.sub(lambda found: f"{Decimal(found[1]):.10g}", repr(piece))
 
 
-def _without(block: Forces, earlier: Sequence[Block]) -> Block | None:
-    """The diagram of a body by the forces that are gone from it; None: it is another."""
-    own = list(_entries(block.left))
-    for other in earlier:
-        if not isinstance(other, Forces) or other.body != block.body or other.right != block.right:
-            continue
-        entries = list(_entries(other.left))
-        gone = [e for e in entries if e not in own]
-        if gone and [e for e in entries if e not in gone] == own:
-            names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
-            return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
-    return None
+def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
+    """Of `From 1 to 2, work and kinetic energy:` whether all that stands under it is known too."""
+    block = blocks[i]
+    if (
+        not isinstance(block, Paragraph)
+        or not isinstance(block.line[-1], Text)
+        or not block.line[-1].text.endswith(":")
+    ):
+        return True
+    stop = next((k for k in range(i + 1, len(blocks)) if isinstance(blocks[k], Paragraph | Heading)), len(blocks))
+    return all(known[i + 1 : stop])
+
+
+def _defines(block: Block) -> bool:
+    """Is it the line of a moment of inertia?"""
+    if not isinstance(block, Equation) or block.number is not None or not block.lead:
+        return False
+    return isinstance(block.lead[0], Text) and block.lead[0].text.startswith(INERTIA)
 
 
 def _entries(acting: Line) -> Iterator[Line]:
@@ -105,13 +145,37 @@ def _leads(block: Block) -> bool:
     return isinstance(block, Paragraph)
 
 
-def _as_before(run: Sequence[Block], step: str = "") -> Paragraph:
-    """In place of a run of lines. `step`: of which they are all."""
+def _as_before(run: Sequence[Block]) -> Line:
+    """What stands in place of a run of lines: the diagram, the numbers of equations, quantities with their values; ():
+    there is nothing to name.
+    """
     numbers = [b.number for b in run if isinstance(b, Equation) and b.number is not None]
-    drawn = ["the diagram"] if any(isinstance(b, Forces) for b in run) else []
+    told: list[Line] = [line("the diagram")] if any(isinstance(b, Forces) for b in run) else []
     if numbers:
-        drawn.append(_range(min(numbers), max(numbers)))
-    return Paragraph(line(f"{f'{step} as' if step else 'As'} before{': ' if drawn else ''}{' and '.join(drawn)}."))
+        told.append(line(_range(min(numbers), max(numbers))))
+    else:
+        told += [valued for b in run if (valued := _valued(b))]
+    last = " and " if numbers else ", "
+    return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))
+
+
+def _valued(block: Block) -> Line:
+    """`U of the weight = 3.924 J`: what an equation tells, without the way; (): it tells no value of a letter."""
+    if not isinstance(block, Equation) or len(block.sides) < 2 or block.relation != "=":
+        return ()
+    first, last = (side if isinstance(side, tuple) else (side,) for side in (block.sides[0], block.sides[-1]))
+    named = isinstance(first[0], Name) if first else False
+    letter = len(first) == 1 and isinstance(first[0], Math) and getattr(first[0].expr, "is_Symbol", False)
+    unit = (" ", *block.note) if block.note and getattr(block.note[0], "text", "").startswith("in ") else ()
+    return line(first, " = ", last, *unit) if named or letter else ()
+
+
+def _headed(heading: Heading, run: Sequence[Block], told: Line) -> Heading:
+    """The heading of a step of which all lines stood there before; the legend of diagrams that are not drawn goes."""
+    aside = (heading.aside,) if isinstance(heading.aside, str) else heading.aside
+    legend = any(isinstance(b, Forces) for b in run)
+    kept = line(*aside, "; ") if heading.aside and not legend else ()
+    return replace(heading, aside=line(kept, "as before", ": " if told else "", told))
 
 
 def _range(first: int, last: int) -> str:
