@@ -6,7 +6,7 @@ import re
 
 import pytest
 from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.impulse_letters import impulse_letters
@@ -169,3 +169,9 @@ def test_a_number_keeps_its_formula_where_its_equation_has_only_numbers() -> Non
     told = page("weight-on-a-heavy-pulley-that-lands")
     assert "J_N,thud = 1/5 · 12 · 8.404 = 20.17 N·s" in told
     assert "v_By = 0.2 · 8.404 = 1.681 m/s" in told
+
+
+def test_a_speed_that_enters_a_blow_by_another_has_its_relation() -> None:
+    page = page_of_file("load-of-a-movable-pulley-that-lands")
+    assert "(1): v_By = -v_A/2" in page
+    assert page.index("v_By = -v_A/2") < page.index("B: 1/2 m_B v_A,2 ↓")

@@ -11,7 +11,9 @@ from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
+from planar_cli.solve.instant.written import Written
 from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
@@ -47,12 +49,21 @@ def wanted_of(
             if law.v in own and (law.f != 0 or _has_other(law, laws)):
                 names |= _rates(regime, regime.free if law.speed is None else (law.speed,))
                 names |= set() if law.constant is None else {law.constant[0].name}
+        if isinstance(e.source, tuple) and (blow := e.source[0]).before is regime:
+            names |= _carried(regime, blow, e.source[1])
         if isinstance(e.source, StateBalance):
             parts = _parts(course, regime, e.source, way.formulas)
             names |= {s.name for x in parts for s in x.free_symbols & known}
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
     return frozenset(names | every), frozenset(names | others)
+
+
+def _carried(regime: Regime, blow: Blow, w: Written) -> set[str]:
+    """The speeds of what an equation of a blow after a regime holds, where they follow from others: v_B = -v_A/2."""
+    edges = (e for e in regime.general.trial.system.tree.edges if e.body in w.bodies)
+    speeds = {s for e in edges for s in (e.slide, e.rise, e.spin) if s is not None} - set(regime.free)
+    return {s.name for s in speeds if blow.since.at(regime.closed(s)) != 0}
 
 
 def _has_other(law: Law, laws: Iterable[Law]) -> bool:
