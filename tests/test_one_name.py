@@ -54,7 +54,9 @@ def test_rates_have_the_name_of_what_changes() -> None:
     way, rate = sp.Symbol("r_P", real=True), sp.Symbol("r_P_dot", real=True)
     told = [Equation((Math(way), Math(MASS))), Equation((Math(rate), Math(GRAVITY))), _answer("r", way)]
     assert _letters(with_one_name(told)) == {"r", "r_dot", "m", "g"}
-    assert "r_P" not in page_of_file("ex-1-14")
+    page = page_of_file("ex-1-14")
+    assert "r_P" not in page
+    assert "v_θ = r θ̇" in page
 
 
 def test_the_state_stays_where_the_author_names_it() -> None:

@@ -23,6 +23,8 @@ KINDS = (("theta", "omega", "alpha"), ("v", "a"))
 """Stems of what is called after one body or point."""
 OF_POINTS = ("x", "y", "v", "a")
 """Stems of what a point has: its letter says whose it is."""
+POLAR = ("r", "theta")
+"""Components about a pole, of which a page has one, so that they need no point."""
 _POINT = re.compile(r"[A-Z]\d*")
 _COMPONENT = re.compile(r"([A-Z]\d*)([xytnr])")
 
@@ -36,7 +38,7 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
     names: dict[str, str] = {}
     for letter, name in asked.items():
         own = {letter: name} | {x: other for x in used.letters if (other := _along(x, letter, name))}
-        if not _stays_beside(letter, own, used) and all(_is_meant(x, other, used) for x, other in own.items()):
+        if not _stays_beside(letter, own, asked, used) and all(_is_meant(x, other, used) for x, other in own.items()):
             names |= own
     if not names:
         return list(blocks)
@@ -92,6 +94,8 @@ def _left_out(name: str, letter: str) -> list[str]:
 
 def _tells_the_point(name: str, letter: str) -> bool:
     """Does what the name leaves out say of which point a place, a velocity or an acceleration is?"""
+    if _pieces(letter)[-1] in POLAR:
+        return False
     return _pieces(letter)[0] in OF_POINTS and any(_POINT.fullmatch(p) for p in _left_out(name, letter))
 
 
@@ -108,13 +112,15 @@ def _along(other: str, letter: str, name: str) -> str:
     return f"{stem}{name.removeprefix(own_stem)}" + other.removeprefix(other.partition("__")[0])
 
 
-def _stays_beside(letter: str, own: Mapping[str, str], used: _Used) -> bool:
+def _stays_beside(letter: str, own: Mapping[str, str], asked: Mapping[str, str], used: _Used) -> bool:
     """Do others stay that are called after the same body, v_block or x_block at the end beside x_block at the start?"""
     name = own[letter]
     if "__" not in letter and _pieces(letter)[0] not in OF_POINTS:
         return False
     dropped = set(_left_out(name, letter))
-    others = (x for x in used.letters if x not in own)
+    others = [x for x in used.letters if x not in own]
+    if _pieces(letter)[-1] in POLAR:
+        others = [x for x in others if x not in asked and _pieces(x)[-1] in POLAR]
     return any(_kindred(x, letter) and dropped <= set(_pieces(x)) for x in others)
 
 
