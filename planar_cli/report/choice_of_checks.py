@@ -3,8 +3,9 @@
 Each candidate is a file of its own: a function that gives one line with numbers on both sides, or nothing. They stand
 here in the order in which a teacher would choose: what rests on another principle or on an equation that the solution
 did not need, then what was found put in again by another way. Of a motion with a blow that of the blow comes first: a
-fall before it needs none; and Newton's law, integrated, comes before the balance by which the speed was found. None
-only repeats a line of the solution; where no candidate speaks, the page has none.
+fall before it needs none; and Newton's law, integrated, comes before the balance by which the speed was found; what
+tests the arithmetic alone comes last. None only repeats a line of the solution; where no candidate speaks, the page has
+none.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from planar_cli.report.first_second import first_second
 from planar_cli.report.harmonic_check import harmonic_check
 from planar_cli.report.inertia_check import inertia_check
 from planar_cli.report.kinetic_check import kinetic_check
-from planar_cli.report.law_check import law_check, simpson_check
+from planar_cli.report.law_check import law_check, mean_check, simpson_check
 from planar_cli.report.limit_check import limit_check
 from planar_cli.report.meeting_check import meeting_check
 from planar_cli.report.oscillation_check import oscillation_check
@@ -45,7 +46,7 @@ OF_INSTANTS: tuple[Candidate, ...] = (
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
     blow_check, energy_check, meeting_check, law_check, simpson_check, kinetic_check, root_check,
-    passing_check, time_check, oscillation_check, harmonic_check,
+    passing_check, time_check, oscillation_check, harmonic_check, mean_check,
 )  # fmt: skip
 OF_PARTS: tuple[Candidate, ...] = (
     tale_check, track_check, inertia_check, round_check, cosine_check, limit_check,

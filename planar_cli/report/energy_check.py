@@ -1,6 +1,8 @@
 """A check that a person can make of a motion that was found without energies: its kinetic energy against the work done.
 
-T_1 + U = 32 - 23.5 = 8.5 J = T_2
+T_1 + U = 1/2 m v_1² - μ m g x_2 = 32 - 23.5 = 8.5 J;  T_2 = 1/2 m v_2² = 8.5 J
+
+It says nothing new where v² = v_0² + 2 a s was solved for the only speed of the only body: m/2 times that.
 """
 
 from __future__ import annotations
@@ -26,6 +28,8 @@ BALANCE, PUT_IN = "work and energy", "what was found, put into "
 """Of an equation that was solved itself this tests the solving alone."""
 MOST = 5
 """Terms that fit a line."""
+SHORT, LONGEST, MOST_LETTERS = 9, 16, 20
+"""Operations of a term in letters; of the energy at the end; of all terms."""
 
 
 def energy_check(motion: MotionTrace, phrases: Phrases) -> Line:
@@ -35,7 +39,74 @@ def energy_check(motion: MotionTrace, phrases: Phrases) -> Line:
     found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
     if isinstance(motion.value, Sample) and motion.value.drawn:
         return next((told for b in motion.unused if (told := _by_one_work(b, found, motion, phrases))), ())
-    return next((told for b in motion.unused if (told := _told(b, found, phrases))), ())
+    telling = [b for b in motion.unused if not _is_solved(b, motion, phrases)]
+    return next((told for b in telling if (told := _named(b, found, motion, phrases))), ())
+
+
+def _of_states(expr: sp.Expr, phrases: Phrases) -> set[sp.Symbol]:
+    roles = phrases.ledger.roles
+    return {s for s in expr.free_symbols if s in roles and roles[s].kind is Kind.STATE}
+
+
+def _is_solved(balance: BalanceTrace, motion: MotionTrace, phrases: Phrases) -> bool:
+    """Is it the v² = v_0² + 2 a s by which the page goes over that stretch, times m/2?"""
+    relations = [e for leg in motion.route.steps for e in leg.relations]
+    gone = any((e.since, e.stop, e.kind) == (balance.since, balance.stop, "v(q)") for e in relations)
+    # With the R² of a wheel it tests how Newton's law shared its force and its couple.
+    energies = [(e, _of_states(e, phrases)) for e in (balance.before, balance.after)]
+    turned = any(any(p.exp == 2 for p in (e / s**2).atoms(sp.Pow)) for e, rates in energies for s in rates)
+    single = all(len(rates) < 2 for _, rates in energies) and not turned
+    return gone and single and len(balance.amounts) < 2
+
+
+def _named(balance: BalanceTrace, found: Collection[sp.Symbol], motion: MotionTrace, phrases: Phrases) -> Line:
+    """The balance with its energies and works in letters, where these are short and have values on the page, else with
+    their words. Of one body it is told in letters alone.
+    """
+    places = {s for _, e in balance.brought for s in _of_states(e, phrases)}
+    on_page = all(s in found or phrases.value.known(s) == 0 for s in places)
+    if not (on_page or len(balance.amounts) > 1) or not _told(balance, found, phrases):
+        return ()
+    terms = [("", balance.before), *balance.brought]
+    sizes = [phrases.certain(e) for _, e in terms]
+    counted = set(counting(sizes))
+    kept = [k for k, size in enumerate(sizes) if size in counted]
+    letters = [_lettered(terms[k][1], motion, phrases) for k in kept]
+    unit = coherent_unit(ENERGY, False, phrases.ledger.us)
+    start, end = (Name(f"{balance.law.letter}__{state}") for state in (balance.since, balance.stop))
+    left = line(*((start, " + ") if 0 in kept else ()), Name(balance.law.bring), " = ")
+    numbers = chain([sizes[k] for k in kept], unit, phrases, "J")
+    if on_page and not any(longer(e, SHORT) for e in letters) and sum(sp.count_ops(e) for e in letters) <= MOST_LETTERS:
+        sides = line(*_sum(letters, phrases), " = ", *numbers)
+    else:
+        sides = line(*numbers, f" ({', '.join(terms[k][0] for k in kept if k)})")
+    return line(f"{BALANCE}: ", *left, *sides, "; ", end, " = ", *_at_end(balance, motion, phrases))
+
+
+def _at_end(balance: BalanceTrace, motion: MotionTrace, phrases: Phrases) -> Line:
+    """The kinetic energy at the end, of several bodies by each."""
+    after, unit = _lettered(balance.after, motion, phrases), coherent_unit(ENERGY, False, phrases.ledger.us)
+    if after == 0:
+        return line("0")
+    own = [(body, size) for body, e in balance.amounts if (size := phrases.certain(e))]
+    if len(own) > 1:
+        return line(*chain([size for _, size in own], unit, phrases, "J"), f" ({', '.join(body for body, _ in own)})")
+    value = chain([phrases.certain(balance.after)], unit, phrases, "J")
+    return line(*((phrases.math(after), " = ") if not longer(after, LONGEST) else ()), *value)
+
+
+def _lettered(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> sp.Expr:
+    """In the names of the page, without what is zero."""
+    plain = expr.xreplace(dict(motion.route.plain))
+    return simplified(plain.xreplace({s: sp.S.Zero for s in plain.free_symbols if phrases.value.known(s) == 0}))
+
+
+def _sum(terms: list[sp.Expr], phrases: Phrases) -> Line:
+    told: list[Inline | str] = []
+    for k, term in enumerate(terms):
+        minus = bool(term.as_coeff_Mul()[0].is_negative) or term.could_extract_minus_sign()
+        told += [(" - " if minus else " + ") if k else "-" if minus else "", phrases.math(-term if minus else term)]
+    return line(*told)
 
 
 def _by_one_work(balance: BalanceTrace, found: Collection[sp.Symbol], motion: MotionTrace, phrases: Phrases) -> Line:

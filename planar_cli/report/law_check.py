@@ -41,6 +41,8 @@ class _Check:
     error: Decimal
     """Of Simpson's rule, in parts of the result; of what is exact 0."""
     exact: bool = True
+    mean: bool = False
+    """Is it the mean velocity times the time? Where one acceleration gave both it tests the arithmetic alone."""
 
 
 NONE = _Check((), ZERO)
@@ -48,7 +50,12 @@ NONE = _Check((), ZERO)
 
 def law_check(motion: MotionTrace, phrases: Phrases) -> Line:
     """What is exact; empty where no coordinate has such a law, with ends whose values are on the page."""
-    return next((c.told for c in _checks(motion, phrases) if c.exact), ())
+    return next((c.told for c in _checks(motion, phrases) if c.exact and not c.mean), ())
+
+
+def mean_check(motion: MotionTrace, phrases: Phrases) -> Line:
+    """The mean velocity times the time, by constant acceleration."""
+    return next((c.told for c in _checks(motion, phrases) if c.mean), ())
 
 
 def simpson_check(motion: MotionTrace, phrases: Phrases) -> Line:
@@ -128,7 +135,9 @@ class _Ends:
                 turned = self.law.coordinate.unit == "rad"
                 what = f"mean {'angular ' if turned else ''}velocity times the time"
                 words = f"{what}, {counted(self.law.coordinate.words)}: "
-                yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
+                yield _Check(
+                    line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO, mean=True
+                )
         elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]) and len(self._law()) > 1:
             product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))
             name = line("2 ", Name(self._letter("a")), " Δ", Name(self._letter("q")))
