@@ -22,3 +22,10 @@ def test_a_coordinate_of_the_machine_is_defined_once(stem: str, words: str) -> N
 @pytest.mark.parametrize("stem", ["ex-4-11", "ex-1-07", "block-down-a-rough-quarter-circle"])
 def test_coordinates_of_the_file_and_places_need_no_words(stem: str) -> None:
     assert ": the angle" not in page_of_file(stem)
+
+
+def test_a_coordinate_is_defined_before_the_step_that_uses_it() -> None:
+    """The solution of one equation has no heading of its own, and belongs to the step before it."""
+    page = page_of_file("body-wheel-rim-point")
+    assert page.index("θ: the angle by which the wheel has turned") < page.index("Velocities:")
+    assert "(2) -R α = 1/2 (2): α = -1/(2 R)" in page

@@ -13,6 +13,7 @@ from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
 from planar_cli.report.counted import clockwise
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import rotation_words
+from planar_cli.report.steps import is_ritual
 from planar_cli.solve.between.trace import MotionTrace
 
 STEP, SHORT = "STEP", 2
@@ -21,13 +22,13 @@ TURNS, WAY, CIRCLE = "angle of ", "way of ", " on its circle"
 
 def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -> Iterator[Block]:
     """The blocks of a motion, with what its coordinates are behind the heading of the step that speaks of them first.
-    `told`: what stands on the page before.
+    `told`: what stands on the page before. The solution of a single equation belongs to the step before it.
     """
     meanings = _meanings(found)
     for i, block in enumerate(blocks):
         yield block
-        if isinstance(block, Heading) and block.label.startswith(STEP):
-            stop = next((j for j in range(i + 1, len(blocks)) if isinstance(blocks[j], Heading)), len(blocks))
+        if isinstance(block, Heading) and block.label.startswith(STEP) and not is_ritual(block):
+            stop = next((j for j in range(i + 1, len(blocks)) if _begins(blocks[j])), len(blocks))
             seen = {found.general.get(s, s) for s in _letters(blocks[i + 1 : stop])}
             new = {s: words for s, words in meanings.items() if s in seen and str(words) not in told}
             if not new:
@@ -35,6 +36,10 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
             told.update(map(str, new.values()))
             if new:
                 yield Paragraph(line(*(p for k, words in enumerate(new.values()) for p in ("; " if k else "", *words))))
+
+
+def _begins(block: Block) -> bool:
+    return isinstance(block, Heading) and not is_ritual(block)
 
 
 def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:

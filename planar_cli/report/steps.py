@@ -21,12 +21,13 @@ def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:
             continue
         number = int(block.label.removeprefix(STEP))
         left_out = 0 if number == 1 else left_out
-        if number > 1 and block.text == SOLVING and _is_single(block):
+        if number > 1 and is_ritual(block):
             left_out += 1
         else:
             yield replace(block, label=f"{STEP} {number - left_out}")
 
 
-def _is_single(heading: Heading) -> bool:
+def is_ritual(heading: Heading) -> bool:
+    """Does it stand over the solution of a single equation?"""
     first = heading.aside[0] if isinstance(heading.aside, tuple) and heading.aside else None
-    return isinstance(first, Text) and first.text.startswith(SINGLE)
+    return heading.text == SOLVING and isinstance(first, Text) and first.text.startswith(SINGLE)
