@@ -152,7 +152,7 @@ def test_arms_of_a_rim_are_lengths() -> None:
     problem, _ = load_text(BRAKED_DRUM)
     assert problem is not None
     page = Terminal(200).render(narrate(solve_problem(problem)))
-    assert "1/5 μ N_D = I α" in page
+    assert "μ N_D (0.2 m) = I α_drum" in page
 
 
 def test_a_place_that_is_differentiated_loses_the_sine_of_all_its_terms() -> None:

@@ -77,7 +77,7 @@ def test_what_turns_with_its_guide_is_turned_by_a_couple_of_it() -> None:
     problem, wrong = load_text(GUIDED)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert re.search(r"one: N_one \S+ at A, M_one ↺ =", page)
+    assert re.search(r"one: N_one \S+ at A, M ↺ =", page)
     assert "M_rails" not in _page("gun-on-rails")
 
 
