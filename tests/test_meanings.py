@@ -29,3 +29,8 @@ def test_a_coordinate_is_defined_before_the_step_that_uses_it() -> None:
     page = page_of_file("body-wheel-rim-point")
     assert page.index("θ: the angle by which the wheel has turned") < page.index("Velocities:")
     assert "(2) -R α = 1/2 (2): α = -1/(2 R)" in page
+
+
+def test_a_way_whose_acceleration_is_told_is_defined() -> None:
+    page = page_of_file("sledge-down-a-slope-and-out-over-level-snow")
+    assert page.index("s_P: the way of P along its path, from where it is drawn") < page.index("s̈_P = a_P,1")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
@@ -29,13 +29,20 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
         yield block
         if isinstance(block, Heading) and block.label.startswith(STEP) and not is_ritual(block):
             stop = next((j for j in range(i + 1, len(blocks)) if _begins(blocks[j])), len(blocks))
-            seen = {found.general.get(s, s) for s in _letters(blocks[i + 1 : stop])}
+            letters = _letters(blocks[i + 1 : stop])
+            seen = {found.general.get(s, s) for s in letters} | _accelerated(meanings, letters, found)
             new = {s: words for s, words in meanings.items() if s in seen and str(words) not in told}
             if not new:
                 new = {s: words for s, words in _rotations(found).items() if s in seen and not told}
             told.update(map(str, new.values()))
             if new:
                 yield Paragraph(line(*(p for k, words in enumerate(new.values()) for p in ("; " if k else "", *words))))
+
+
+def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:
+    """Ways of which s̈ stands on the page; that of an angle is told as α."""
+    names, units = {x.name for x in letters}, found.ledger.units
+    return {s for s in coordinates if f"{s.name}_ddot" in names and s in units and not units[s].angle}
 
 
 def _begins(block: Block) -> bool:
