@@ -11,7 +11,7 @@ it starts from stands in it, in letters: of an acceleration that is nowhere on t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -22,6 +22,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.laws import counted
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
@@ -78,6 +79,7 @@ class _Ends:
     """A coordinate at both ends of a stretch."""
 
     def __init__(self, motion: MotionTrace, states: tuple[str, str], law: Law, phrases: Phrases) -> None:
+        self.states = states
         self.law, self.phrases, self.plain = law, phrases, motion.route.plain
         self.certain = not motion.symbolic and not (isinstance(motion.value, Sample) and motion.value.drawn)
         self.running = {"q": law.coordinate.symbol, "v": law.v, "t": phrases.ledger.symbols["t"]}
@@ -131,7 +133,9 @@ class _Ends:
         if {"t", "q"} <= self.told:
             t, s = self._values("t")
             if agree([(v + u) / 2 * (s - t)], [p - q]):
-                mean = line("(", self._bare(v, "v"), *self._plus(u, "v"), ")/2 · ", self._bare(s - t, "t"))
+                figures = self._enough([(v, "v"), (u, "v"), (s - t, "t")], _mean)
+                pair = line("(", self._bare(v, "v", figures), *self._plus(u, "v", figures))
+                mean = line(*pair, ")/2 · ", self._bare(s - t, "t", figures))
                 turned = self.law.coordinate.unit == "rad"
                 what = f"mean {'angular ' if turned else ''}velocity times the time"
                 words = f"{what}, {counted(self.law.coordinate.words)}: "
@@ -175,10 +179,12 @@ class _Ends:
         if straight and (over == "t" or (squared and len(law) > 1)):
             # Over time the rates at both ends are easily found from the forces there; else it takes the formula.
             told = law if len(law) > 1 else line(*law, " changes uniformly")
-            mean = line("(", self._bare(first, self._per), *self._plus(last, self._per), ")/2 · ")
+            figures = self._enough([(first, self._per), (last, self._per), (end - start, over)], _mean)
+            pair = line("(", self._bare(first, self._per, figures), *self._plus(last, self._per, figures))
+            mean = line(*pair, ")/2 · ")
             per = "time" if over == "t" else self._way()
             words = line(*told, f": mean {self._rate_word()} times the {per}, ", *mean)
-            yield _Check(line(*words, *self._factor(end - start, over), " = ", result, "; ", *ends), ZERO)
+            yield _Check(line(*words, *self._factor(end - start, over, figures), " = ", result, "; ", *ends), ZERO)
             return
         if len(law) < 2:
             return
@@ -191,11 +197,13 @@ class _Ends:
         squared = over == "q" and self.law.order == 2
         kind = self._per if over == "t" or squared else f"1/{self._per}"
         first, half, last = rates
-        half_way = line(" - " if half < 0 else " + ", "4 · ", self._bare(abs(half), kind))
-        inside = line(self._bare(first, kind), *half_way, *self._plus(last, kind))
-        words = line(
-            *law, "; ", *self._integral(over, squared), " by Simpson's rule = ", self._bare(width, over), "/6 ("
-        )
+        numbers = [(first, kind), (half, kind), (last, kind), (width, over)]
+        figures = self._enough(numbers, lambda x: (x[0] + 4 * x[1] + x[2]) * x[3] / 6)
+        half_way = line(" - " if half < 0 else " + ", "4 · ", self._bare(abs(half), kind, figures))
+        inside = line(self._bare(first, kind, figures), *half_way, *self._plus(last, kind, figures))
+        stretch = "; from {} to {}: ".format(*self.states)
+        rule = line(" by Simpson's rule = ", self._bare(width, over, figures), "/6 (")
+        words = line(*law, stretch, *self._integral(over, squared), *rule)
         return line(*words, *inside, ")", *result)
 
     # --- pieces ------------------------------------------------------------------------------------------------------
@@ -252,17 +260,21 @@ class _Ends:
         length, power = kind != "t" and self.law.coordinate.unit != "rad", -power if kind.startswith("1/") else power
         return value * self.phrases.of_dimension(Decimal(1), LENGTH).number ** power if length else value
 
-    def _bare(self, value: Decimal, kind: str) -> Value:
-        return Value(self._number(value, kind), "1", self.phrases.figures)
+    def _enough(self, numbers: Sequence[tuple[Decimal, str]], worked: Callable[[Sequence[Decimal]], Decimal]) -> int:
+        """The figures of numbers, each with its kind, that give the printed result."""
+        return figures_of([self._number(x, kind) for x, kind in numbers], worked, self.phrases.figures)
+
+    def _bare(self, value: Decimal, kind: str, figures: int = 0) -> Value:
+        return Value(self._number(value, kind), "1", figures or self.phrases.figures)
 
     def _value(self, value: Decimal, kind: str, power: int = 1) -> Value:
         return Value(self._number(value, kind, power), self._unit(kind, power), self.phrases.figures)
 
-    def _plus(self, value: Decimal, kind: str) -> Line:
-        return line(" - " if value < 0 else " + ", self._bare(abs(value), kind))
+    def _plus(self, value: Decimal, kind: str, figures: int = 0) -> Line:
+        return line(" - " if value < 0 else " + ", self._bare(abs(value), kind, figures))
 
-    def _factor(self, value: Decimal, kind: str) -> Line:
-        shown = self._bare(value, kind)
+    def _factor(self, value: Decimal, kind: str, figures: int = 0) -> Line:
+        shown = self._bare(value, kind, figures)
         return line("(", shown, ")") if value < 0 else line(shown)
 
     def _difference(self, name: str, power: int = 1, half: bool = False) -> Line:
@@ -275,6 +287,10 @@ class _Ends:
         told = line("(", *parts, ")") if half and one and other else line(*parts)
         told = line(*told, "/2") if half else told
         return line(*told, " = ", self._value(change / 2 if half else change, name, power))
+
+
+def _mean(x: Sequence[Decimal]) -> Decimal:
+    return (x[0] + x[1]) / 2 * x[2]
 
 
 def _sign(error: Decimal) -> str:
