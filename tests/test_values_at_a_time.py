@@ -96,7 +96,7 @@ def _page(text: str) -> str:
                 "θ̇ = π/4 cos(3 t/2) = 0.2722 rad/s",
                 "r = y_P/sin θ = 0.5 m/sin θ = 0.5/sin(2.062 rad) = 0.5670 m",
                 "θ = 2.062 rad",
-                "+ 2 · 0.08256 · 0.2722 = -0.5816 m/s²",
+                "2 · 0.08256 · 0.2722 + 0.5670 (-1.105) = -0.5816 m/s²",
             ),
         ),
         (
@@ -130,7 +130,7 @@ def test_no_state_is_before_the_first(tmp_path: Path, capsys: pytest.CaptureFixt
 
 def test_a_rate_that_is_the_time_itself() -> None:
     page = _page(RATE_LIKE_TIME)
-    assert "= 0.5 m/s² Answer a = 0.5 m/s²" in page
+    assert "= 0.5 m/s² Answer a = a_P = 0.5 m/s²" in page
 
 
 def test_a_slot_of_a_disk_that_gathers_speed() -> None:
