@@ -124,7 +124,7 @@ def test_numbers_of_places_keep_their_unit() -> None:
 def test_a_rope_tells_the_length_that_it_keeps() -> None:
     page = _page("particles/moving-pulley")
     assert "y_A + 2 y_B = const., differentiated twice:" in page
-    assert "a_A = -2 a_B" in page
+    assert "a_Ay = -2 a_By" in page
 
 
 def test_a_ball_on_a_string_is_summed_across_it() -> None:

@@ -239,4 +239,4 @@ def test_a_speed_that_is_no_product_has_a_place() -> None:
 
 def test_the_sum_from_which_a_line_goes_on_stands_before_it() -> None:
     told = page("ex-4-17")
-    assert told.index("-1.226 - 1.226 + 3.590 = 1.137 = 0.7708 θ̇_2²") < told.index("√(1.137/0.7708)")
+    assert told.index("-1.22625 - 1.22625 + 3.5898 = 1.137 = 0.7708 θ̇_2²") < told.index("√(1.137/0.7708)")

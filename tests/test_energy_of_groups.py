@@ -42,7 +42,7 @@ def test_each_group_has_its_own(stem: str, headings: list[str]) -> None:
 
 def test_nothing_that_does_work_leaves_it_to_momentum() -> None:
     page = _page("three-carriages")
-    assert "From 2 to 3, no acceleration, x of A" in page
+    assert "From 2 to 3, A: conservation of momentum:" in page
     assert "work and kinetic energy" not in page
 
 
