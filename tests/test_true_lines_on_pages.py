@@ -120,4 +120,4 @@ def test_a_number_that_hides_a_length_gives_no_unit() -> None:
 
 
 def test_the_derivative_of_a_given_velocity_is_an_acceleration() -> None:
-    assert "differentiated (2) -R α = 1/2" in page_of_file("body-wheel-rim-point")
+    assert "differentiated (2) -R α = 1/2 in m/s²" in page_of_file("body-wheel-rim-point")

@@ -35,7 +35,7 @@ LETTERS = ("e", "u", "e′", "u′")
 @record
 class Slot:
     """A point that slides along a line of `frame`: `unit` along the line, `reference` the point of the line about which
-    the frame turns, and `reach` how far along it the point is from there [m]. `moves`: is the reference not at rest?
+    the frame turns, and `reach` how far along it the point is from there [m].
     """
 
     point: str
@@ -140,7 +140,7 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
 
 
 def unit_told(told: Told, slot: Slot) -> Line:
-    """e = [0.8660, 0.5] along AB, across which v_P′ is."""
+    """e = [0.8660, 0.5] along AB, where v_P′ has no component, or where the pivot moves ω × r_P/A."""
     e = unit_letter(told, slot.frame)
     carried = line(Name(f"v_{_index(slot.point)}′"))
     if not all(told.phrases.value.is_zero(p) for p in _linear(told, slot)):

@@ -12,7 +12,7 @@ import sympy as sp
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.clean import is_clean
+from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
@@ -146,7 +146,17 @@ class NumericTelling:
             return letters, ()
         if w.law == "relation":
             sides = self.phrases.writer.sides(*sides, turns=w.source == DIFFERENTIATED)
-        return tuple(self.phrases.math(s) for s in sides), ()
+        return tuple(self.phrases.math(s) for s in sides), self._stated_unit(w)
+
+    def _stated_unit(self, w: Written) -> Line:
+        """The unit of what a file states over time, where its numbers hide theirs: v_Px = 3 (3 + t² - 4 t) in m/s."""
+        stated, ledger = w.source == "given" and w.law == "relation", self.phrases.ledger
+        if not stated or not w.left.free_symbols or is_clean(ledger, w.left, w.right):
+            return ()
+        dimension = common_dimension(ledger, w.left)
+        if dimension is None or dimension not in STATED.values():
+            return ()
+        return line(f"in {pretty_unit(coherent_unit(dimension, us=ledger.us).text)}")
 
     def led(self, formula: sp.Expr) -> sp.Expr:
         """A formula as it gets its numbers: with those that hold a unit by themselves."""
