@@ -29,8 +29,8 @@ find: {N: N(b)}
     ("text", "told"),
     [
         (WEDGE, ("a0 sin β > g cos β", "N_b presses", "N = 0 N")),
-        (WEDGE + "assume: [a0 < g*cos(beta)/sin(beta)]\n", ("N = m (g cos β - a0 sin β)",)),
-        (WEDGE.replace("x = a0", "x = -a0"), ("N = m (g cos β + a0 sin β)",)),
+        (WEDGE + "assume: [a0 < g*cos(beta)/sin(beta)]\n", ("N = N_b = m (g cos β - a0 sin β)",)),
+        (WEDGE.replace("x = a0", "x = -a0"), ("N = N_b = m (g cos β + a0 sin β)",)),
     ],
 )
 def test_what_the_page_says(text: str, told: tuple[str, ...]) -> None:

@@ -19,10 +19,10 @@ find: {alpha: alpha(rod), R: reaction(O).y}
 
 
 def test_a_balance_with_nothing_on_its_right() -> None:
-    """α = -3 g/(2 l), R = m g/4."""
+    """α = 3 g/(2 l) clockwise, R = m g/4."""
     problem, wrong = load_text(ROD)
     assert problem is not None, wrong
     page = " ".join(Terminal(300).render(narrate(solve_problem(problem))).split())
-    assert "-19.62 - 1.333 α = 0 in N·m" in page
-    assert "= -14.715 rad/s²" in page
+    assert "↻ ΣM_O: 4 · 9.81 · 0.5 - 1.333 α = 0 in N·m" in page
+    assert "α = 14.715 rad/s² clockwise" in page
     assert "R = O_y = 9.81 N" in page

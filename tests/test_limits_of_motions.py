@@ -120,5 +120,5 @@ def test_a_speed_that_is_approached_is_not_given() -> None:
     problem, _ = load_text(TRUCK)
     assert problem is not None
     page = Terminal().render(narrate(solve_problem(problem)))
-    assert "in the end the speed no longer changes" in page
+    assert "At end the speed no longer changes" in page
     assert "end: given" not in page

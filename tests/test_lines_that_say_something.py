@@ -87,4 +87,4 @@ def test_a_given_acceleration_has_its_number() -> None:
 
 def test_what_is_zero_at_sight_stands_in_no_check() -> None:
     told = page((PROBLEMS / "particles" / "sphere-on-two-wires-in-a-circle.yaml").read_text())
-    assert "→ ΣF_x = -16.90 - 28.24 = -45.14 N, m a_axis = -45.14 N" in told
+    assert "sphere: ↑ ΣF_y = -49.05 + 29.28 + 19.77 = 0 N" in told

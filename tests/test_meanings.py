@@ -28,7 +28,7 @@ def test_a_coordinate_is_defined_before_the_step_that_uses_it() -> None:
     """The solution of one equation has no heading of its own, and belongs to the step before it."""
     page = page_of_file("body-wheel-rim-point")
     assert page.index("θ: the angle by which the wheel has turned") < page.index("Velocities:")
-    assert "(2) -R α = 1/2 (2): α = -1/(2 R)" in page
+    assert "(2) -R α = 1/2 in m/s² (2): α = -1/(2 R)" in page
 
 
 def test_a_way_whose_acceleration_is_told_is_defined() -> None:

@@ -55,7 +55,8 @@ class Displacer:
         self.formula |= {e.body for e in self.tree.edges if self._on_fixed_pin(e) and self._turned_by_points(e.body)}
         for edge in self.tree.edges:
             self._place(edge)
-        return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula)
+        clockwise = frozenset(e.body for e in self.tree.edges if e.turn < 0)
+        return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula, clockwise)
 
     # --- bodies ------------------------------------------------------------------------------------------------------
 
@@ -184,8 +185,8 @@ class Displacer:
         assert edge.slide is not None
         t = joining.path.tangent
         height = t.cross(self.scene.arms.between(joining.point, center))
-        spins = {e.body: e.spin for e in self.tree.edges}
-        turning = (edge.spin or ZERO) - (spins.get(edge.parent) or ZERO)
+        spins = {e.body: (e.spin or ZERO) * e.turn for e in self.tree.edges}
+        turning = spins[edge.body] - spins.get(edge.parent, ZERO)
         drift = joining.drift or Vec(ZERO, ZERO)
         extra = simplified(-height * turning + drift.dot(t))
         name = self.scene.own_name(edge.body)

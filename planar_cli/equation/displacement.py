@@ -72,10 +72,12 @@ class CoordinateNames:
 @record
 class Displacement:
     """Poses by body, places of points that no body carries along (points of contact), all coordinates;
-    `formula`: bodies whose places the file itself writes with coordinates.
+    `formula`: bodies whose places the file itself writes with coordinates; `clockwise`: bodies whose angles grow
+    clockwise.
     """
 
     poses: Mapping[str, Pose]
     spots: Mapping[str, Vec]
     coordinates: tuple[Coordinate, ...]
     formula: frozenset[str]
+    clockwise: frozenset[str]
