@@ -1,0 +1,145 @@
+"""A homework as plain data: what is handed out, what is right, what a typical mistake gives, and what was handed in.
+
+Nothing here needs the solver: these records cross processes, and are all that grading, reports and exports see.
+Numbers are in the unit of their find, as the key tells it.
+"""
+
+from __future__ import annotations
+
+from planar_cli.records import record
+
+# --- what is right ---------------------------------------------------------------------------------------------------
+
+
+@record
+class Mistaken:
+    """What a find comes to with one typical mistake; `values` as those of the find."""
+
+    name: str
+    """Of the mistake, the same in every problem: `weight-left-out`."""
+    feedback: str
+    """A sentence to the student."""
+    values: tuple[float, ...]
+
+
+@record
+class Expected:
+    """The right answer to one find of one variant."""
+
+    find: str
+    """Its name in the problem file."""
+    asked: str
+    """What is asked, as the page tells it: `acceleration of A`."""
+    kind: str
+    """number, vector (two components), list, word (also true, false) or formula."""
+    values: tuple[float, ...]
+    """In `unit`; of a word or formula none."""
+    unit: str
+    """As in the problem file, `1` of a pure number."""
+    text: str
+    """As the key tells it: `3.206 m/s²`, `T = m g sin β`, `yes`."""
+    tolerance: float
+    """Relative."""
+    scale: float
+    """The size, in `unit`, of what a zero is measured by."""
+    rotation: bool = False
+    """Has it a sense of rotation, counterclockwise being positive?"""
+    direction: bool = False
+    """Is it an angle that is the same after a whole turn?"""
+    letters: tuple[tuple[str, str], ...] = ()
+    """Of a formula: its letters with their units."""
+    points: float = 1.0
+    mistakes: tuple[Mistaken, ...] = ()
+
+
+@record
+class Task:
+    """One problem of one variant."""
+
+    problem: str
+    """Its name in the set: letters, digits, `_`, `-`."""
+    title: str
+    text: str
+    """What the student reads; "" where the file has none."""
+    given: tuple[str, ...]
+    """Lines such as `m = 2 kg`, with the numbers of the variant."""
+    expected: tuple[Expected, ...]
+    worked: str = ""
+    """The worked solution in Markdown; "" where it is not wanted."""
+
+
+@record
+class Paper:
+    """All problems of one variant; variant 0 is the files as they are."""
+
+    variant: int
+    tasks: tuple[Task, ...]
+
+
+# --- what was handed in ----------------------------------------------------------------------------------------------
+
+
+RIGHT, WRONG, UNGRADABLE, MISSING = "right", "wrong", "ungradable", "missing"
+
+
+@record
+class Graded:
+    """One find of one submission.
+
+    `value`, `unit`, `sign`, `precision`: verdicts apart, one of the words above, or "" where that says nothing.
+    """
+
+    problem: str
+    find: str
+    submitted: str
+    """As typed, with what cannot be printed made visible."""
+    verdict: str
+    """right, wrong, ungradable or missing."""
+    score: float
+    max_score: float
+    value: str = ""
+    unit: str = ""
+    sign: str = ""
+    precision: str = ""
+    message: str = ""
+    """To the student: gives nothing of the key away."""
+    mistakes: tuple[str, ...] = ()
+    """Names of the mistakes that give this number; several: it is ambiguous."""
+    carried: tuple[str, ...] = ()
+    """Earlier finds of which the student's own values were put in."""
+    expected: str = ""
+    """What the key says; only for the lecturer."""
+
+
+@record
+class Submission:
+    """What one student handed in: typed answers by problem and find. `wrong`: why it, or a part of it, cannot be
+    graded.
+    """
+
+    student: str
+    variant: int
+    answers: tuple[tuple[str, str, str], ...]
+    """Problem, find, what was typed."""
+    source: str = ""
+    """The file."""
+    wrong: tuple[str, ...] = ()
+
+
+@record
+class Result:
+    """One submission graded."""
+
+    student: str
+    variant: int
+    graded: tuple[Graded, ...]
+    source: str = ""
+    wrong: tuple[str, ...] = ()
+
+    @property
+    def score(self) -> float:
+        return sum(g.score for g in self.graded)
+
+    @property
+    def max_score(self) -> float:
+        return sum(g.max_score for g in self.graded)

@@ -1,0 +1,85 @@
+"""The equations of one part of a solution as data: what is given, the steps in which all else follows, what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import field, replace
+
+import sympy as sp
+
+from planar_cli.records import record
+
+
+@record
+class Step:
+    """Unknowns and as many residuals, which vanish: left minus right side of equations on the page.
+
+    `kinds`: of each residual: force, moment, relation, energy, … as the solution has it; `bodies`: whom it is about.
+    """
+
+    unknowns: tuple[sp.Symbol, ...]
+    residuals: tuple[sp.Expr, ...]
+    kinds: tuple[str, ...] = ()
+    bodies: tuple[tuple[str, ...], ...] = ()
+    others: Mapping[sp.Symbol, tuple[float, ...]] = field(default_factory=dict)
+    """Other roots of the equation of an unknown, which the solution has left out."""
+
+
+@record
+class Test:
+    """What must be positive for the equations to be the right ones, in words."""
+
+    positive: sp.Expr
+    words: str
+
+
+@record
+class Asked:
+    """One find: its parts in the unknowns, in base units of the file; `turn`: -1 where a page counts it clockwise."""
+
+    parts: tuple[sp.Expr, ...]
+    turn: int = 1
+
+
+@record
+class Equations:
+    """All of one part (the file itself, or a case).
+
+    `inputs`: symbols of the names that are given as numbers; `defined`: names that others define, by their formulas;
+    `steps`: in their order; `value`: numbers of inputs and unknowns in the solution itself.
+    """
+
+    case: str
+    inputs: Mapping[str, sp.Symbol]
+    defined: Mapping[sp.Symbol, sp.Expr]
+    steps: tuple[Step, ...]
+    asked: Mapping[str, Asked]
+    tests: tuple[Test, ...]
+    value: Mapping[sp.Symbol, float]
+
+    @property
+    def unknowns(self) -> tuple[sp.Symbol, ...]:
+        """What the steps give, in their order."""
+        return tuple(u for step in self.steps for u in step.unknowns)
+
+    def mapped(self, steps: Iterable[Step]) -> Equations:
+        """The same with other steps."""
+        return replace(self, steps=tuple(steps))
+
+    def rests_on(self, exprs: Iterable[sp.Expr]) -> frozenset[sp.Symbol]:
+        """Everything on which expressions rest: inputs, names that are defined, unknowns."""
+        owner = {u: step for step in self.steps for u in step.unknowns}
+        found: set[sp.Symbol] = set()
+        waiting = list(exprs)
+        while waiting:
+            for symbol in waiting.pop().free_symbols - found:
+                found.add(symbol)
+                waiting.extend(self._behind(symbol, owner))
+        return frozenset(found)
+
+    def _behind(self, symbol: sp.Symbol, owner: Mapping[sp.Symbol, Step]) -> Iterator[sp.Expr]:
+        if symbol in owner:
+            yield from owner[symbol].residuals
+            yield from owner[symbol].unknowns
+        elif symbol in self.defined:
+            yield self.defined[symbol]
