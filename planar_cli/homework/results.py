@@ -172,7 +172,10 @@ class ResultsFile:
     def _take(self) -> None:
         if not stat.S_ISREG(os.fstat(self._descriptor).st_mode):
             raise PlanarError(f"the results cannot be written to {visible(self.name)}: it is not a regular file")
-        _lock(self._descriptor, self.name)
+        try:
+            _lock(self._descriptor, "LOCK_EX")
+        except BlockingIOError:
+            raise PlanarError(f"another run is writing to {visible(self.name)}") from None
         whole = 0
         with open(os.dup(self._descriptor), "rb") as stream:
             stream.seek(0)
@@ -191,18 +194,17 @@ class ResultsFile:
 
     def close(self) -> None:
         """Give it free."""
+        # A process forked meanwhile, by a pool, has the same descriptor and would hold the lock.
+        _lock(self._descriptor, "LOCK_UN")
         os.close(self._descriptor)
 
 
-def _lock(descriptor: int, name: str) -> None:
-    try:
+def _lock(descriptor: int, how: str) -> None:
+    """Take or free the lock on a file, at once or BlockingIOError; Windows has none of the kind."""
+    with contextlib.suppress(ImportError):
         import fcntl
-    except ImportError:  # Windows
-        return
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise PlanarError(f"another run is writing to {visible(name)}") from None
+
+        fcntl.flock(descriptor, getattr(fcntl, how) | fcntl.LOCK_NB)
 
 
 # --- read and merged -------------------------------------------------------------------------------------------------
