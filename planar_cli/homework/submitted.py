@@ -132,7 +132,7 @@ def _answer(handed: Handed, problem: str, find: str, node: Node) -> None:
     text = typed(node)
     if text is None:
         handed.complain(node.mark, f"`{problem}.{find}` is no answer that can be read", HOW)
-    elif not all(c.isprintable() or c in "\n\t" for c in text):
+    elif not text.isprintable() and not all(c.isprintable() or c in "\n\t" for c in text):
         handed.complain(node.mark, f"`{problem}.{find}` has a character that cannot be seen", "type the answer anew")
     else:
         handed.answer(problem, find, text, node.mark)
