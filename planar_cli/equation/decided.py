@@ -65,6 +65,9 @@ class Decided:
         """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""
         return self.facings.get(joint, 0)
 
+    def came_from(self, joint: str, off: Any) -> None:
+        """No motion is at hand that would tell it."""
+
     def redraw(self, holds: Callable[[Valuation], bool], tries: int = FEW) -> bool:
         """Take draws for which this holds as well. False: none was found among so many."""
         found = self.ledger.valuations(lambda v: self._agrees(v) and holds(v), tries)

@@ -94,6 +94,11 @@ class Setting(Protocol):
     def faced(self, joint: str) -> int:
         """On which side such a contact is looked at first as drawn; 0: this is the drawing."""
 
+    def came_from(self, joint: str, off: Any) -> Any:
+        """+1 or -1: the side of a line, where `off` is positive or negative, from which a body has come to a contact;
+        None: no motion tells it.
+        """
+
     def root(self, square: Any) -> Any: ...
     def steady(self, direction: Vec) -> Vec | None:
         """A direction written with what moves, without it where it stays the same however things move."""
