@@ -73,6 +73,9 @@ class Setting(Protocol):
 
     def mass(self, body: str) -> Any: ...
     def center_name(self, body: str) -> str: ...
+    def own_name(self, body: str) -> str:
+        """The name of what its mass centre has alone, as an index."""
+
     def names_carrier(self, name: str) -> bool: ...
     def track(self, along: Side | str, point: Vec, mark: Mark) -> Outline:
         """What a point slides along there: a straight line, an arc or a curve, never a corner."""
