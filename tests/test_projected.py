@@ -17,7 +17,7 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     "words",
     [
-        "v_D = ω_CD × r_D/C = [0.8619, 0] m/s r_D/C",
+        "v_D = ω_CD × r_D/C = [-0.43094 (-2), 0] = [0.8619, 0] m/s r_D/C",
         "n = [-0.5, 0.8660] unit vector across AB",
         "v_D · n = -0.5 · 0.86188 = -0.4309 m/s v_D′ · n = 0.4619 ω_AB",
         "a_D · n = -0.5 (-0.0861880) + 0.866025 (-1.72376) = -1.44973 m/s²",

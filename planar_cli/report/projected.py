@@ -18,6 +18,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_slots import coriolis_across, slot_of
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -46,12 +47,14 @@ def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:
     return told.motion.velocity(at, body) if level == "velocity" else told.motion.acceleration(at, body)
 
 
-def value_of(told: Told, body: str, at: Vec, level: str) -> Line:
-    """[x, y] of what is known as soon as it is told; else nothing."""
+def known_sides(told: Told, body: str, at: Vec, arm: Vec, level: str) -> tuple[Line, ...]:
+    """[x, y] of what is known as soon as it is told, with its numbers before it; else nothing."""
     vector = vector_at(told, body, at, level)
     if not is_known(told, vector, level):
         return ()
-    return told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
+    put = components_told(turned_with(told, body, arm, level), told.phrases.figures)
+    value = told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
+    return (put, value) if put else (value,)
 
 
 def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]:

@@ -25,7 +25,7 @@ from planar_cli.report.along_path import is_along_path, on_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import as_vector
-from planar_cli.report.projected import projected, unit_of, value_of
+from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
@@ -216,10 +216,10 @@ class VectorTelling:
         key = f"{level} {body} {place}"
         if key not in self._told:
             self._told.add(key)
-            value = () if place.endswith("′") else value_of(self, body, at, level)
+            value = () if place.endswith("′") else known_sides(self, body, at, arm, level)
             self.valued |= {f"{level} {place}"} if value and not apart else set()
             sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
-            yield Equation((*sides, value) if value else sides, None, note=self.arm_once(place, edge, arm))
+            yield Equation((*sides, *value), None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
         """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""
