@@ -29,3 +29,9 @@ def test_the_letters_of_mass_centres(name: str, line: str) -> None:
     text = page(name)
     assert line in text
     assert not re.search(r"\b[vaxy]_(?:AB|BC|PC|QD|rod|bar)(?:[xy]|,[xy1-9])", text)
+
+
+def test_a_letter_has_no_prime_where_nothing_on_its_part_of_the_page_is_called_so_without() -> None:
+    text = page("spool-rolls-or-slips")
+    assert "spool rolls without slipping: a_G = -R α" in text
+    assert "′" not in text

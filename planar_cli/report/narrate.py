@@ -36,7 +36,7 @@ from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.meanings import with_meanings
-from planar_cli.report.one_name import with_one_name
+from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
@@ -105,7 +105,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = list(without_ritual(own))
+        own = without_primes(list(without_ritual(own)))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":

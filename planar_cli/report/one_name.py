@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Answer, Block, Inline, Line, Math, Name, No
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 
+PRIME = "′"
 OPENING = ("Find", "Principle")
 """Notes that name what is asked, or quantities in general."""
 RATES = ("dot", "ddot")
@@ -40,6 +41,23 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
         own = {letter: name} | {x: other for x in used.letters if (other := _along(x, letter, name))}
         if not _stays_beside(letter, own, asked, used) and all(_is_meant(x, other, used) for x, other in own.items()):
             names |= own
+    return _renamed(blocks, names)
+
+
+def without_primes(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of one part of a page without a prime on an index that it sets apart from nothing there: a_G for a_G′
+    where there is no a_G; y′ is a derivative.
+    """
+    symbols = {s.name for b in blocks for p in pieces_of(b) if isinstance(p, Math) for s in p.expr.free_symbols}
+    primed = {x: x.removesuffix(PRIME) for x in sorted(symbols) if x.endswith(PRIME) and "_" in x}
+    if not primed:
+        return list(blocks)
+    used, told = _used(blocks).letters, [(b.name, _letter(b.line)) for b in blocks if isinstance(b, Answer)]
+    names = {x: own for x, own in primed.items() if own not in used}
+    return _renamed(blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == n)})
+
+
+def _renamed(blocks: Sequence[Block], names: Mapping[str, str]) -> list[Block]:
     if not names:
         return list(blocks)
     renaming = Renaming(names)

@@ -14,6 +14,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.along_slots import Slot, component, coriolis_size, relative_along, slot_of, unit_told, why_along
 from planar_cli.report.blocks import Block, Equation, Line, Name, Value, line
+from planar_cli.report.coincident import coincident
 from planar_cli.report.component_sums import both_told, in_page_units
 from planar_cli.report.names import plain_name
 from planar_cli.report.on_path import Once
@@ -102,6 +103,7 @@ class RelativeTelling:
         place, spin = self.system.scene.point(point), motion.velocities[frame].angular
         relative, acceleration = quantities.seen_from(point, frame)
         yield from self.absolute(point, v)
+        yield from coincident(f"{point}′", frame, self.vectors.valued)
         yield from self.carried(frame, place, f"{point}′", level)
         sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
         others = [vector_at(self.vectors, frame, place, level)]
