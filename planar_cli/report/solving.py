@@ -254,7 +254,9 @@ class SolvingTelling:
         sides = self.chain(x.symbol, x.formula, shown)
         bare = len(sides) == 2 and not x.formula.is_number and not self.phrases.symbolic
         if put or bare:
-            sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
+            solution = self.numeric.solution(x, stage)
+            quotient = self.numeric.quotient(x, stage) if solution else ()
+            sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
         return [
             *(() if put else self._values_of(sides, x, stage)),
             Equation(sides, None, lead),

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -29,6 +28,7 @@ from planar_cli.report.counted import as_vector
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
+from planar_cli.report.told import Across
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
 from planar_cli.solve.instant.instant import Trial
@@ -63,7 +63,7 @@ class VectorTelling:
         self.late: set[sp.Symbol] = set()
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
-        self.components: tuple[Decimal, ...] = ()
+        self.components: Across | None = None
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -82,7 +82,7 @@ class VectorTelling:
             return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
         if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
             return [Paragraph(told)]
-        joining, self.components = self._closure(w), ()
+        joining, self.components = self._closure(w), None
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
