@@ -35,6 +35,7 @@ from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
+from planar_cli.report.likewise import told_likewise
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -122,7 +123,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    page = with_one_name((*opening, *blocks))
+    page = told_likewise(with_one_name((*opening, *blocks)), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 

@@ -164,8 +164,8 @@ class SolvingTelling:
         elif self._put_into(block):
             lines = [x for x in lines if not x.letters]
         elif len(block.unknowns) > 1:
-            numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
-            parts: list[Any] = [f"{numbers} together"]
+            numbers = [self.number(stage, w.number) for w in block.equations]
+            parts: list[Any] = [f"{numbered(numbers)} together"]
             if block.letters:
                 parts.append(", in terms of ")
                 for i, s in enumerate(block.letters):
