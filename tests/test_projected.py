@@ -74,7 +74,7 @@ def test_no_component_is_told_by_halves() -> None:
 
 
 def test_why_a_component_is_taken_stands_after_the_vectors() -> None:
-    assert "D is fixed, v_D = 0; along BC, where ω_BC does not enter:" in _page("kinematics/four-bar")
+    assert "D is fixed, v_D = 0; along BC, where ω_BC does not enter (unit" in _page("kinematics/four-bar")
 
 
 def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() -> None:
@@ -82,3 +82,19 @@ def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() 
     assert "|r_D/A| = √(1.6² + 1.2²) = 2 m" in page
     assert "(2 ω × v_rel) · n = 2 ω (v_rel · e) = 2 (-0.24) · 0.64 = -0.3072 m/s²" in page
     assert "α = -((2 ω × v_rel) · n)/|r_D/A| = 0.3072/2 = 0.1536 rad/s²" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("kinematics/four-bar", "ω_BC does not enter (unit vector [-0.8947, -0.4466]): (2) 0.3783 ω_DC"),
+        ("kinematics/instantaneous-centre", "no component across it (unit vector [-0.5, 0.8660]): (2) 0.1670 ω"),
+    ],
+)
+def test_a_component_in_numbers_has_its_direction(name: str, words: str) -> None:
+    assert words in _page(name)
+
+
+def test_a_component_in_letters_or_along_an_axis_needs_none() -> None:
+    assert "unit vector" not in _page("rigid-bodies/plate-on-parallel-links")
+    assert _page("kinematics/four-bar").count("along x: (3)") == 1

@@ -18,7 +18,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.along_slots import coriolis_across, slot_of
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.given_vectors import size_of
@@ -89,6 +89,22 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
     size = () if reach is None else line("-" if factor < 0 else "", told.phrases.math(unknown), " ", *reach.size)
     yield Equation((own_name, *([size] if size else []), product))
     told.components = _across(lines, reach, (factor < 0) != (known[0][0] != name))
+
+
+def with_direction(words: list[Block], w: Written, phrases: Phrases) -> list[Block]:
+    """The words before a component, with the unit vector along which it is taken where that is no axis."""
+    last = words[-1] if words else None
+    if not isinstance(last, Paragraph) or last.line[-1] != Text(":") or w.along is None or phrases.symbolic:
+        return words
+    if not all(phrases.has_numbers(sp.sympify(p)) for p in w.along):
+        return words
+    unit = _unit(Vec(*w.along), phrases)
+    if any(abs(abs(u) - 1) < NEARLY for u in unit):
+        return words
+    return [
+        *words[:-1],
+        Paragraph(line(*last.line[:-1], " (unit vector ", *phrases.vector(unit[0], unit[1], PURE), "):")),
+    ]
 
 
 @record
