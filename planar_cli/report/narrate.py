@@ -51,7 +51,7 @@ from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
-from planar_cli.report.told_before import ToldBefore
+from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
@@ -106,7 +106,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_primes(list(without_ritual(own)))
+        own = without_primes(list(without_ritual(list(defined_once(own)))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":
