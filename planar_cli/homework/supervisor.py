@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any
@@ -71,7 +74,8 @@ class Supervisor:
         # Children of this process inherit one thread for linear algebra: the cores are taken already.
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         process = self._context.Process(target=_serve, args=(theirs, self.function), daemon=True)
-        process.start()
+        with _deaf_to_ctrl_c():
+            process.start()
         theirs.close()
         self._workers.append(_Worker(process, ours, deadline=time.monotonic() + LONGEST_START))
 
@@ -125,6 +129,23 @@ class Supervisor:
         self._end(worker, verdict, message)
         if self._waiting:
             self._start()
+
+
+@contextmanager
+def _deaf_to_ctrl_c() -> Iterator[None]:
+    """What is started here never hears Ctrl-C, not even while it loads its modules: this process hears it, if only
+    afterwards, and ends it as well.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    # The first start would start this one as well, which lets the signal through again.
+    resource_tracker.ensure_running()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _serve(pipe: Connection, function: Callable[[Any], Any]) -> None:
