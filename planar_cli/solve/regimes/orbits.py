@@ -187,4 +187,4 @@ def _shape(orbit: Orbit, since: Stop, known: Known, value: Valuation) -> tuple[D
 def _is_end(e: Equation, stop: Stop, r: sp.Symbol, outward: sp.Symbol) -> bool:
     """Does it say that the distance does not change there?"""
     inside = e.residual.free_symbols & set(stop.letters.values())
-    return outward in inside <= {r, outward} and e.residual.xreplace({outward: sp.S.Zero}) == 0
+    return outward in inside <= {r, outward} and bool(e.residual.xreplace({outward: sp.S.Zero}) == 0)
