@@ -228,3 +228,11 @@ def test_a_moment_centre_tells_what_does_not_enter(tmp_path: Path) -> None:
 
 def test_no_side_of_an_energy_stands_twice(tmp_path: Path) -> None:
     assert "T_2 = 1/2 m v_P,2² = 0.25 v_P,2²" in _page_of(tmp_path, BOWL % "")
+
+
+def test_friction_that_is_found_to_be_zero_stands_on_the_diagrams() -> None:
+    """Whether the wheels slip is asked: the friction that answers it acts on both, and an equation gives it."""
+    page = _page("momentum/two-wheels-pressed-together")
+    assert page.count("F_C ↑ at C (assumed)") == page.count("F_C ↓ at C (assumed)") == 1
+    assert "↑ ΣF_y:   F_C + A_y = 0" in page
+    assert "x_B" not in page

@@ -19,6 +19,8 @@ from planar_cli.report.numbers import quantity
 FIRM = "\N{NO-BREAK SPACE}"
 BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS = "\ue000", "\ue001", "\ue002"
 """Outside brackets before + - = /, and between two factors; inside brackets before an operator."""
+VECTOR = (Text("["), Text(", "), Text("]"))
+"""What stands around the components of a vector."""
 _INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS), " "))
 
 
@@ -50,8 +52,25 @@ def words(text: str) -> str:
 
 
 def spans(line: Line) -> list[Span]:
-    """A line as styled text; spaces inside formulas are marked as firm."""
-    return [span for part in line for span in _spans(part)]
+    """A line as styled text; spaces inside formulas, and inside a vector of two numbers, are marked as firm."""
+    firm = _in_vectors(line)
+    return [
+        Span(words(part.text).replace(" ", FIRM), part.style) if i in firm and isinstance(part, Text) else span
+        for i, part in enumerate(line)
+        for span in _spans(part)
+    ]
+
+
+def _in_vectors(line: Line) -> set[int]:
+    """Where the comma of [x, y] in numbers stands, and the unit behind it."""
+    found = set[int]()
+    for i in range(len(line) - 4):
+        opened, x, comma, y, closed = line[i : i + 5]
+        if (opened, comma, closed) == VECTOR and isinstance(x, Value) and isinstance(y, Value):
+            behind = line[i + 5] if len(line) > i + 5 else None
+            united = isinstance(behind, Text) and re.fullmatch(r" \S+", behind.text)
+            found |= {i + 2, i + 5} if united else {i + 2}
+    return found
 
 
 def side_spans(side: Inline | Line) -> list[Span]:

@@ -67,13 +67,8 @@ def force_rows(
     forces. `impulsive`: impulses and momenta; `nil`: those of which the page says that they are zero.
     """
     kinds = (MOMENTUM, ANGULAR_MOMENTUM) if impulsive else (FORCE, ENERGY)
-    bodies: list[str] = []
-    for block in stage.blocks:
-        for w in block.equations:
-            bodies += [b for b in w.bodies if b not in bodies]
-    order = [b for b in instant.instant.scene.bodies if b in bodies]
     rows = []
-    for body in order:
+    for body in drawn_bodies(instant, stage):
         acting = _acting(instant, stage, body, phrases, nil)
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
@@ -81,6 +76,12 @@ def force_rows(
         else:
             rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),)))
     return rows
+
+
+def drawn_bodies(instant: InstantSolution, stage: Stage) -> list[str]:
+    """The bodies that take part in the kinetic equations, in the order of the file."""
+    bodies = {b for block in stage.blocks for w in block.equations for b in w.bodies}
+    return [b for b in instant.instant.scene.bodies if b in bodies]
 
 
 def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, nil: Collection[sp.Symbol]) -> Line:

@@ -24,6 +24,7 @@ from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.projected import with_direction
 from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
@@ -294,6 +295,7 @@ class Telling:
         if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
+        words = with_direction(words, w, self.phrases) if self.numeric.put_whole(w, stage) else words
         return [*words, Equation(sides, number, (), note)]
 
     def _is_told(self, seen: tuple[str, str], stage: Stage) -> bool:
