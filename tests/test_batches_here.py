@@ -127,6 +127,13 @@ def test_two_submissions_of_one_student_are_told(tmp_path: Path) -> None:
     assert ran.twice == (f"s1 handed in 2 times: {tmp_path}/a.yaml, {tmp_path}/b.csv; all are graded",)
 
 
+def test_results_in_the_folder_of_the_submissions_are_none(tmp_path: Path) -> None:
+    hand_in(tmp_path, ["5 N"])
+    for _ in range(2):
+        ran = grade_files([str(tmp_path)], GRADING, 1, str(tmp_path / "r.json"))
+        assert ran.graded + ran.skipped == 1
+
+
 def test_shards_share_the_files(tmp_path: Path) -> None:
     names = [f"s{i}.yaml" for i in range(300)]
     shares = [[n for n in names if in_shard(str(tmp_path / n), (k, 3))] for k in (1, 2, 3)]

@@ -71,7 +71,9 @@ def grade_files(
     index = written.index if written is not None else Index()
     before: list[int] = []
     ended: Counter[str] = Counter()
-    pieces = _undone((p for p in submission_files(names) if in_shard(p, shard)), index, grading.key, before.append)
+    own = os.path.abspath(results) if results is not None else ""
+    files = (p for p in submission_files(names) if in_shard(p, shard) and os.path.abspath(p) != own)
+    pieces = _undone(files, index, grading.key, before.append)
     batches = batches_of(pieces)
     lines = graded_here(grading, batches, jobs) if executor is None else graded_by(executor, batches, grading)
     interrupted = 0
