@@ -17,7 +17,7 @@ from planar_cli.homework.cluster import cluster
 from planar_cli.homework.grader import Grading, Piece
 from planar_cli.homework.results import Line
 
-GRADING = Grading(grader, "key", timeout=0.5)
+GRADING = Grading(grader, "key", timeout=1.0)
 ENDS = {"5 N": "ok", "hang": "timeout", "power": "timeout", "eat": "memory", "exit": "crashed", "6 N": "ok"}
 
 

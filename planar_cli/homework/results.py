@@ -192,8 +192,11 @@ class ResultsFile:
     def write(self, line: Line) -> None:
         """Add a line, in one piece: whoever is killed leaves whole lines."""
         data = line.text.encode("ascii") + b"\n"
-        while data:
-            data = data[os.write(self._descriptor, data) :]
+        try:
+            while data:
+                data = data[os.write(self._descriptor, data) :]
+        except OSError as error:
+            raise PlanarError(f"the results cannot be written to {visible(self.name)}: {error.strerror}") from None
         self.index.enter(line)
 
     def close(self) -> None:
