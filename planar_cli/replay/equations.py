@@ -1,4 +1,4 @@
-"""The equations of one part of a solution as data: what is given, the steps in which all else follows, what is asked."""
+"""The equations of one part of a solution as data: what is given, the steps in which all follows, what is asked."""
 
 from __future__ import annotations
 

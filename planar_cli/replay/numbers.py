@@ -114,7 +114,11 @@ class Replay:
         return all(s.linear for s in self._solvers)
 
     def _once(
-        self, at: dict[sp.Symbol, Numbers], fixed: Mapping[sp.Symbol, Numbers], start: dict[sp.Symbol, Numbers], count: int
+        self,
+        at: dict[sp.Symbol, Numbers],
+        fixed: Mapping[sp.Symbol, Numbers],
+        start: dict[sp.Symbol, Numbers],
+        count: int,
     ) -> Run:
         run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count)
         for solver in self._solvers:
@@ -163,5 +167,3 @@ class Run:
         for test in self.replay.equations.tests:
             passed &= self.of(test.positive) > -1e-12
         return passed
-
-

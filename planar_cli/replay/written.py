@@ -18,8 +18,8 @@ from planar_cli.solve.solved_problem import PartSolution
 
 
 class NotWritten(LookupError):
-    """The answers of a part do not all follow from equations on its page: a motion that is followed in numbers, a curve,
-    a formula that holds throughout.
+    """The answers of a part do not all follow from equations on its page: a motion that is followed in numbers, a
+    curve, a formula that holds throughout.
     """
 
 
