@@ -122,7 +122,7 @@ def _of_numbers(
         sign = RIGHT
     else:
         sign = ""
-    precision = _precision(answer, expected, rules) if value == RIGHT else ""
+    precision = _precision(values, answer, expected, rules) if value == RIGHT else ""
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
     one = _scored(one, rules, why)
     if one.verdict == WRONG and value == WRONG:
@@ -202,13 +202,11 @@ def _allowed(size: float, expected: Expected, rules: Rules) -> float:
     return relative * size + FLOOR * relative * expected.scale
 
 
-def _precision(answer: Typed, expected: Expected, rules: Rules) -> str:
-    if rules.mode != "sigfig" and not any(f < min(rules.figures, 2) for f in answer.figures):
-        return RIGHT
-    # 3.00 may be typed as 3: a value that is exact loses nothing.
+def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> str:
+    """Were as many figures typed as are asked for? 3.00 may be typed as 3: a value that is exact loses nothing."""
     coarse = [
-        f < rules.figures and v != 0 and abs(v - d) > 1e-9 * abs(d)
-        for f, v, d in zip(answer.figures, answer.values, expected.values, strict=False)
+        f < rules.figures and abs(v - d) > 1e-9 * abs(d)
+        for f, v, d in zip(answer.figures, values, expected.values, strict=False)
     ]
     return WRONG if any(coarse) else RIGHT
 

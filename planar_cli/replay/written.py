@@ -45,10 +45,12 @@ class _Writer:
         self.asked: dict[str, Asked] = {}
         self.tests: list[Test] = []
         self.valuations: list[Valuation] = []
+        self.ledgers: list[Ledger] = []
 
     def know(self, ledger: Ledger, value: Valuation) -> None:
         """What a ledger knows: numbers are inputs, formulas definitions."""
         self.valuations.append(value)
+        self.ledgers.append(ledger)
         for symbol, expr in ledger.values.items():
             if sp.sympify(expr).free_symbols:
                 self.defined[symbol] = expr
@@ -64,7 +66,16 @@ class _Writer:
         for symbol in (*self.inputs.values(), *(u for step in self.steps for u in step.unknowns)):
             numbers[symbol] = self._number(symbol)
         made = Equations(
-            self.part.case, self.inputs, self.defined, tuple(self.steps), self.asked, tuple(self.tests), numbers
+            self.part.case,
+            self.inputs,
+            self.defined,
+            tuple(self.steps),
+            self.asked,
+            tuple(self.tests),
+            numbers,
+            {s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()},
+            {s: unit for ledger in self.ledgers for s, unit in ledger.units.items()},
+            {s: title for ledger in self.ledgers for s, title in ledger.titles.items()},
         )
         loose = made.rests_on(e for a in self.asked.values() for e in a.parts) - numbers.keys() - made.defined.keys()
         if loose:
@@ -137,7 +148,8 @@ def opened(expr: sp.Expr, unknowns: Iterable[sp.Symbol], defined: Mapping[sp.Sym
 
 
 def _holds(symbol: sp.Symbol, wanted: set[sp.Symbol], defined: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    seen, waiting = set(), [symbol]
+    seen: set[sp.Symbol] = set()
+    waiting = [symbol]
     while waiting:
         expr = defined.get(waiting.pop())
         for inner in (expr.free_symbols if expr is not None else set()) - seen:
