@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -83,6 +84,7 @@ class Replay:
         self.equations = equations
         self._solvers = [_Solver(step, equations) for step in equations.steps]
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
+        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], _Solver] = {}
 
     def run(
         self,
@@ -121,14 +123,38 @@ class Replay:
         count: int,
     ) -> Run:
         run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count)
-        for solver in self._solvers:
-            if all(u in fixed for u in solver.unknowns):
+        for k, whole in enumerate(self._solvers):
+            if all(u in fixed for u in whole.unknowns):
                 continue
+            solver = self._without(k, frozenset(fixed)) if any(u in fixed for u in whole.unknowns) else whole
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([start[u] for u in solver.unknowns]))
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
                 run.values.setdefault(unknown, numbers)
         return run
+
+    def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> _Solver:
+        """A step in which some unknowns are fixed: with as many of its equations as unknowns are left, those that fix
+        them best where the solution lies.
+        """
+        step = self.equations.steps[k]
+        left = tuple(u for u in step.unknowns if u not in fixed)
+        key = (k, left)
+        if key not in self._reduced:
+            self._reduced[key] = _Solver(self._best(step, left), self.equations)
+        return self._reduced[key]
+
+    def _best(self, step: Step, left: tuple[sp.Symbol, ...]) -> Step:
+        best, most = tuple(step.residuals[: len(left)]), -1.0
+        run = Run(self, {s: np.array([v]) for s, v in self.equations.value.items()}, 1)
+        for some in combinations(step.residuals, len(left)):
+            opened_ones = [opened(r, step.unknowns, self.equations.defined) for r in some]
+            slopes = np.array([[float(run.of(sp.diff(r, u))[0]) for u in left] for r in opened_ones])
+            rows = np.abs(slopes).max(1, keepdims=True)
+            size = abs(float(np.linalg.det(slopes / np.where(rows > 0, rows, 1.0))))
+            if size > most:
+                best, most = tuple(some), size
+        return Step(left, best)
 
     def formula(self, expr: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]:
         """An expression as a function, with the symbols that it takes."""

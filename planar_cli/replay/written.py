@@ -25,13 +25,20 @@ class NotWritten(LookupError):
 
 def equations_of(part: PartSolution) -> Equations:
     """The equations of a part. NotWritten: its answers do not follow from them alone."""
-    if part.followed is not None or any(f.kind not in ("number", "vector") for f in part.found):
-        raise NotWritten("an answer is read off a motion, or is no number")
+    if part.followed is not None:
+        raise NotWritten("the answers are read off a motion that is followed in numbers")
+    if any(f.kind not in ("number", "vector") and not is_mode(f) for f in part.found):
+        raise NotWritten("an answer is no number")
     if part.motion is not None:
         return _Motion(part, part.motion).equations()
     if not part.instants:
         raise NotWritten("no instant is worked out")
     return _Instants(part).equations()
+
+
+def is_mode(found: Found) -> bool:
+    """Is it a mode, such as slip, which stays what it is while the tests hold?"""
+    return bool(found.word) and found.kind != "truth"
 
 
 class _Writer:
@@ -96,6 +103,8 @@ class _Instants(_Writer):
         for instant in self.part.instants:
             self._take(instant)
         for found in self.part.found:
+            if is_mode(found):
+                continue
             if not found.asked:
                 raise NotWritten(f"{found.name} is not told by the unknowns of an instant")
             self.asked[found.name] = Asked(tuple(map(sp.sympify, found.asked)), found.turn)
@@ -208,5 +217,5 @@ class _Motion(_Writer):
 
 def _demand_all(found: Iterable[Found], asked: Mapping[str, Any]) -> None:
     for one in found:
-        if one.name not in asked:
+        if one.name not in asked and not is_mode(one):
             raise NotWritten(f"{one.name} is not asked of a state")
