@@ -81,12 +81,13 @@ def codes() -> dict[str, str]:
     """Every diagnostic code with its explanation."""
     from planar_cli.problem.codes import CODES
     from planar_cli.problem.codes_engine import CODES_ENGINE
+    from planar_cli.problem.codes_homework import CODES_HOMEWORK
     from planar_cli.problem.codes_motion import CODES_MOTION
     from planar_cli.problem.codes_scene import CODES_SCENE
     from planar_cli.problem.codes_solve import CODES_SOLVE
     from planar_cli.problem.codes_structure import CODES_STRUCTURE
 
-    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE}
+    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE, **CODES_HOMEWORK}
 
 
 def kind_page(shelf: str, kind: str) -> str:

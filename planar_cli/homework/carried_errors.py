@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import Expected, Task
-from planar_cli.homework.worked_problem import Part, WorkedProblem
-from planar_cli.replay.numbers import Numbers
+from planar_cli.homework.worked_problem import WorkedProblem
+from planar_cli.records import changing, record
+from planar_cli.replay.equations import Equations
+from planar_cli.replay.numbers import Numbers, Replay
 from planar_cli.units import parse_unit
 
 FAR = 1e3
@@ -19,13 +21,48 @@ FAR = 1e3
 ROUNDS = 40
 
 
-class Carrier:
-    """Carries own values through the problems of a set. `values`: by problem and variant, numbers of given names."""
+@record
+class Carriable:
+    """What carrying needs of a problem, fit to cross processes: by case its equations; `units` of the finds, `cases` in
+    which they stand; `values`: by variant, numbers of given names in base units.
+    """
 
-    def __init__(
-        self, problems: Mapping[str, WorkedProblem], values: Mapping[tuple[str, int], Mapping[str, float]]
-    ) -> None:
-        self.problems, self.values = problems, values
+    us: bool
+    equations: Mapping[str, Equations]
+    cases: Mapping[str, str]
+    units: Mapping[str, str]
+    values: Mapping[int, Mapping[str, float]]
+
+
+def carriable(problem: WorkedProblem, values: Mapping[int, Mapping[str, float]]) -> Carriable:
+    """The same of a worked problem."""
+    return Carriable(
+        problem.problem.us,
+        {p.solution.case: p.replay.equations for p in problem.parts if p.replay is not None},
+        {f.name: p.solution.case for p, f in problem.finds},
+        {f.name: f.unit.text for _, f in problem.finds},
+        values,
+    )
+
+
+@changing
+class _Ready:
+    """A problem with its equations ready to be carried out."""
+
+    data: Carriable
+    replays: dict[str, Replay]
+
+    def replay(self, case: str) -> Replay | None:
+        if case not in self.replays and case in self.data.equations:
+            self.replays[case] = Replay(self.data.equations[case])
+        return self.replays.get(case)
+
+
+class Carrier:
+    """Carries own values through the problems of a set, by their names."""
+
+    def __init__(self, problems: Mapping[str, Carriable]) -> None:
+        self.problems = {name: _Ready(data, {}) for name, data in problems.items()}
 
     def for_variant(self, variant: int) -> CarriedHere:
         """For the submissions of one variant."""
@@ -45,52 +82,50 @@ class CarriedHere:
         problem = self.carrier.problems.get(task.problem)
         if problem is None:
             return None
-        values = self.carrier.values.get((task.problem, self.variant), {})
-        return next(_carried(problem, values, expected, task, own), None)
+        return _carried(problem, problem.data.values.get(self.variant, {}), expected, task, own)
 
 
 def _carried(
-    problem: WorkedProblem,
+    problem: _Ready,
     values: Mapping[str, float],
     expected: Expected,
     task: Task,
     own: Mapping[str, tuple[float, ...]],
-) -> Iterator[tuple[tuple[float, ...], tuple[str, ...]]]:
+) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
     """The find with all own values that it rests on."""
-    us = problem.problem.us
+    data = problem.data
+    case = data.cases[expected.find]
+    replay = problem.replay(case)
+    if replay is None or expected.find not in replay.equations.asked:
+        return None
+    equations = replay.equations
     right = {e.find: e for e in task.expected}
-    parts = {f.name: (p, f) for p, f in problem.finds}
-    part, found = parts[expected.find]
-    if part.replay is None or found.name not in part.replay.equations.asked:
-        return
-    equations = part.replay.equations
-    behind = equations.rests_on(equations.asked[found.name].parts)
+    behind = equations.rests_on(equations.asked[expected.find].parts)
     inputs: dict[sp.Symbol, Numbers] = {
         equations.inputs[n]: np.array([v]) for n, v in values.items() if n in equations.inputs
     }
     fixed: dict[sp.Symbol, Numbers] = {}
     names: list[str] = []
     for name, typed in own.items():
-        earlier, _ = parts[name]
-        due = right[name]
-        if len(typed) != 1 or not _is_sane(typed[0], due.values[0]):
+        if len(typed) != 1 or not _is_sane(typed[0], right[name].values[0]):
             continue
-        number = typed[0] * in_base(parse_unit(due.unit), us)
-        link = f"{earlier.solution.case}.{name}"
-        if link in equations.inputs and equations.inputs[link] in behind:
-            inputs[equations.inputs[link]] = np.array([number])
+        number = typed[0] * in_base(parse_unit(data.units[name]), data.us)
+        link = equations.inputs.get(f"{data.cases[name]}.{name}")
+        if link is not None and link in behind:
+            inputs[link] = np.array([number])
             names.append(name)
-        elif earlier is part and (unknown := _unknown_of(part, name, number, inputs)) is not None:
+        elif data.cases[name] == case and (unknown := _unknown_of(replay, name, number, inputs)) is not None:
             symbol, value = unknown
             if symbol in behind:
                 fixed[symbol] = np.array([value])
                 names.append(name)
     if not names:
-        return
-    run = part.replay.run(inputs, fixed=fixed)
-    numbers = tuple(float(n[0]) / in_base(found.unit, us) for n in run.asked(found.name))
-    if all(math.isfinite(n) for n in numbers) and any(numbers):
-        yield numbers, tuple(names)
+        return None
+    run = replay.run(inputs, fixed=fixed)
+    factor = in_base(parse_unit(data.units[expected.find]), data.us)
+    numbers = tuple(float(n[0]) / factor for n in run.asked(expected.find))
+    fit = all(math.isfinite(n) for n in numbers) and any(numbers)
+    return (numbers, tuple(names)) if fit else None
 
 
 def _is_sane(value: float, due: float) -> bool:
@@ -99,33 +134,31 @@ def _is_sane(value: float, due: float) -> bool:
 
 
 def _unknown_of(
-    part: Part, find: str, number: float, inputs: Mapping[sp.Symbol, Numbers]
+    replay: Replay, find: str, number: float, inputs: Mapping[sp.Symbol, Numbers]
 ) -> tuple[sp.Symbol, float] | None:
     """The one unknown of which a find is made, with its value where the find has a number; None: there are more."""
-    assert part.replay is not None
-    equations = part.replay.equations
-    asked = equations.asked.get(find)
+    asked = replay.equations.asked.get(find)
     if asked is None or len(asked.parts) != 1:
         return None
-    unknowns = [s for s in asked.parts[0].free_symbols if s in set(equations.unknowns)]
+    known = set(replay.equations.unknowns)
+    unknowns = [s for s in asked.parts[0].free_symbols if s in known]
     if len(unknowns) != 1:
         return None
     (symbol,) = unknowns
-    run = part.replay.run(inputs)
-    value = float(run.number(symbol)[0])
+    value = float(replay.run(inputs).number(symbol)[0])
     for _ in range(ROUNDS):
-        here, beside = (_at(part, asked.parts[0], symbol, v, inputs) for v in (value, value * (1 + 1e-6) + 1e-9))
-        slope = (beside - here) / (value * 1e-6 + 1e-9)
+        nudge = value * 1e-6 + 1e-9
+        here, beside = (_at(replay, asked.parts[0], symbol, v, inputs) for v in (value, value + nudge))
+        slope = (beside - here) / nudge
         if not math.isfinite(slope) or not slope:
             return None
         step = (here - number) / slope
         value -= step
-        if abs(step) <= 1e-12 * max(abs(value), 1e-30):
+        if abs(step) <= 1e-9 * max(abs(value), 1e-30):
             return symbol, value
     return None
 
 
-def _at(part: Part, expr: sp.Expr, symbol: sp.Symbol, value: float, inputs: Mapping[sp.Symbol, Numbers]) -> float:
-    assert part.replay is not None
-    run = part.replay.run(inputs, fixed={symbol: np.array([value])})
+def _at(replay: Replay, expr: sp.Expr, symbol: sp.Symbol, value: float, inputs: Mapping[sp.Symbol, Numbers]) -> float:
+    run = replay.run(inputs, fixed={symbol: np.array([value])})
     return float(run.of(expr)[0])

@@ -14,12 +14,13 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Mark, PlanarError
+from planar_cli.homework.asked_words import asked_words
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.nodes import Node, read_file
 from planar_cli.problem.parser import parse_side
-from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import problem_of
 from planar_cli.problem.variations import number_of, with_first_values, with_values
 from planar_cli.records import changing, record
@@ -240,11 +241,6 @@ def shown(value: float, figures: int = 4) -> str:
     text = f"{value:.{places}f}"
     exact = f"{value:.10g}"
     return exact if len(exact) < len(text) and "e" not in exact else text
-
-
-def asked_words(find: Find | None) -> str:
-    """What is asked, as the file has it."""
-    return "" if find is None else find.found.text
 
 
 def tolerance_of(problem: Problem, find: str) -> float:

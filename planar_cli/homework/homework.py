@@ -1,0 +1,213 @@
+"""A whole homework made ready: every problem of a set solved, its variants drawn, its papers as plain data."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import pickle
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
+from planar_cli.homework.carried_errors import Carriable, carriable
+from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.set_file import HomeworkSet, SetProblem
+from planar_cli.homework.variant_draws import Draw
+from planar_cli.homework.variants import Variants, columns, variants_of
+from planar_cli.homework.worked_problem import (
+    WorkedProblem,
+    base_expected,
+    base_numbers,
+    read_and_solve,
+    with_mistakes,
+    with_numbers,
+)
+from planar_cli.problem.nodes import Mapping as MappingNode
+from planar_cli.problem.nodes import Scalar
+from planar_cli.problem.variations import with_first_values
+from planar_cli.records import record
+from planar_cli.units import pretty_unit
+
+PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
+FEW = 0.5
+"""A lower rate of fit combinations is worth a warning."""
+
+
+@record
+class Prepared:
+    """One problem of a set, ready: its tasks by variant (0: the file itself), and what carrying errors needs (pickled,
+    as only a wrong answer needs it). `warnings`: of its variants.
+    """
+
+    name: str
+    tasks: tuple[Task, ...]
+    carrying: bytes
+    warnings: tuple[str, ...] = ()
+    tried: int = 0
+    taken: int = 0
+    rejected: tuple[tuple[str, int], ...] = ()
+
+
+@record
+class Homework:
+    """A set with everything that grading and handing out need."""
+
+    title: str
+    text: str
+    papers: Mapping[int, Paper]
+    carrying: Mapping[str, bytes]
+    digest: str
+    """Of all that is right: results of another key do not fit."""
+    warnings: tuple[str, ...] = ()
+
+
+def prepared(problem: SetProblem, variants: int, seed: str, worked: bool) -> Prepared:
+    """One problem of a set with so many variants, and its worked solutions where they are wanted. PlanarError: it has
+    no solution.
+    """
+    solved = read_and_solve(problem.path, problem.name)
+    _check_points(problem, solved)
+    drawn = variants_of(solved, variants, seed)
+    base = base_expected(solved)
+    expected = [base, *(v.expected for v in drawn.taken)]
+    file_values = columns(solved, [Draw(())])
+    rows = [*with_mistakes(solved, expected[:1], file_values)]
+    if drawn.taken:
+        rows += with_mistakes(solved, expected[1:], columns(solved, [v.draw for v in drawn.taken]))
+    draws = [Draw(()), *(v.draw for v in drawn.taken)]
+    # Where there are fewer variants than were asked for, they are given out again from the first.
+    spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
+    made = [_task(problem, solved, d, _with_points(problem, e), worked) for d, e in zip(draws, rows, strict=True)]
+    values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
+    return Prepared(
+        problem.name,
+        tuple(made[place] for place in spread),
+        pickle.dumps(carriable(solved, values)),
+        tuple(_warnings(problem, drawn, variants)),
+        drawn.tried,
+        len(drawn.taken),
+        tuple(sorted(drawn.rejected.items())),
+    )
+
+
+def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
+    found = []
+    if drawn.note:
+        found.append(f"{problem.name}: variants are {drawn.note}")
+    if wanted and not drawn.tried:
+        found.append(f"{problem.name}: the file has no `variants`; all students get the same numbers")
+    elif wanted > len(drawn.taken):
+        found.append(f"{problem.name}: only {len(drawn.taken)} of {wanted} variants are fit; they are given out again")
+    if drawn.tried and drawn.rate < FEW:
+        reasons = ", ".join(f"{count} because {why}" for why, count in drawn.rejected.most_common(3))
+        found.append(f"{problem.name}: only {100 * drawn.rate:.0f} % of the combinations are fit ({reasons})")
+    return found
+
+
+def _check_points(problem: SetProblem, solved: WorkedProblem) -> None:
+    names = [f.name for _, f in solved.finds]
+    wrong = [n for n in problem.points if n not in names]
+    if wrong:
+        text = f"{problem.path} has no find '{wrong[0]}'"
+        raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
+
+
+def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:
+    if problem.points:
+        return tuple(replace(e, points=problem.points.get(e.find, 0.0)) for e in expected)
+    each = 1.0 if problem.whole is None else problem.whole / max(len(expected), 1)
+    return tuple(replace(e, points=each) for e in expected)
+
+
+# --- what is handed out ----------------------------------------------------------------------------------------------
+
+
+def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...], worked: bool) -> Task:
+    values = {**_written_values(solved), **dict(draw.values)}
+    text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
+    given = tuple(f"{name} = {told(value)}" for name, value in values.items())
+    page = _worked(solved, draw) if worked else ""
+    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, page)
+
+
+def _written_values(solved: WorkedProblem) -> dict[str, str]:
+    """The given names with their values as the file writes them."""
+    node = with_first_values(solved.node)
+    given = node.get("given") if isinstance(node, MappingNode) else None
+    pairs = given.pairs if isinstance(given, MappingNode) else ()
+    return {key.text: value.text for key, value in pairs if isinstance(value, Scalar)}
+
+
+def told(value: str) -> str:
+    """A value of a file in print: `2.5 m/s^2` with its unit as on a page."""
+    number, _, unit = value.partition(" ")
+    pretty = pretty_unit(unit) if unit and re.fullmatch(r"[A-Za-z0-9*/^()-]+", unit) else unit
+    return f"{number}{pretty}" if pretty == "°" else f"{number} {pretty}".strip()
+
+
+def _worked(solved: WorkedProblem, draw: Draw) -> str:
+    """The worked solution of a variant, as Markdown."""
+    from planar_cli.registry import members
+    from planar_cli.report.narrate import narrate
+
+    one = with_numbers(solved, dict(draw.values)) if draw.values else solved
+    rendered: str = members("formats")["markdown"]().render(narrate(one.solution))
+    return rendered
+
+
+# --- the whole set ---------------------------------------------------------------------------------------------------
+
+
+def assembled(homework: HomeworkSet, problems: Sequence[Prepared]) -> Homework:
+    """The papers of all variants from the problems of a set."""
+    papers = {k: Paper(k, tuple(p.tasks[k] for p in problems)) for k in range(homework.variants + 1)}
+    right = [
+        [[e.find, e.kind, e.values, e.unit, e.text, e.points] for t in paper.tasks for e in t.expected]
+        for paper in papers.values()
+    ]
+    rules = repr(homework.rules)
+    digest = hashlib.sha256(json.dumps([right, rules]).encode()).hexdigest()[:16]
+    return Homework(
+        homework.title,
+        homework.text,
+        papers,
+        {p.name: p.carrying for p in problems},
+        digest,
+        tuple(w for p in problems for w in p.warnings),
+    )
+
+
+def made_ready(
+    homework: HomeworkSet, jobs: int, timeout: float, worked: bool, told_done: Callable[[int], None]
+) -> Homework:
+    """A set made ready on several workers. PlanarError: a problem of it cannot be read or has no solution."""
+    from planar_cli.homework.supervisor import Supervisor
+
+    items = [(p, homework.variants, homework.seed, worked) for p in homework.problems]
+    ended = Supervisor(_attempt, jobs, timeout, told_done).run(items)
+    found: list[Prepared] = []
+    wrong: list[Diagnostic] = []
+    for problem, end in zip(homework.problems, ended, strict=True):
+        if isinstance(end.result, Prepared):
+            found.append(end.result)
+            continue
+        diagnostics, text = end.result if isinstance(end.result, tuple) else ((), str(end.result))
+        wrong += diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}")]
+    if wrong:
+        raise FileProblem(wrong)
+    return assembled(homework, found)
+
+
+def _attempt(item: tuple[SetProblem, int, str, bool]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+    try:
+        return prepared(*item)
+    except (FileProblem, NoSolution) as error:
+        return error.diagnostics, str(error)
+    except PlanarError as error:
+        return (), str(error)
+
+
+def unpickled(carrying: Mapping[str, bytes]) -> dict[str, Carriable]:
+    """What carrying errors needs, of our own workers alone."""
+    return {name: pickle.loads(data) for name, data in carrying.items()}
