@@ -14,6 +14,7 @@ from planar_cli.replay.equations import Equations, Step
 from planar_cli.replay.written import opened
 
 Numbers = NDArray[np.float64]
+Rounding = Callable[[Numbers], Numbers]
 ROUNDS, STRIDES = 60, 6
 """Steps of Newton's method; stretches in which inputs go from those of the solution to others."""
 CLOSE = 1e-13
@@ -91,9 +92,11 @@ class Replay:
         inputs: Mapping[sp.Symbol, Numbers],
         fixed: Mapping[sp.Symbol, Numbers] | None = None,
         start: Mapping[sp.Symbol, float] | None = None,
+        rounding: Rounding | None = None,
     ) -> Run:
         """All unknowns for inputs that differ from those of the solution. `fixed`: unknowns that are not solved for;
-        `start`: where the search for others begins, if not at the values of the solution.
+        `start`: where the search for others begins, if not at the values of the solution; `rounding`: what is done to
+        every number that comes out on the way.
         """
         count = max((np.size(v) for v in (*inputs.values(), *(fixed or {}).values())), default=1)
         base = self.equations.value
@@ -108,7 +111,7 @@ class Replay:
                 else np.full(count, base[s])
                 for s in self.equations.inputs.values()
             }
-            run = self._once(at, fixed or {}, from_here, count)
+            run = self._once(at, fixed or {}, from_here, count, rounding)
             from_here = {u: run.values[u] for u in self.equations.unknowns}
         return run
 
@@ -121,8 +124,9 @@ class Replay:
         fixed: Mapping[sp.Symbol, Numbers],
         start: dict[sp.Symbol, Numbers],
         count: int,
+        rounding: Rounding | None,
     ) -> Run:
-        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count)
+        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, rounding)
         for k, whole in enumerate(self._solvers):
             if all(u in fixed for u in whole.unknowns):
                 continue
@@ -130,7 +134,7 @@ class Replay:
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([start[u] for u in solver.unknowns]))
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
-                run.values.setdefault(unknown, numbers)
+                run.values.setdefault(unknown, numbers if rounding is None else rounding(numbers))
         return run
 
     def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> _Solver:
@@ -167,13 +171,16 @@ class Replay:
 class Run:
     """Numbers of one carrying out: of inputs and unknowns, and through them of any expression."""
 
-    def __init__(self, replay: Replay, values: dict[sp.Symbol, Numbers], count: int) -> None:
-        self.replay, self.values, self.count = replay, values, count
+    def __init__(
+        self, replay: Replay, values: dict[sp.Symbol, Numbers], count: int, rounding: Rounding | None = None
+    ) -> None:
+        self.replay, self.values, self.count, self.rounding = replay, values, count, rounding
 
     def number(self, symbol: sp.Symbol) -> Numbers:
         """Of a symbol that is known by now."""
         if symbol not in self.values:
-            self.values[symbol] = self.of(self.replay.equations.defined[symbol])
+            found = self.of(self.replay.equations.defined[symbol])
+            self.values[symbol] = found if self.rounding is None else self.rounding(found)
         return self.values[symbol]
 
     def of(self, expr: sp.Expr) -> Numbers:
