@@ -54,6 +54,6 @@ def false_matches(papers: Iterable[Paper], rules: Rules, each: int, seed: int) -
 def _wrong(expected: Expected, rules: Rules, rng: random.Random) -> float:
     """A number that is not right."""
     while True:
-        number = expected.values[0] * 10.0 ** rng.uniform(-DECADES, DECADES)
+        number: float = expected.values[0] * 10.0 ** rng.uniform(-DECADES, DECADES)
         if not within(expected, (number,), rules) and not within(expected, (-number,), rules):
             return number

@@ -13,6 +13,7 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
+from planar_cli.equation.marks import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError
 from planar_cli.homework.asked_words import asked_words
 from planar_cli.homework.mistakes.base import Mistake, Model
@@ -28,6 +29,7 @@ from planar_cli.registry import members
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.numbers import Numbers, Replay, Run
 from planar_cli.replay.written import NotWritten, equations_of
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution
@@ -84,9 +86,20 @@ def worked(path: str, name: str, node: Node) -> WorkedProblem:
     problem, wrong = problem_of(path, node, [])
     if problem is None or wrong:
         raise FileProblem(wrong)
-    solution = solve_problem(problem, problem.method)
+    solution = _solved(problem)
     parts = tuple(_part(p, _of_part(solution.problem, p)) for p in solution.parts)
     return WorkedProblem(name, path, node, problem, solution, parts)
+
+
+def _solved(problem: Problem) -> Solution:
+    """The solution with the parts of accelerations marked in its equations, where it can be had so."""
+    if problem.symbols or any(c.problem.symbols for c in problem.cases):
+        return solve_problem(problem, problem.method)
+    try:
+        with marked():
+            return solve_problem(problem, problem.method)
+    except (PlanarError, Disagreement):
+        return solve_problem(problem, problem.method)
 
 
 def with_numbers(problem: WorkedProblem, values: Mapping[str, str]) -> WorkedProblem:

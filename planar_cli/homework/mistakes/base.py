@@ -18,7 +18,7 @@ from planar_cli.homework.paper import Expected
 from planar_cli.problem.expression import Name
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.replay.equations import Equations, Step
+from planar_cli.replay.equations import Equations
 
 GEOMETRY = frozenset({"relation", "given", "drawn", "link", "loop", "single"})
 """Kinds of equations in which no force stands."""
@@ -103,6 +103,11 @@ def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:
     return sp.Add(*(t for t in terms if not drops(t)))
 
 
-def step_of(equations: Equations, unknown: sp.Symbol) -> Step:
-    """The step that gives an unknown."""
-    return next(s for s in equations.steps if unknown in s.unknowns)
+def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Model]:
+    """The equations without a part of the accelerations, where they have it; what was left out is zero on the page."""
+    symbol = equations.inputs.get(mark)
+    if symbol is None:
+        return
+    finds = (e for a in equations.asked.values() for e in a.parts)
+    if symbol in equations.rests_on(finds):
+        yield Model(feedback, equations, {symbol: sp.S.Zero})
