@@ -78,7 +78,7 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
         answer = typed.read(text, expected.kind, rules.comma)
         if expected.kind == "word":
             return _of_word(blank, answer.word == expected.text, rules), None
-        if expected.kind == "formula":
+        if expected.kind in ("formula", "equation"):
             return _of_word(blank, _same_formula(answer.formula, expected), rules), None
         return _of_numbers(blank, expected, answer, rules)
     except Unreadable as why:
@@ -92,9 +92,10 @@ def shown(text: str) -> str:
 
 
 def _same_formula(text: str, expected: Expected) -> bool:
-    from planar_cli.homework.typed_formula import same_formula
+    from planar_cli.homework.typed_formula import same_equation, same_formula
 
-    return same_formula(text, expected.formula, expected.letters)
+    same = same_equation if expected.kind == "equation" else same_formula
+    return same(text, expected.formula, expected.letters)
 
 
 def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:

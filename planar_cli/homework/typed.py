@@ -102,7 +102,9 @@ class Typed:
 
 def read(text: str, kind: str, comma: bool = False) -> Typed:
     """An answer to a find of a kind. `comma`: 12,5 is twelve and a half. Raises Unreadable."""
-    plain = _NAMED.sub("", text.translate(_SIGNS).strip(), count=1)
+    plain = text.translate(_SIGNS).strip()
+    if kind != "equation":
+        plain = _NAMED.sub("", plain, count=1)
     if not plain:
         raise Unreadable("nothing was typed")
     if len(plain) > LONGEST:
@@ -111,7 +113,7 @@ def read(text: str, kind: str, comma: bool = False) -> Typed:
         raise Unreadable("there is a character that cannot be seen")
     if kind == "word":
         return _word(plain)
-    if kind == "formula":
+    if kind in ("formula", "equation"):
         return Typed(formula=plain)
     if re.search(r"±|\+/-|\+-", plain):
         raise Unreadable("one number is asked, not an interval")

@@ -120,6 +120,22 @@ def same_formula(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> 
     return True
 
 
+def same_equation(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> bool:
+    """Is an equation of a curve the right one, but for a factor? Unreadable: it is no equation in these letters."""
+    if typed.count("=") != 1:
+        raise Unreadable("an equation is asked, such as `y = 2*x^2`")
+    mine, theirs = (tuple(map(parsed, text.split("="))) for text in (typed, right))
+    rng, ratios = random.Random(1), []
+    for _ in range(DRAWS):
+        values = {name: _drawn(unit, rng) for name, unit in letters}
+        (a, b), (c, d) = ([evaluated(side, _Numbers(values)) for side in sides] for sides in (mine, theirs))
+        if math.isfinite(a - b) and math.isfinite(c - d) and c != d:
+            ratios.append((a - b) / (c - d))
+    if len(ratios) < NEEDED:
+        raise Unreadable("the equation has no value at most places")
+    return bool(ratios[0]) and all(abs(r - ratios[0]) <= SAME * abs(ratios[0]) for r in ratios)
+
+
 def _drawn(unit: str, rng: random.Random) -> float:
     """A value of a letter: of an angle a sharp one, of all else a positive number of size one."""
     made = parse_unit(unit)

@@ -14,7 +14,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.equation.marks import marked
-from planar_cli.errors import FileProblem, Mark, PlanarError
+from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.paper import Expected, Mistaken
@@ -228,7 +228,7 @@ def _kind(found: Found) -> str:
     if found.word:
         return "word"
     if found.values is None:
-        return "formula"
+        return "equation" if found.kind == "curve" else "formula"
     return found.kind if found.kind in ("vector", "list") else "number"
 
 
@@ -285,7 +285,7 @@ def base_expected(problem: WorkedProblem) -> tuple[Expected, ...]:
     for part, one in problem.finds:
         values = tuple(float(v) / in_base(one.unit, us) for v in one.values or ())
         made = expected_of(problem, part, one, values, scale_of(part, one.unit, us))
-        found.append(_with_formula(made, part, one) if made.kind == "formula" else made)
+        found.append(_with_formula(made, part, one) if made.kind in ("formula", "equation") else made)
     return tuple(found)
 
 
@@ -293,20 +293,25 @@ def _with_formula(made: Expected, part: Part, one: Found) -> Expected:
     """A formula, as a problem file writes it, with its letters."""
     expr = sp.sympify((one.expressions or (sp.S.Zero,))[0])
     if len(one.expressions or ()) != 1:
-        return replace(made, kind="word", text="")
+        raise Undecided(f"{one.name} is no single formula; a homework asks for its components one by one")
     ledger = _ledger(part)
     letters = tuple((s.name, _unit_text(ledger, s)) for s in sorted(expr.free_symbols, key=lambda s: s.name))
+    if isinstance(expr, sp.Eq):
+        text = f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}".replace("**", "^")
+        return replace(made, formula=text, letters=tuple((n, "1") for n, _ in letters), text=text)
     text = sp.sstr(expr).replace("**", "^")
     return replace(made, formula=text, letters=letters, text=text)
 
 
 def _ledger(part: Part) -> Any:
     solution = part.solution
-    return solution.motion.ledger if solution.motion is not None else solution.instants[-1].instant.scene.ledger
+    if solution.motion is not None:
+        return solution.motion.ledger
+    return solution.instants[-1].instant.scene.ledger if solution.instants else None
 
 
 def _unit_text(ledger: Any, symbol: sp.Symbol) -> str:
-    unit = ledger.units.get(symbol)
+    unit = ledger.units.get(symbol) if ledger is not None else None
     return unit.text if unit is not None else "1"
 
 
