@@ -27,13 +27,16 @@ def equations_of(part: PartSolution) -> Equations:
     """The equations of a part. NotWritten: its answers do not follow from them alone."""
     if part.followed is not None:
         raise NotWritten("the answers are read off a motion that is followed in numbers")
-    if any(f.kind not in ("number", "vector") and not is_mode(f) for f in part.found):
-        raise NotWritten("an answer is no number")
     if part.motion is not None:
         return _Motion(part, part.motion).equations()
     if not part.instants:
         raise NotWritten("no instant is worked out")
     return _Instants(part).equations()
+
+
+def is_number(found: Found) -> bool:
+    """Is it a number, or a vector of two?"""
+    return found.kind in ("number", "vector") and not found.word
 
 
 def is_mode(found: Found) -> bool:
@@ -103,7 +106,7 @@ class _Instants(_Writer):
         for instant in self.part.instants:
             self._take(instant)
         for found in self.part.found:
-            if is_mode(found):
+            if not is_number(found):
                 continue
             if not found.asked:
                 raise NotWritten(f"{found.name} is not told by the unknowns of an instant")
@@ -193,7 +196,7 @@ class _Motion(_Writer):
         by_name = {f.name: f for f in self.part.found}
         for request in motion.requests:
             found = by_name.get(request.find.name)
-            if found is not None:
+            if found is not None and is_number(found):
                 self.asked[found.name] = Asked(tuple(map(sp.sympify, request.parts)), found.turn)
         _demand_all(self.part.found, self.asked)
         made = self.made()
@@ -217,5 +220,5 @@ class _Motion(_Writer):
 
 def _demand_all(found: Iterable[Found], asked: Mapping[str, Any]) -> None:
     for one in found:
-        if one.name not in asked and not is_mode(one):
+        if one.name not in asked and is_number(one):
             raise NotWritten(f"{one.name} is not asked of a state")
