@@ -12,14 +12,14 @@ MEMORY = 2 * 1024**3
 """Bytes beside what the process has taken before."""
 
 
-def too_much() -> str:
-    """What is told of a problem that takes more."""
-    return f"more than {MEMORY / 1024**3:g} GB of memory"
+def too_much(most: int = MEMORY) -> str:
+    """What is told of a problem that takes more than so many bytes."""
+    return f"more than {most / 1024**3:.3g} GB of memory"
 
 
 @contextmanager
-def memory_limit() -> Iterator[None]:
-    """MemoryError from the block where it takes more than MEMORY; Windows knows no such limit."""
+def memory_limit(most: int = MEMORY) -> Iterator[None]:
+    """MemoryError from the block where it takes more than `most` bytes; Windows knows no such limit."""
     # Linear algebra sets room aside for each of its threads: on a large machine more than there is to be had.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
@@ -28,7 +28,7 @@ def memory_limit() -> Iterator[None]:
         yield
         return
     before = resource.getrlimit(resource.RLIMIT_AS)
-    limits = [limit for limit in (_taken() + MEMORY, *before) if limit != resource.RLIM_INFINITY]
+    limits = [limit for limit in (_taken() + most, *before) if limit != resource.RLIM_INFINITY]
     with contextlib.suppress(OSError, ValueError):  # Some systems know the limit and do not let it be set.
         resource.setrlimit(resource.RLIMIT_AS, (min(limits), before[1]))
     try:

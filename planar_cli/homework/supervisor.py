@@ -6,19 +6,17 @@ killed at its deadline and replaced; so is one that dies of itself. The other ta
 
 from __future__ import annotations
 
-import multiprocessing
-import os
-import threading
 import time
-from collections.abc import Callable, Sequence
-from multiprocessing.connection import Connection, wait
-from multiprocessing.process import BaseProcess
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from multiprocessing.connection import wait
 from typing import Any
 
-from planar_cli.homework.memory import memory_limit, too_much
-from planar_cli.records import changing, record
+from planar_cli.homework.memory import MEMORY
+from planar_cli.homework.worker import FAULT, MEMORY_OUT, PART, READY, Worker, start
+from planar_cli.records import record
 
-READY = "ready"
 LONGEST_START = 120.0
 NEVER = float("inf")
 
@@ -32,50 +30,105 @@ class Ended:
     seconds: float
 
 
-@changing
-class _Worker:
-    """A process, our end of its pipe, the task it is at (None: none yet) and when that must be done."""
+@record
+class Heard:
+    """What was heard of a task: a part of its result, or how it ended, with the task as it was given."""
 
-    process: BaseProcess
-    pipe: Connection
-    task: int | None = None
-    started: float = 0.0
-    deadline: float = 0.0
+    item: Any
+    verdict: str
+    """part, or one of Ended."""
+    result: Any
+    seconds: float
 
 
 class Supervisor:
-    """Runs `function` on items in worker processes; `told` hears how many are done."""
+    """Runs a function on items in worker processes; `told` hears how many are done.
 
-    def __init__(self, function: Callable[[Any], Any], jobs: int, timeout: float, told: Callable[[int], None]) -> None:
-        self.function, self.jobs, self.timeout, self.told = function, jobs, timeout, told
-        self._context = multiprocessing.get_context("spawn")
-        self._ended: dict[int, Ended] = {}
-        self._waiting: list[int] = []
-        self._workers: list[_Worker] = []
+    The function is `function` itself, or without one what `make` gives when it is called in each worker; both cross
+    processes by pickling. A function that gives its result in parts is a generator: `timeout` [s] is then the longest
+    time to the next part, else to the result; 0 is no limit. `memory` [bytes] is a worker's, beside what it takes
+    before.
+    """
+
+    def __init__(
+        self,
+        function: Callable[[Any], Any] | None,
+        jobs: int,
+        timeout: float,
+        told: Callable[[int], None] = lambda done: None,
+        make: Callable[[], Callable[[Any], Any]] | None = None,
+        memory: int = MEMORY,
+    ) -> None:
+        self.jobs, self.timeout, self.told = jobs, timeout, told
+        made = make if function is None else partial(_itself, function)
+        assert made is not None
+        self._start = partial(start, made, memory)
+        self._again: deque[Any] = deque()
+        self._workers: list[Worker] = []
 
     def run(self, items: Sequence[Any]) -> list[Ended]:
         """How each item ended, in the order of the items."""
-        self._waiting = list(reversed(range(len(items))))
+        ended: dict[int, Ended] = {}
         try:
-            for _ in range(min(self.jobs, len(items))):
-                self._start()
-            while len(self._ended) < len(items):
-                self._step(items)
+            for number, heard in self._stream(enumerate(items)):
+                if heard.verdict != PART:
+                    ended[number] = Ended(heard.verdict, heard.result, heard.seconds)
+                    self.told(len(ended))
         finally:
-            for worker in self._workers:
-                worker.process.kill()
-        return [self._ended[i] for i in range(len(items))]
+            self.close()
+        return [ended[i] for i in range(len(items))]
 
-    def _start(self) -> None:
-        ours, theirs = self._context.Pipe()
-        # Children of this process inherit one thread for linear algebra: the cores are taken already.
-        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        process = self._context.Process(target=_serve, args=(theirs, self.function), daemon=True)
-        process.start()
-        theirs.close()
-        self._workers.append(_Worker(process, ours, deadline=time.monotonic() + LONGEST_START))
+    def stream(self, items: Iterable[Any]) -> Iterator[Heard]:
+        """What is heard of all items, as it is heard; they are taken one by one, as workers come free.
 
-    def _step(self, items: Sequence[Any]) -> None:
+        Between two of them `again` may give further items. The workers stay for another stream until `close`.
+        """
+        for _, heard in self._stream((0, item) for item in items):
+            yield heard
+
+    def again(self, item: Any) -> None:
+        """One more item for the stream that runs; it is the next to be worked on."""
+        self._again.append((0, item))
+
+    def close(self) -> None:
+        """No worker is left behind."""
+        for worker in self._workers:
+            worker.process.kill()
+        for worker in self._workers:
+            worker.process.join()
+            worker.pipe.close()
+        self._workers.clear()
+        self._again.clear()
+
+    # --- the loop ----------------------------------------------------------------------------------------------------
+
+    def _stream(self, items: Iterator[tuple[int, Any]]) -> Iterator[tuple[int, Heard]]:
+        waiting = _Waiting(self._again, items)
+        while True:
+            self._give(waiting)
+            if not waiting and not any(w.task for w in self._workers):
+                return
+            yield from self._step()
+
+    def _give(self, waiting: _Waiting) -> None:
+        """Something to do for every worker that has nothing, and more workers while there is more to do."""
+        for worker in [w for w in self._workers if w.ready and w.task is None]:
+            if not waiting:
+                return
+            worker.task, worker.started = waiting.next(), time.monotonic()
+            worker.deadline = worker.started + (self.timeout or NEVER)
+            try:
+                worker.pipe.send(worker.task[1])
+            except OSError:
+                # It ended while it had nothing to do: that is no fault of the task.
+                self._again.append(worker.task)
+                self._drop(worker)
+        starting = sum(not w.ready for w in self._workers)
+        while len(self._workers) < self.jobs and waiting.more_than(starting):
+            self._workers.append(self._start(time.monotonic() + LONGEST_START))
+            starting += 1
+
+    def _step(self) -> Iterator[tuple[int, Heard]]:
         """Wait until something happens, and see to every worker that it happened to."""
         soonest = min(w.deadline for w in self._workers)
         left = None if soonest == NEVER else max(0.0, soonest - time.monotonic())
@@ -83,75 +136,75 @@ class Supervisor:
         ready = wait([w.pipe for w in self._workers], left)
         for worker in list(self._workers):
             if worker.pipe in ready:
-                self._hear(worker, items)
+                yield from self._hear(worker)
             elif time.monotonic() >= worker.deadline:
-                self._replace(worker, "timeout", f"not decided within {self.timeout:g} s")
+                yield from self._lose(worker, "timeout", f"not decided within {self.timeout:g} s")
 
-    def _hear(self, worker: _Worker, items: Sequence[Any]) -> None:
+    def _hear(self, worker: Worker) -> Iterator[tuple[int, Heard]]:
         try:
             verdict, result = worker.pipe.recv()
         except (EOFError, OSError):
             worker.process.join()
-            self._replace(worker, "crashed", f"the process ended with code {worker.process.exitcode}")
+            yield from self._lose(worker, "crashed", f"the process ended with code {worker.process.exitcode}")
             return
-        if verdict != READY:
-            self._end(worker, verdict, result)
-        self._give(worker, items)
+        now = time.monotonic()
+        if verdict == READY:
+            worker.ready, worker.deadline = True, NEVER
+        elif worker.task is None:
+            yield from self._lose(worker, FAULT, result)
+        else:
+            number, item = worker.task
+            worker.deadline = now + (self.timeout or NEVER)
+            if verdict != PART:
+                worker.task, worker.deadline = None, NEVER
+            if verdict == MEMORY_OUT:
+                # What took it may hold it still.
+                self._drop(worker)
+            yield number, Heard(item, verdict, result, now - worker.started)
 
-    def _give(self, worker: _Worker, items: Sequence[Any]) -> None:
-        if not self._waiting:
-            worker.process.kill()
-            self._workers.remove(worker)
-            return
-        worker.task = self._waiting.pop()
-        worker.started = time.monotonic()
-        worker.deadline = worker.started + (self.timeout or NEVER)
-        worker.pipe.send(items[worker.task])
-
-    def _end(self, worker: _Worker, verdict: str, result: Any) -> None:
-        assert worker.task is not None
-        self._ended[worker.task] = Ended(verdict, result, time.monotonic() - worker.started)
-        worker.task = None
-        self.told(len(self._ended))
-
-    def _replace(self, worker: _Worker, verdict: str, message: str) -> None:
+    def _lose(self, worker: Worker, verdict: str, message: str) -> Iterator[tuple[int, Heard]]:
         """The worker is gone, or goes now; its task has ended with it."""
+        self._drop(worker)
+        if worker.task is not None:
+            number, item = worker.task
+            yield number, Heard(item, verdict, message, time.monotonic() - worker.started)
+        elif not worker.ready:
+            raise RuntimeError(f"a worker process could not be started: {message}")
+
+    def _drop(self, worker: Worker) -> None:
         worker.process.kill()
         worker.process.join()
         worker.pipe.close()
-        self._workers.remove(worker)
-        if worker.task is None:
-            raise RuntimeError(f"a worker process could not be started: {message}")
-        self._end(worker, verdict, message)
-        if self._waiting:
-            self._start()
+        # By identity: a worker that is equal is another one.
+        self._workers = [w for w in self._workers if w is not worker]
 
 
-def _serve(pipe: Connection, function: Callable[[Any], Any]) -> None:
-    """The life of a worker: one item after the other until the pipe closes."""
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    with memory_limit():
-        pipe.send((READY, None))
-        while True:
+class _Waiting:
+    """The items that nobody works on: those given again, and then those still to be taken."""
+
+    def __init__(self, again: deque[Any], items: Iterator[tuple[int, Any]]) -> None:
+        self.again, self.items = again, items
+        self.taken: deque[tuple[int, Any]] = deque()
+
+    def more_than(self, number: int) -> bool:
+        """Are there more than so many?"""
+        while len(self.again) + len(self.taken) <= number:
             try:
-                item = pipe.recv()
-            except (EOFError, KeyboardInterrupt):
-                return
-            pipe.send(_outcome(function, item))
+                self.taken.append(next(self.items))
+            except StopIteration:
+                return False
+        return True
+
+    def __bool__(self) -> bool:
+        return self.more_than(0)
+
+    def next(self) -> tuple[int, Any]:
+        """The next one; there must be one."""
+        if self.again:
+            given: tuple[int, Any] = self.again.popleft()
+            return given
+        return self.taken.popleft() if self.taken else next(self.items)
 
 
-def _end_with_parent() -> None:
-    """However the process ends that started this one: nobody is left to end it at its deadline."""
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
-
-
-def _outcome(function: Callable[[Any], Any], item: Any) -> tuple[str, Any]:
-    try:
-        return "ok", function(item)
-    except MemoryError:
-        return "memory", too_much()
-    except Exception as error:
-        return "fault", f"{type(error).__name__}: {error}"
+def _itself(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    return function

@@ -74,7 +74,7 @@ def read_file(path: str | os.PathLike[str]) -> tuple[str, Node | None, list[Diag
     name = STDIN if os.fspath(path) == "-" else os.fspath(path)
     start = Mark(name, 1, 1)
     try:
-        data = sys.stdin.buffer.read(MAX_BYTES + 1) if name == STDIN else _regular_bytes(name)
+        data = sys.stdin.buffer.read(MAX_BYTES + 1) if name == STDIN else regular_bytes(name)
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         return "", None, [Diagnostic(start, "PL101", f"the file cannot be read: {reason}", "give a problem file")]
@@ -84,7 +84,7 @@ def read_file(path: str | os.PathLike[str]) -> tuple[str, Node | None, list[Diag
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
-        mark = _mark_behind(data[: error.start].decode("utf-8"), name)
+        mark = mark_behind(data[: error.start].decode("utf-8"), name)
         return "", None, [Diagnostic(mark, "PL103", "the file is not UTF-8 text", "save it with the encoding UTF-8")]
     node, diagnostics = read_text(text, name)
     return text.removeprefix("\ufeff"), node, diagnostics
@@ -93,14 +93,17 @@ def read_file(path: str | os.PathLike[str]) -> tuple[str, Node | None, list[Diag
 def text_of(name: str) -> str:
     """The text of a file from which an excerpt may be shown; "" of anything that is not read as a problem file."""
     try:
-        data = _regular_bytes(name) if name != STDIN else b""
+        data = regular_bytes(name) if name != STDIN else b""
         return data.decode("utf-8") if len(data) <= MAX_BYTES else ""
     except (OSError, ValueError):
         return ""
 
 
-def _regular_bytes(name: str) -> bytes:
-    """At most MAX_BYTES + 1 bytes of a regular file; never waits on a pipe or device, never follows a link."""
+def regular_bytes(name: str, most: int = MAX_BYTES) -> bytes:
+    """At most `most` + 1 bytes of a regular file; never waits on a pipe or device, never follows a link.
+
+    Raises OSError, and ValueError saying what it is where it is no regular file.
+    """
     if os.path.islink(name):
         raise ValueError("it is a symbolic link")
     if os.path.isdir(name):
@@ -110,20 +113,23 @@ def _regular_bytes(name: str) -> bytes:
     with open(descriptor, "rb") as stream:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             raise ValueError("it is not a regular file")
-        return stream.read(MAX_BYTES + 1)
+        return stream.read(most + 1)
 
 
-def read_text(text: str, file: str) -> tuple[Node | None, list[Diagnostic]]:
-    """The tree of one YAML document and what is wrong with it; the tree is None if anything is wrong."""
+def read_text(text: str, file: str, blanks: bool = False) -> tuple[Node | None, list[Diagnostic]]:
+    """The tree of one YAML document and what is wrong with it; the tree is None if anything is wrong.
+
+    With `blanks` a key may have no value: its value is an unquoted empty text.
+    """
     text = text.removeprefix("\ufeff")
     start = Mark(file, 1, 1)
     if len(text) > MAX_BYTES:
         message = f"a problem file is at most {MAX_BYTES // 1000} kB long"
         return None, [Diagnostic(start, "PL102", message, "put each problem into a file of its own")]
-    diagnostics = _bad_characters(text, file)
+    diagnostics = bad_characters(text, file)
     if diagnostics:
         return None, diagnostics
-    builder = _Builder(text, file)
+    builder = _Builder(text, file, blanks)
     try:
         try:
             builder.run(_events(text, _fast()))
@@ -131,7 +137,7 @@ def read_text(text: str, file: str) -> tuple[Node | None, list[Diagnostic]]:
             if "nesting" not in (error.problem or ""):
                 raise
             # libyaml looks too far ahead for the limit of this reader to be met; the slower loader tells the place.
-            builder = _Builder(text, file)
+            builder = _Builder(text, file, blanks)
             builder.run(_events(text, yaml.SafeLoader))
     except yaml.YAMLError as error:
         builder.report.append(explain_error(error, text, file))
@@ -155,7 +161,7 @@ def _events(text: str, loader: type) -> Iterator[yaml.Event]:
     return yaml.parse(text, Loader=loader)
 
 
-def _bad_characters(text: str, file: str) -> list[Diagnostic]:
+def bad_characters(text: str, file: str) -> list[Diagnostic]:
     """Control, bidirectional and other invisible characters, each with its place."""
     if text.isascii() and text.replace("\n", "").isprintable():
         return []
@@ -163,7 +169,7 @@ def _bad_characters(text: str, file: str) -> list[Diagnostic]:
     for index, character in enumerate(text):
         if character.isprintable() or character in "\n\r\t":
             continue
-        found.append(Diagnostic(_mark_behind(text[:index], file), "PL103", *_character_words(character)))
+        found.append(Diagnostic(mark_behind(text[:index], file), "PL103", *_character_words(character)))
         if len(found) == MAX_REPORTED:
             break
     return found
@@ -175,7 +181,7 @@ def _character_words(character: str) -> tuple[str, str]:
     return f"the invisible character U+{ord(character):04X} stands here", "delete it"
 
 
-def _mark_behind(before: str, file: str) -> Mark:
+def mark_behind(before: str, file: str) -> Mark:
     """The place just behind the text `before`."""
     lines = lines_of(before + "|")
     return Mark(file, len(lines), len(lines[-1]))
@@ -205,8 +211,8 @@ class _Frame:
 class _Builder:
     """Builds the tree from events and gathers diagnostics."""
 
-    def __init__(self, text: str, file: str) -> None:
-        self.file = file
+    def __init__(self, text: str, file: str, blanks: bool) -> None:
+        self.file, self.blanks = file, blanks
         self.lines = text.splitlines()
         self.report: list[Diagnostic] = []
         self.root: Node | None = None
@@ -227,7 +233,8 @@ class _Builder:
             self.handle(event)
 
     def mark(self, event: yaml.Event, columns: int = 0) -> Mark:
-        return self._place(event.start_mark).shifted(columns)
+        place = self._place(event.start_mark)
+        return place.shifted(columns) if columns else place
 
     def _place(self, mark: _HasPlace | None) -> Mark:
         return Mark(self.file, mark.line + 1, mark.column + 1) if mark is not None else Mark(self.file, 1, 1)
@@ -269,7 +276,7 @@ class _Builder:
     def _add(self, node: Node | None) -> None:
         if self.frames:
             self.frames[-1].children.append(node)
-        elif isinstance(node, Scalar) and _is_null(node):
+        elif isinstance(node, Scalar) and is_null(node):
             self.root = None
         else:
             self.root = node
@@ -281,7 +288,7 @@ class _Builder:
         mark = self._content(mark.line) if style in _BLOCKS else mark
         if len(text) > MAX_SCALAR:
             self.stop(mark, "PL102", f"a text is at most {MAX_SCALAR} characters long", "shorten it")
-        bad = next((c for c in text if not (c.isprintable() or c in "\n\t")), None)
+        bad = None if text.isprintable() else next((c for c in text if not (c.isprintable() or c in "\n\t")), None)
         if bad is not None:
             self.complain(mark, "PL103", *_character_words(bad))
         return Scalar(text, bool(style), mark, self._place(event.end_mark))
@@ -296,7 +303,7 @@ class _Builder:
     def _sequence(self, frame: _Frame) -> Sequence:
         split = self._comma_splits(frame)
         for child in frame.children:
-            if isinstance(child, Scalar) and _is_null(child) and not split:
+            if isinstance(child, Scalar) and is_null(child) and not split:
                 self.complain(child.mark, "PL107", "an entry of the list is empty", "write a value, or delete it")
         return Sequence(tuple(child for child in frame.children if child is not None), frame.mark)
 
@@ -310,7 +317,8 @@ class _Builder:
                 self.complain(place, "PL110", "a key is one word", "write `name: …`")
                 continue
             self._check_key(key, seen)
-            if isinstance(value, Scalar) and _is_null(value) and not _is_null(key) and not split:
+            blank = isinstance(value, Scalar) and is_null(value)
+            if blank and not self.blanks and not is_null(key) and not split:
                 name = _short(key.text)
                 self.complain(key.mark, "PL107", f"`{name}` has no value", f"write `{name}: …`, or leave the key out")
             if value is not None:
@@ -320,7 +328,7 @@ class _Builder:
     def _check_key(self, key: Scalar, seen: dict[str, Scalar]) -> None:
         if key.text == "<<" and not key.quoted:
             self.complain(key.mark, "PL105", "`<<` would merge mappings", "write the entries out")
-        elif not key.text or _is_null(key):
+        elif not key.text or is_null(key):
             hint = "write `name: …`; instead of `?`, declare the name under `unknowns:`"
             self.complain(key.mark, "PL110", "a key is missing", hint)
         elif key.text in seen:
@@ -363,5 +371,5 @@ def _short(text: str) -> str:
     return text if len(text) <= MAX_SHOWN else text[:MAX_SHOWN] + "…"
 
 
-def _is_null(scalar: Scalar) -> bool:
+def is_null(scalar: Scalar) -> bool:
     return not scalar.quoted and scalar.text in ("", "~", "null", "Null", "NULL")
