@@ -115,6 +115,10 @@ class Graded:
     """Earlier finds of which the student's own values were put in."""
     expected: str = ""
     """What the key says; only for the lecturer."""
+    due_unit: str = ""
+    """The unit of the key; "" of what has none."""
+    tolerance: float = 0.0
+    """Relative, within which it was compared; 0 of what is not compared by size."""
 
 
 @record
