@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from collections.abc import Mapping
 
 import numpy as np
@@ -162,3 +163,8 @@ def _unknown_of(
 def _at(replay: Replay, expr: sp.Expr, symbol: sp.Symbol, value: float, inputs: Mapping[sp.Symbol, Numbers]) -> float:
     run = replay.run(inputs, fixed={symbol: np.array([value])})
     return float(run.of(expr)[0])
+
+
+def unpickled(carrying: Mapping[str, bytes]) -> dict[str, Carriable]:
+    """What carrying errors needs of each problem: bytes that this program has written itself, never a file."""
+    return {name: pickle.loads(data) for name, data in carrying.items()}

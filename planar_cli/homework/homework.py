@@ -6,12 +6,13 @@ import hashlib
 import json
 import pickle
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
-from planar_cli.homework.carried_errors import Carriable, carriable
+from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.set_file import HomeworkSet, SetProblem
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import Variants, columns, variants_of
@@ -26,7 +27,6 @@ from planar_cli.homework.worked_problem import (
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
 from planar_cli.problem.variations import with_first_values
-from planar_cli.records import record
 from planar_cli.units import pretty_unit
 
 PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
@@ -34,35 +34,7 @@ FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
 
-@record
-class Prepared:
-    """One problem of a set, ready: its tasks by variant (0: the file itself), and what carrying errors needs (pickled,
-    as only a wrong answer needs it). `warnings`: of its variants.
-    """
-
-    name: str
-    tasks: tuple[Task, ...]
-    carrying: bytes
-    warnings: tuple[str, ...] = ()
-    tried: int = 0
-    taken: int = 0
-    rejected: tuple[tuple[str, int], ...] = ()
-
-
-@record
-class Homework:
-    """A set with everything that grading and handing out need."""
-
-    title: str
-    text: str
-    papers: Mapping[int, Paper]
-    carrying: Mapping[str, bytes]
-    digest: str
-    """Of all that is right: results of another key do not fit."""
-    warnings: tuple[str, ...] = ()
-
-
-def prepared(problem: SetProblem, variants: int, seed: str, worked: bool) -> Prepared:
+def prepared(problem: SetProblem, variants: int, seed: int, worked: bool) -> Prepared:
     """One problem of a set with so many variants, and its worked solutions where they are wanted. PlanarError: it has
     no solution.
     """
@@ -199,15 +171,10 @@ def made_ready(
     return assembled(homework, found)
 
 
-def _attempt(item: tuple[SetProblem, int, str, bool]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+def _attempt(item: tuple[SetProblem, int, int, bool]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
     try:
         return prepared(*item)
     except (FileProblem, NoSolution) as error:
         return error.diagnostics, str(error)
     except PlanarError as error:
         return (), str(error)
-
-
-def unpickled(carrying: Mapping[str, bytes]) -> dict[str, Carriable]:
-    """What carrying errors needs, of our own workers alone."""
-    return {name: pickle.loads(data) for name, data in carrying.items()}

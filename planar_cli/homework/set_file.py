@@ -49,7 +49,7 @@ class HomeworkSet:
     problems: tuple[SetProblem, ...]
     rules: Rules
     variants: int = 0
-    seed: str = "1"
+    seed: int = 1
     students: tuple[str, ...] = ()
 
     def variant_of(self, student: str) -> int | None:
@@ -163,14 +163,14 @@ def _rules(whole: Fields) -> Rules:
     )
 
 
-def _variants(whole: Fields) -> tuple[int, str]:
+def _variants(whole: Fields) -> tuple[int, int]:
     node = whole.node("variants")
     if node is None:
-        return 0, "1"
+        return 0, 1
     fields = Fields(node, ("number", "seed"), "variants", whole.report, example="{number: 30, seed: 7}")
     number, seed = fields.need("number", "write `{number: 30, seed: 7}`"), fields.node("seed")
     count = 0 if number is None else int(_number(number, "the number of variants", whole.report, 1, MOST_VARIANTS))
-    return count, "1" if seed is None else reading.text(seed, "the seed", whole.report)
+    return count, 1 if seed is None else int(_number(seed, "the seed", whole.report, 0, 10**9))
 
 
 def _students(whole: Fields) -> tuple[str, ...]:

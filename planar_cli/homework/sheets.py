@@ -11,8 +11,8 @@ import io
 import json
 from collections.abc import Iterable, Mapping, Sequence
 
-from planar_cli.homework.homework import Homework
 from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.ready import Homework
 from planar_cli.problem.show import harmless, spreadsheet_cell
 from planar_cli.units import pretty_unit
 

@@ -81,7 +81,7 @@ def variations(problem: WorkedProblem) -> tuple[Variation, ...]:
     return variations_of(problem.node, Report())
 
 
-def variants_of(problem: WorkedProblem, count: int, seed: str) -> Variants:
+def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
     """So many variants, or as many as there are; the same for the same seed."""
     varied = variations(problem)
     found = Variants()
