@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from planar_cli.problem.keys import KeySpec
 
 PAGES = Path(__file__).parent / "problem" / "pages"
-SHELVES = ("joints", "loads", "principles", "integrators")
+SHELVES = ("joints", "loads", "principles", "integrators", "homework.mistakes", "homework.exports")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
 BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
-LAST = ("cases", "answers", "checks_confirmed", "examples", "pitfalls")
+LAST = ("cases", "answers", "variants", "homework_sets_submissions", "checks_confirmed", "examples", "pitfalls")
 
 
 @cache
@@ -56,7 +56,11 @@ def topics() -> str:
         seen.setdefault(page, []).append(topic)
     lines += [f"  {', '.join(names):<22}{page.partition(chr(10))[0]}" for page, names in seen.items()]
     for shelf in SHELVES:
-        lines += ["", f"Kinds of {shelf}:", *(f"  {kind:<22}{line}" for kind, line in kinds(shelf).items())]
+        lines += [
+            "",
+            f"Kinds of {shelf.rpartition('.')[2]}:",
+            *(f"  {kind:<22}{line}" for kind, line in kinds(shelf).items()),
+        ]
     return "\n".join([*lines, "", "Codes of messages: PL101, PL102, … as printed with each error."])
 
 
