@@ -42,7 +42,8 @@ def _report(path: str) -> Iterable[str]:
         told = f"{d.find:<{width}}  rounding to {FIGURES} figures: up to {_percent(d.honest)}; {nearest}"
         yield told
         if d.fails_honest:
-            yield f"{'':<{width}}  {_percent(d.tolerance)} would fail an honest student: allow more, or ask for more figures"
+            told = f"{_percent(d.tolerance)} would fail an honest student: allow more, or ask for more figures"
+            yield f"{'':<{width}}  {told}"
         if d.passes_wrong:
             yield f"{'':<{width}}  {_percent(d.tolerance)} would pass a wrong model: {d.mistake}"
     for reason in left:
