@@ -31,7 +31,8 @@ SMALLEST = 1e-4
 """Canvas takes no bound of an interval that is nearer to zero."""
 FINEST = 0.0005
 """text2qti writes bounds to four decimals: of a tolerance that is smaller, rounding would be more than a tenth."""
-MOST_POWERS = 24
+POWERS = range(3, 25, 3)
+"""Of ten, as engineers write them."""
 LONGEST_TITLE = 255
 _SPECIAL = re.compile(r"[\\`*_{}\[\]<>&#!$|~^]")
 
@@ -60,7 +61,7 @@ class Text2qti(PaperExport):
 
     def export(self, papers: Sequence[Paper], title: str, seed: int) -> Exported:
         left_out = LeftOut()
-        blocks = [f"Quiz title: {one_line(title) or 'Homework'}"]
+        blocks = [f"% Variants drawn with seed {seed}.\nQuiz title: {one_line(title) or 'Homework'}"]
         for variants in problems(papers).values():
             for of_one in finds(variants).values():
                 blocks += _groups(of_one, left_out)
@@ -124,7 +125,7 @@ def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval]:
         inside = _times(right, 1.0 if unit == expected.unit else ratio(expected.unit, unit))
         if _fits(inside):
             return unit, 0, inside
-    for power in range(1, MOST_POWERS):
+    for power in POWERS:
         inside = _times(right, 10.0**power)
         if _fits(inside):
             return expected.unit, power, inside
