@@ -96,6 +96,14 @@ def test_a_zero() -> None:
     assert question.numerical_min == -question.numerical_max
 
 
+@pytest.mark.parametrize("value", [0.0, 1e-60])
+def test_a_number_that_canvas_takes_for_zero_is_told(value: float) -> None:
+    task = Task("p", "P", "", (), (replace(number("a", value, "N"), scale=0.0),))
+    assert exported("text2qti", (Paper(0, (task,)),)).left_out == (
+        "p, a: Canvas cannot tell its number from zero (variant 0)",
+    )
+
+
 def test_words() -> None:
     slips, mode = questions()["slips, variant 0"], questions()["mode, variant 0"]
     assert slips.type == "multiple_choice_question"

@@ -96,15 +96,18 @@ def _questions(asked: Asked, left_out: LeftOut) -> Iterator[tuple[str, str]]:
         for one in numbers(replace(asked, expected=replace(expected, mistakes=())), left_out):
             if one.turned:
                 left_out.tell(f"{asked.place}: the same direction after a whole turn counts as wrong", asked.variant)
-            yield one.name, _numerical(asked, one)
+            sized = _sized(expected, one.right)
+            if sized is None:
+                left_out.tell(f"{asked.place}: Canvas cannot tell its number from zero", asked.variant)
+            else:
+                yield one.name, _numerical(asked, one, *sized)
     elif expected.kind == "word":
         yield expected.find, _word(asked)
     else:
         left_out.tell(f"{asked.place}: Canvas has no question for a formula", asked.variant)
 
 
-def _numerical(asked: Asked, found: Number) -> str:
-    unit, power, right = _sized(asked.expected, found.right)
+def _numerical(asked: Asked, found: Number, unit: str, power: int, right: Interval) -> str:
     expected = replace(asked.expected, unit=unit)
     shown = shown_unit(expected)
     asks = [question_of(expected), f"Only the {found.label}." if found.label else ""]
@@ -119,8 +122,10 @@ def _numerical(asked: Asked, found: Number) -> str:
     return _question(asked, found.name, " ".join(filter(None, asks)), answer)
 
 
-def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval]:
-    """The unit in which Canvas can tell right from wrong, or the power of ten that it takes, and the interval there."""
+def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval] | None:
+    """The unit in which Canvas can tell right from wrong, the power of ten that it takes on top, and the interval then;
+    None where nothing is large enough.
+    """
     for unit in (expected.unit, *smaller(expected.unit)):
         inside = _times(right, 1.0 if unit == expected.unit else ratio(expected.unit, unit))
         if _fits(inside):
@@ -129,7 +134,7 @@ def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval]:
         inside = _times(right, 10.0**power)
         if _fits(inside):
             return expected.unit, power, inside
-    return expected.unit, 0, right
+    return None
 
 
 def _times(interval: Interval, factor: float) -> Interval:
