@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import pytest
 from exported import PAPERS, number
@@ -81,6 +82,11 @@ def test_a_component_that_a_mistake_leaves_as_it_is_has_none() -> None:
     x, y = found(Expected("v", "v", "vector", (3.0, 0.0), "m/s", "", 0.01, 1.0, mistakes=(mistake,)))
     assert not x.mistakes
     assert len(y.mistakes) == 1
+
+
+def test_a_mistake_that_gives_zero_has_an_interval() -> None:
+    (one,) = found(replace(number("a", 3.0, "N", wrong(0.0)), scale=0.0))
+    assert [(m.value, m.tolerance) for m in one.mistakes] == [(0.0, pytest.approx(0.03))]
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf")])

@@ -124,7 +124,7 @@ def numbers(asked: Asked, left_out: LeftOut) -> tuple[Number, ...]:
         name, label = _named(expected, i, len(due))
         right = Interval(value, _allowed(size or abs(value), expected))
         turned = _turned(right, expected)
-        wrong = [_mistaken(m, i, expected) for m in mistakes if m.values[i] != value]
+        wrong = [_mistaken(m, i, expected, right) for m in mistakes if m.values[i] != value]
         found.append(Number(name, label, right, turned, _apart(asked, label, (right, *turned), wrong, left_out)))
     return tuple(found)
 
@@ -161,10 +161,11 @@ def whole_turn(expected: Expected) -> float:
     return 2 * math.pi / (float(unit.factor) * math.pi**unit.pi_power)
 
 
-def _mistaken(mistake: Mistaken, place: int, expected: Expected) -> Interval:
+def _mistaken(mistake: Mistaken, place: int, expected: Expected, right: Interval) -> Interval:
+    """The numbers of a mistake; around a zero without any scale as far as around the right one."""
     value = mistake.values[place]
     size = math.hypot(*mistake.values) if expected.kind == "vector" else abs(value)
-    return Interval(value, _allowed(size, expected), mistake.name, mistake.feedback)
+    return Interval(value, _allowed(size, expected) or right.tolerance, mistake.name, mistake.feedback)
 
 
 def _apart(
@@ -178,7 +179,7 @@ def _apart(
         # Between two mistakes each has half of the way.
         room += [abs(one.value - w.value) / 2 for w in wrong if w is not one]
         widest = min(one.tolerance, APART * min(room))
-        if widest >= THINNEST * one.tolerance and widest > 0:
+        if widest >= THINNEST * one.tolerance and min(room) > 0:
             kept.append(replace(one, tolerance=widest))
         else:
             beside = "the right answer" if min(room[: len(right)]) == min(room) else "that of another mistake"

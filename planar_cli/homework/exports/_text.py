@@ -15,18 +15,19 @@ _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]")
 _MATH = re.compile(r"[$\\]")
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 _BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "\0")
+_ODD = re.compile(r"[^\t\n -~]")
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
 
 
 def clean(text: str) -> str:
     """Without characters that XML forbids or that change the direction of reading; each becomes `\\ufffd`."""
-    return "".join(c if _allowed(c) else "\ufffd" for c in text.replace("\r\n", "\n").replace("\r", "\n"))
+    return _ODD.sub(_shown, text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
-def _allowed(c: str) -> bool:
-    if c in "\t\n":
-        return True
-    return unicodedata.category(c) not in ("Cc", "Cf", "Cs") and ord(c) & 0xFFFE != 0xFFFE
+def _shown(match: re.Match[str]) -> str:
+    c = match[0]
+    bad = unicodedata.category(c) in ("Cc", "Cf", "Cs") or ord(c) & 0xFFFE == 0xFFFE
+    return "\ufffd" if bad else c
 
 
 def one_line(text: str) -> str:
@@ -65,13 +66,14 @@ class Names:
 
     def __init__(self) -> None:
         self._taken: set[str] = set()
+        self._counts: dict[str, int] = {}
 
     def of(self, text: str) -> str:
         """A name for a text; a new one at every call."""
-        name, count = slug(text), 1
+        first = name = slug(text)
         while name in self._taken:
-            count += 1
-            name = slug(text, f"-{count}")
+            self._counts[first] = self._counts.get(first, 1) + 1
+            name = slug(text, f"-{self._counts[first]}")
         self._taken.add(name)
         return name
 

@@ -20,8 +20,8 @@ class Gradescope(ResultExport):
 
     The file
         A folder for each student with `results.json`. Each find is one test: its name, its score out of its points,
-        passed or failed, and as output what the student is told. The total is the sum of the tests. Nothing of the
-        key is in it.
+        passed or failed, and as output what the student is told. The total is the sum of the tests. `extra_data` has
+        the student's name as the submission states it. Nothing of the key is in it.
 
     To import it
         The `run_autograder` of an assignment copies the file of its student to
@@ -50,7 +50,9 @@ def _results(result: Result, title: str) -> dict[str, Any]:
         tests.append(_test(graded, f"{problem}.{numbered[graded.problem]}"))
     # A score must stand somewhere: without any test, here.
     alone = {} if tests else {"score": 0.0}
-    return {**alone, "output": said, "output_format": "text", "test_output_format": "text", "tests": tests}
+    formats = {"output_format": "text", "test_output_format": "text"}
+    known = {"student": clean(result.student), "variant": result.variant}
+    return {**alone, "output": said, **formats, "tests": tests, "extra_data": known}
 
 
 def _test(graded: Graded, number: str) -> dict[str, Any]:

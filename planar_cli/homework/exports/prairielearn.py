@@ -75,7 +75,7 @@ class PrairieLearn(PaperExport):
             folder = f"{slug(title)}/{names.of(problem)}"
             files[f"{folder}/info.json"] = _info(title, variants[0][1])
             files[f"{folder}/question.html"] = _page(rows[0].elements)
-            files[f"{folder}/server.py"] = _server(like_first)
+            files[f"{folder}/server.py"] = _server(like_first, seed)
         return Exported(files, left_out.sentences())
 
 
@@ -233,7 +233,7 @@ def _page(elements: Sequence[_Element]) -> bytes:
     return "\n".join(lines).encode()
 
 
-def _server(rows: Sequence[_Row]) -> bytes:
+def _server(rows: Sequence[_Row], seed: int) -> bytes:
     """The program with its table behind it; in ASCII, so that nothing in it can be taken for code."""
     table = "\n".join(f"    {row.told!a}," for row in rows)
-    return f"{SERVER.read_text(encoding='utf-8')}\n\nVARIANTS += [\n{table}\n]\n".encode()
+    return f"{SERVER.read_text(encoding='utf-8')}\n\n# Drawn with seed {seed}.\nVARIANTS += [\n{table}\n]\n".encode()

@@ -31,7 +31,8 @@ SMALLEST = 1e-4
 """Canvas takes no bound of an interval that is nearer to zero."""
 FINEST = 0.0005
 """text2qti writes bounds to four decimals: of a tolerance that is smaller, rounding would be more than a tenth."""
-MOST_POWERS = 24
+POWERS = range(3, 25, 3)
+"""Of ten, as engineers write them."""
 LONGEST_TITLE = 255
 _SPECIAL = re.compile(r"[\\`*_{}\[\]<>&#!$|~^]")
 
@@ -60,7 +61,7 @@ class Text2qti(PaperExport):
 
     def export(self, papers: Sequence[Paper], title: str, seed: int) -> Exported:
         left_out = LeftOut()
-        blocks = [f"Quiz title: {one_line(title) or 'Homework'}"]
+        blocks = [f"% Variants drawn with seed {seed}.\nQuiz title: {one_line(title) or 'Homework'}"]
         for variants in problems(papers).values():
             for of_one in finds(variants).values():
                 blocks += _groups(of_one, left_out)
@@ -95,15 +96,18 @@ def _questions(asked: Asked, left_out: LeftOut) -> Iterator[tuple[str, str]]:
         for one in numbers(replace(asked, expected=replace(expected, mistakes=())), left_out):
             if one.turned:
                 left_out.tell(f"{asked.place}: the same direction after a whole turn counts as wrong", asked.variant)
-            yield one.name, _numerical(asked, one)
+            sized = _sized(expected, one.right)
+            if sized is None:
+                left_out.tell(f"{asked.place}: Canvas cannot tell its number from zero", asked.variant)
+            else:
+                yield one.name, _numerical(asked, one, *sized)
     elif expected.kind == "word":
         yield expected.find, _word(asked)
     else:
         left_out.tell(f"{asked.place}: Canvas has no question for a formula", asked.variant)
 
 
-def _numerical(asked: Asked, found: Number) -> str:
-    unit, power, right = _sized(asked.expected, found.right)
+def _numerical(asked: Asked, found: Number, unit: str, power: int, right: Interval) -> str:
     expected = replace(asked.expected, unit=unit)
     shown = shown_unit(expected)
     asks = [question_of(expected), f"Only the {found.label}." if found.label else ""]
@@ -118,17 +122,19 @@ def _numerical(asked: Asked, found: Number) -> str:
     return _question(asked, found.name, " ".join(filter(None, asks)), answer)
 
 
-def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval]:
-    """The unit in which Canvas can tell right from wrong, or the power of ten that it takes, and the interval there."""
+def _sized(expected: Expected, right: Interval) -> tuple[str, int, Interval] | None:
+    """The unit in which Canvas can tell right from wrong, the power of ten that it takes on top, and the interval then;
+    None where nothing is large enough.
+    """
     for unit in (expected.unit, *smaller(expected.unit)):
         inside = _times(right, 1.0 if unit == expected.unit else ratio(expected.unit, unit))
         if _fits(inside):
             return unit, 0, inside
-    for power in range(1, MOST_POWERS):
+    for power in POWERS:
         inside = _times(right, 10.0**power)
         if _fits(inside):
             return expected.unit, power, inside
-    return expected.unit, 0, right
+    return None
 
 
 def _times(interval: Interval, factor: float) -> Interval:
