@@ -77,6 +77,11 @@ class Tree:
         turns = {e.turn for e in self.edges if e.body in bodies and e.spin is not None}
         return -1 if turns == {-1} else 1
 
+    @property
+    def clockwise(self) -> frozenset[str]:
+        """The bodies whose rotations count clockwise."""
+        return frozenset(e.body for e in self.edges if e.turn < 0)
+
     def velocity_unknowns(self) -> tuple[sp.Symbol, ...]:
         return tuple(s for e in self.edges for s in (e.slide, e.rise, e.spin) if s is not None)
 

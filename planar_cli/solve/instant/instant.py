@@ -119,12 +119,9 @@ class Instant:
         return held(found) if self.kinematic else found
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
-        """What makes the unknowns of the motion; in a general position they count as its coordinates do."""
+        """What makes the unknowns of the motion; the coordinates of a general position keep their own sense."""
         scene, own, heading = self.scene, at_instants(self.scene.problem.method), headings(self.scene, self.statements)
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
-        if scene.displacement is not None:
-            builder.clockwise = scene.displacement.clockwise
-            return builder
         return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:
