@@ -5,14 +5,26 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from typing import NoReturn
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from signal import SIGINT, default_int_handler, getsignal, signal
+    from types import FrameType
+    from typing import NoReturn
+else:
+    # The core of `signal`, and no `typing`: until Ctrl-C is heard below, the less is loaded the better.
+    from _signal import SIGINT, default_int_handler, getsignal, signal
+
+INTERRUPTED = 130
+"""The exit status after Ctrl-C, 128 and the number of the signal."""
 CLUTTER = 400_000
 """So many objects more are looked through for what nobody needs: most of what is made at a start lives to the end."""
 
 
 def main() -> None:
     """Run the command line and leave with its exit status."""
+    if getsignal(SIGINT) is default_int_handler:
+        signal(SIGINT, _interrupted)
     if sys.argv[1:] in (["--help"], ["-h"]):
         from planar_cli.help_page import show
 
@@ -26,6 +38,19 @@ def main() -> None:
     from planar_cli.cli import run
 
     _leave(run())
+
+
+def _interrupted(number: int, frame: FrameType | None) -> None:
+    """Ctrl-C: what goes on is given up. While a module is loaded the process ends at once: an exception there may be
+    taken for a failure of the module, or told with its traceback.
+    """
+    while frame is not None:
+        # Before the command line is there, nobody is who would tell of it.
+        if frame.f_code.co_filename.startswith("<frozen importlib") or "planar_cli.cli" not in sys.modules:
+            os.write(2, b"\n")
+            os._exit(INTERRUPTED)
+        frame = frame.f_back
+    raise KeyboardInterrupt
 
 
 def _leave(status: int) -> NoReturn:

@@ -56,11 +56,9 @@ def topics() -> str:
         seen.setdefault(page, []).append(topic)
     lines += [f"  {', '.join(names):<22}{page.partition(chr(10))[0]}" for page, names in seen.items()]
     for shelf in SHELVES:
-        lines += [
-            "",
-            f"Kinds of {shelf.rpartition('.')[2]}:",
-            *(f"  {kind:<22}{line}" for kind, line in kinds(shelf).items()),
-        ]
+        width = max(22, *(len(kind) + 2 for kind in kinds(shelf)))
+        lines += ["", f"Kinds of {shelf.rpartition('.')[2]}:"]
+        lines += [f"  {kind:<{width}}{line}" for kind, line in kinds(shelf).items()]
     return "\n".join([*lines, "", "Codes of messages: PL101, PL102, … as printed with each error."])
 
 

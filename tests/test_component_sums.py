@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+import pytest
 import sympy as sp
 from worked import page_of_file
 
@@ -26,6 +27,20 @@ def test_a_component_that_vanishes_is_zero() -> None:
 def test_the_acceleration_of_a_mass_centre_has_its_numbers() -> None:
     page = page_of_file("bar-on-two-slanting-cords")
     assert "a_G = a_A + α × r_G/A = [-1.307, -0.75462 + 0.6 (-11.319)] = [-1.307, -7.546] m/s²" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("four-bar", "v_B = ω_AB × r_B/A = [-0.1732 (-10), 0.1 (-10)] = [1.732, -1] m/s"),
+        ("four-bar", "a_B = -ω_AB² r_B/A = [-0.1 (-10)², -0.1732 (-10)²] = [-10, -17.32] m/s²"),
+        ("planetary-gear", "a_D,annulus = -ω_annulus² r_D/O = [-0.12 (-5)², 0] = [-3, 0] m/s²"),
+        ("car-that-brakes-in-a-bend", "a_P = a_car,t e_t + v_car²/ρ e_n = [-6, 60²/450] = [-6, 8] ft/s²"),
+        ("pendulum-tension", "= [0.8660 (-4.905) + (-0.5) · 1.8² / 1.2,"),
+    ],
+)
+def test_what_is_known_at_once_has_its_numbers(name: str, told: str) -> None:
+    assert told in page_of_file(name)
 
 
 def test_a_square_less_one_is_a_sine() -> None:

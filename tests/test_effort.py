@@ -55,5 +55,5 @@ def test_a_velocity_that_stays_has_its_reason() -> None:
 
 def test_a_height_that_was_sought_has_its_number() -> None:
     page = page_of_file("ladder-leaving-the-wall")
-    assert "y_ladder,2 = 1/2 l sin θ_2 = 2 sin θ_2 in m" in page
-    assert "y_ladder,2 = 1/2 l sin θ_2 = 1/2 · 4 sin 141.2° = 1.253 m" in page
+    assert "y_G,2 = 1/2 l sin θ_2 = 2 sin θ_2 in m" in page
+    assert "y_G,2 = 1/2 l sin θ_2 = 1/2 · 4 sin 141.2° = 1.253 m" in page

@@ -20,7 +20,7 @@ def page(stem: str) -> str:
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("ex-4-11", "U of the weights of AB, AC, each = m g (y_AB,1 - y_AB,2) = 1/4 m g x_max"),
+    ("ex-4-11", "U of the weights of AB, AC, each = m g (y_G,AB,1 - y_G,AB,2) = 1/4 m g x_max"),
     ("ex-4-11", "U of the weights of BD, CD, each = "),
     ("ex-4-17", "moments of inertia of OA, AB: I_OA = I_AB = 1/12 m l² = 1/12 · 1 · 0.5² = 0.02083 kg·m²"),
     ("two-hinged-bars-that-collapse", "T_2 of AB, BC, each = 1/6 m l² θ̇_2²"),

@@ -74,7 +74,7 @@ def test_a_damper_at_rest_has_the_sense_in_which_it_counts(tmp_path: Path) -> No
 
 def test_a_force_that_is_given_as_zero_is_not_drawn() -> None:
     free = _page("friction/block-held-on-slope").partition("CASE  free")[2]
-    assert "block: the diagram as before, without F\n" in free
+    assert "block:  m g ↓,  N_A ↖,  F_A ↗   =   0\n" in free
 
 
 def test_a_guide_that_carries_a_weight_is_drawn() -> None:
@@ -228,3 +228,11 @@ def test_a_moment_centre_tells_what_does_not_enter(tmp_path: Path) -> None:
 
 def test_no_side_of_an_energy_stands_twice(tmp_path: Path) -> None:
     assert "T_2 = 1/2 m v_P,2² = 0.25 v_P,2²" in _page_of(tmp_path, BOWL % "")
+
+
+def test_friction_that_is_found_to_be_zero_stands_on_the_diagrams() -> None:
+    """Whether the wheels slip is asked: the friction that answers it acts on both, and an equation gives it."""
+    page = _page("momentum/two-wheels-pressed-together")
+    assert page.count("F_C ↑ at C (assumed)") == page.count("F_C ↓ at C (assumed)") == 1
+    assert "↑ ΣF_y:   F_C + A_y = 0" in page
+    assert "x_B" not in page

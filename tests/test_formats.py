@@ -356,6 +356,15 @@ def test_a_formula_breaks_between_factors_before_it_breaks_in_brackets() -> None
     assert not any(row.rstrip().endswith(("+", "-", "/", "·")) for row in rows)
 
 
+@pytest.mark.parametrize("width", range(36, 60))
+def test_a_vector_of_two_numbers_stays_together(width: int) -> None:
+    first, second = value("-40.6", "1"), value("-48.39", "1")
+    vector = doc.line("[", first, ", ", second, "]", " m/s²")
+    equation = doc.Equation((doc.line("a_A"), doc.line("-ω² r_A/O"), vector))
+    page = Terminal(width).render(doc.Document("", (equation,)))
+    assert "[-40.6, -48.39] m/s²" in page
+
+
 def test_a_wide_table_is_stacked() -> None:
     assert "  method: work\n  equations: 1\n" in Terminal(19).render(ROWS)
 

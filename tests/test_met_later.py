@@ -273,3 +273,43 @@ def test_what_strikes_an_edge_far_from_the_mass_centre_of_the_body_that_carries_
     u = (15 + 3 * 0.4 * coming) / 33
     expected = {"v": u - 0.4 * coming, "u": u, "d": (0.4 * coming) ** 2 / (2 * braking)}
     assert _in_both(text) == pytest.approx(expected)
+
+
+THROWN = """
+title: Ball thrown over the edge of a slope, which lands on it and slides down
+plane: vertical
+given: {m: 2 kg, mu: 0.2}
+points: {Q: [5 m, 1 m]}
+surfaces: {slope: {through: Q, angle: ANGLE}}
+bodies: {ball: {particle: [0, 0], mass: m}}
+joints:
+  - contact: {between: [ball, slope], mu: mu, during: 3->4}
+states:
+  1: [t = 0, v(ball).mag = 14 m/s, v(ball).angle = 60 deg]
+  2: [y(ball) = 1 m - (x(ball) - 5 m)*tan(20 deg), v(ball).y < 0]
+  3: [just after 2]
+  4: [t = t @ 3 + 1 s]
+find: {x_2: x(ball) @ 2, v_3: v(ball).mag @ 3, v_4: v(ball).mag @ 4}
+"""
+"""The line of the slope, prolonged, passes above the start."""
+
+
+@pytest.mark.parametrize("angle", ["-20 deg", "160 deg"])
+def test_from_which_side_it_comes_counts_not_where_it_is_drawn(angle: str) -> None:
+    slope, v_x, v_y, mu = math.radians(20), 7.0, 14 * math.sin(math.radians(60)), 0.2
+    steep = math.tan(slope)
+    half, rest = (v_y + v_x * steep) / G, 2 * (1 + 5 * steep) / G
+    t = half + math.sqrt(half * half - rest)
+    down = v_y - G * t
+    across = v_x * math.sin(slope) + down * math.cos(slope)
+    v_3 = v_x * math.cos(slope) - down * math.sin(slope) + mu * across
+    v_4 = v_3 + G * (math.sin(slope) - mu * math.cos(slope))
+    expected = {"x_2": v_x * t, "v_3": v_3, "v_4": v_4}
+    assert _in_both(THROWN.replace("ANGLE", angle)) == pytest.approx(expected)
+
+
+def test_what_strikes_a_line_from_below_does_not_lie_on_it_then() -> None:
+    below = THROWN.replace("ANGLE", "10 deg").replace("mu: mu", "mu: 0").replace("[5 m, 1 m]", "[0, 2 m]")
+    below = below.replace("1 m - (x(ball) - 5 m)*tan(20 deg), v(ball).y < 0", "2 m + x(ball)*tan(10 deg)")
+    with pytest.raises(PlanarError, match="presses"):
+        solve(below)

@@ -35,7 +35,10 @@ def _page(name: str) -> str:
         # A constant angular velocity leaves a known acceleration.
         (
             "kinematics/quick-return",
-            ["a_P = -ω_crank² r_P/O = [-5.074, -1.847] m/s²", "0.4253 α_arm = 4.1756 - 1.8675"],
+            [
+                "a_P = -ω_crank² r_P/O = [-0.14095 · 6², -0.05130 · 6²] = [-5.074, -1.847] m/s²",
+                "0.4253 α_arm = 4.1756 - 1.8675",
+            ],
         ),
         # All components of a point of a body.
         ("kinematics/slider-crank-offset", ["[-40.60 - (-0.1066) · 159.9 - 0.2804 (-5.761)², 0]"]),

@@ -40,7 +40,7 @@ def test_not_where_something_else_would_be_meant() -> None:
         [TOLD, at, _answer("T")],
         [TOLD, _answer("pull")],
         [TOLD, _answer("S")],
-        [TOLD, _answer("T"), _answer("T_after")],
+        [TOLD, _answer("T"), _answer("S")],
         [
             TOLD,
             Equation((Math(sp.Symbol("v_A__2", real=True)), Math(MASS))),
@@ -87,3 +87,15 @@ def test_what_goes_with_it_is_called_after_the_same() -> None:
     page = page_of_file("gear-pair")
     assert "a_C,gear,A = α_A × r_C/A - ω_A² r_C/A" in page
     assert "ω_A = 20 rad/s" in page
+
+
+def test_letters_of_one_kind_follow_one_scheme() -> None:
+    """All of a set of letters take the names that are asked for, or none: T_A and T_D, never T_rope,A beside T_D."""
+    page = page_of_file("beam-on-two-ropes")
+    assert "T_A ↑ at A, T_D ↑ at D" in page
+    assert "T_A,after = T_A = 29.43 N" in page
+    assert "T_rope" not in page
+    one, other = (sp.Symbol(f"T_rope_{end}", real=True) for end in "AD")
+    told = [Equation((Math(one), Math(MASS))), Equation((Math(other), Math(MASS))), _answer("T_D", other)]
+    assert with_one_name(told) == told
+    assert _letters(with_one_name(told[1:])) == {"T_D", "m"}

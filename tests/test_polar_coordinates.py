@@ -5,6 +5,7 @@ passes through one fixed point (solve/central.py).
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from planar_cli.errors import Undecided
 from planar_cli.formats.terminal import Terminal
@@ -174,9 +175,19 @@ find: {v_A: v_A, v_B: v(ship).mag @ B, t_AB: t @ B}
 """
 
 
-def test_what_polar_coordinates_leave_open_is_told_where_no_others_leave_less() -> None:
-    """No formula is known for the time on an ellipse; the speeds at its ends have one."""
+def test_half_an_ellipse_in_letters() -> None:
     problem, wrong = load_text(TRANSFER)
+    assert problem is not None
+    assert not wrong
+    (time,) = next(f.expressions or () for p in solve_problem(problem).parts for f in p.found if f.name == "t_AB")
+    near, far, attraction = sp.symbols("r_1 r_2 K", positive=True)
+    half = sp.pi * sp.sqrt(((near + far) / 2) ** 3 / attraction)
+    assert sp.simplify(time.xreplace({s: sp.Symbol(s.name, positive=True) for s in time.free_symbols}) / half) == 1
+
+
+def test_what_polar_coordinates_leave_open_is_told_where_no_others_leave_less() -> None:
+    """No formula is known for the time from elsewhere on an ellipse to its end; the speeds have one."""
+    problem, wrong = load_text(TRANSFER.replace("v(ship).x = 0", "v(ship).x = v_A"))
     assert problem is not None
     assert not wrong
     with pytest.raises(Undecided) as error:

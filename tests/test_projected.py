@@ -17,9 +17,11 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     "words",
     [
-        "v_D = ω_CD × r_D/C = [0.8619, 0] m/s r_D/C",
-        "n = [-0.5, 0.8660] unit vector across AB",
-        "v_D · n = -0.5 · 0.86188 = -0.4309 m/s v_D′ · n = 0.4619 ω_AB",
+        "v_D = ω_CD × r_D/C = [-0.43094 (-2), 0] = [0.8619, 0] m/s r_D/C",
+        "|r_D/A| = √(0.4² + 0.2309²) = 0.4619 m n = [-0.2309, 0.4]/0.4619 = [-0.5, 0.8660] unit vector across AB",
+        "ω_AB = (v_D · n)/|r_D/A| = -0.43094/0.46188 = -0.9330 rad/s",
+        "α_AB = (a_D · n - (2 ω_AB × v_rel) · n)/|r_D/A| = -0.05691/0.4619 = -0.1232 rad/s²",
+        "v_D · n = -0.5 · 0.86188 = -0.4309 m/s v_D′ · n = ω_AB |r_D/A| = 0.4619 ω_AB",
         "a_D · n = -0.5 (-0.0861880) + 0.866025 (-1.72376) = -1.44973 m/s²",
         "v_rel · e = v_D · e = 0.8660 · 0.8619 = 0.7464 m/s e = [0.8660, 0.5] along AB, where v_D′ has no component",
         "(2 ω_AB × v_rel) · n = 2 ω_AB (v_rel · e) = 2 (-0.933013) · 0.746410 = -1.39282 m/s²",
@@ -27,7 +29,7 @@ def _page(name: str) -> str:
         "a_rel · e = a_D · e + ω_AB² (r_D/A · e) = 0.866025 (-0.0861880) + 0.5 (-1.72376) + 0.461880 (-0.933013)²",
         "along e neither α_AB × r_D/A nor 2 ω_AB × v_rel has a component",
         "v_rel · e = 0.7464 m/s = 746.4 mm/s",
-        "a_D′ · n = 0.4619 α_AB",
+        "a_D′ · n = α_AB |r_D/A| = 0.4619 α_AB",
         "v_rel = 746.4 mm/s from A towards B",
         "a_rel = 534.4 mm/s² from B towards A",
     ],
@@ -36,7 +38,7 @@ def test_a_point_that_slides_along_a_bar(words: str) -> None:
     page = _page("textbook/ex-2-09")
     assert words in page
     assert page.count("v_D = ω_CD × r_D/C") == 1
-    assert page.count("n = [-0.5, 0.8660]") == 1
+    assert page.count("= [-0.5, 0.8660]") == 1
     assert "Path coordinates" not in page
 
 
@@ -72,4 +74,27 @@ def test_no_component_is_told_by_halves() -> None:
 
 
 def test_why_a_component_is_taken_stands_after_the_vectors() -> None:
-    assert "D is fixed, v_D = 0; along BC, where ω_BC does not enter:" in _page("kinematics/four-bar")
+    assert "D is fixed, v_D = 0; along BC, where ω_BC does not enter (unit" in _page("kinematics/four-bar")
+
+
+def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() -> None:
+    page = _page("kinematics/rod-drawn-over-an-edge")
+    assert "|r_D/A| = √(1.6² + 1.2²) = 2 m" in page
+    assert "(2 ω × v_rel) · n = 2 ω (v_rel · e) = 2 (-0.24) · 0.64 = -0.3072 m/s²" in page
+    assert "α = -((2 ω × v_rel) · n)/|r_D/A| = 0.3072/2 = 0.1536 rad/s²" in page
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("kinematics/four-bar", "ω_BC does not enter (unit vector [-0.8947, -0.4466]): (2) 0.3783 ω_DC"),
+        ("kinematics/instantaneous-centre", "no component across it (unit vector [-0.5, 0.8660]): (2) 0.1670 ω"),
+    ],
+)
+def test_a_component_in_numbers_has_its_direction(name: str, words: str) -> None:
+    assert words in _page(name)
+
+
+def test_a_component_in_letters_or_along_an_axis_needs_none() -> None:
+    assert "unit vector" not in _page("rigid-bodies/plate-on-parallel-links")
+    assert _page("kinematics/four-bar").count("along x: (3)") == 1

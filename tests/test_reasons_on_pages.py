@@ -157,6 +157,12 @@ def test_a_distance_in_polar_coordinates_is_not_negative() -> None:
 @pytest.mark.parametrize(
     ("stem", "told"),
     [
+        ("impact/pile-driven-into-soil-of-constant-resistance", "(the impulse of the weights and R is negligible)"),
+        ("impact/dumbbell-dropped-on-a-floor", "(the impulse of the weight is negligible)"),
+        ("impact/hinged-bars-struck", "momentum after."),
+        ("energy/yo-yo", "T_thread (the point T of yoyo is at rest) does no work"),
+        ("momentum/two-wheels-pressed-together", "N_slide (B is at rest) do no work"),
+        ("momentum/two-wheels-pressed-together", "at C both have the same velocity; along the contact:"),
         ("textbook/ex-4-13", "momentum after (the impulse of the weight is negligible)."),
         ("textbook/ex-4-14", "momentum after."),
         ("textbook/ex-4-14", "of AB about G, Σ m r² of its point masses:"),

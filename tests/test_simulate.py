@@ -224,3 +224,35 @@ def test_the_length_of_a_way_there_and_back(past: float, tmp_path: Path, capsys:
     found = data(capsys, written(tmp_path, SWAYING.format(end=end)), "--tolerance", "1e-12")
     way = 0.1 * (6 + 2 * math.sin(past / 2) ** 2)
     assert found["answers"]["way"]["value"] == pytest.approx(way, rel=1e-11)
+
+
+TROLLEY = """\
+title: A crane trolley that is pushed away from above its load
+plane: vertical
+points: {A: [0, 0], B: [0, -2 m]}
+bodies:
+  trolley: {particle: A, mass: 3 kg}
+  load: {particle: B, mass: 10 kg}
+joints:
+  - guide: {point: A, along: 0 deg, name: rail}
+  - rope: {path: [A, B], along: 90 deg, name: rope}
+loads:
+  - force: {body: trolley, magnitude: 6 N, angle: 0 deg}
+states: {1: [at rest], 2: [t = 1 s]}
+find: {x: x(load) @ 2}
+"""
+
+
+@pytest.mark.parametrize(
+    ("mass", "status", "place"), [(", mass: 3 kg", cli.DISAGREES, "9:5: PL539"), ("", cli.UNDECIDED, "5:3: PL702")]
+)
+@pytest.mark.parametrize("output", ["table", "csv"])
+def test_of_what_is_refused_there_is_no_table(
+    mass: str, status: int, place: str, output: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A rope that does not stay upright; a trolley without mass, which forces do not move."""
+    path = written(tmp_path, TROLLEY.replace(", mass: 3 kg", mass))
+    assert cli.run(["simulate", path, "--output", output]) == status
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert f"{path}:{place}" in shown.err

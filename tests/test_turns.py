@@ -7,6 +7,7 @@ from math import pi
 
 import pytest
 from answered import assert_close, first, solve
+from worked import page_of_file
 
 ROD = """
 title: Rod that turns uniformly
@@ -96,3 +97,37 @@ def test_a_direction_counts_from_the_beginning_whenever_it_is_asked(between: lis
     time = math.sqrt(a**3 / k) * (anomaly - e * math.sin(anomaly) + math.tau * turns)
     found = solve(ORBIT.format(between="\n  ".join(between), angle=angle))
     assert_close(found["T"], time, 8)
+
+
+BEAD = """
+title: Bead on a turning rod
+plane: horizontal
+given: {w: 2 rad/s, r_0: 0.005 m, L: 3 m, m: 1 kg}
+unknowns: {u: m/s}
+points: {O: [0, 0], E: [L, 0], P: [r_0, 0]}
+bodies:
+  rod: {rod: [O, E]}
+  bead: {particle: P, mass: m}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - guide: {point: P, along: rod}
+motion: [omega(rod) = w]
+states: {1: [t = 0, v(P/rod).along(rod) = u], 2: [%s]}
+find: {u: u, t_2: t @ 2}
+"""
+PLACE = ["r(P/O).mag = L", "r(P/O).angle = 400 deg"]
+
+
+@pytest.mark.parametrize("place", [PLACE, PLACE[::-1]])
+def test_a_distance_and_a_direction_with_its_turns(place: list[str]) -> None:
+    """Each says what it says alone: the direction counts turns beside the distance as well."""
+    found = solve(BEAD % ", ".join(place))
+    t = math.radians(400) / 2
+    assert first(found["t_2"]) == pytest.approx(t)
+    assert first(found["u"]) == pytest.approx(2 * (3 - 0.005 * math.cosh(2 * t)) / math.sinh(2 * t))
+
+
+def test_what_is_given_of_a_place_is_not_found() -> None:
+    page = page_of_file("satellite-to-a-second-point-in-forty-minutes")
+    assert "At B, as given: r_B = 1.2×10⁷ m" in page
+    assert "cos φ_B" not in page

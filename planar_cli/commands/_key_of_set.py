@@ -30,6 +30,7 @@ def key_of_set(
     exports: tuple[str, ...],
 ) -> int:
     """Sheets, key and exports of a set."""
+    from planar_cli.commands._worked_pages import page_of
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
 
@@ -41,8 +42,8 @@ def key_of_set(
         variants=homework_set.variants if variants is None else variants,
         seed=homework_set.seed if seed is None else seed,
     )
-    with_pages = worked or both or bool(exports)
-    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, with_pages, lambda done: None)
+    page = page_of if worked or both or exports else None
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, lambda done: None)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]

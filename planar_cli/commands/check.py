@@ -96,7 +96,7 @@ def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float) -> in
         _print_differences(checked)
         _print_count(checked)
     else:
-        from planar_cli.homework.check_formats import written
+        from planar_cli.commands._check_formats import written
 
         echo(written(checked, form), end="")
     return max(STATUS[c.outcome] for c in checked)
@@ -170,7 +170,7 @@ def _print_count(checked: Sequence[Checked]) -> None:
 
 
 def _print_json(checked: Sequence[Checked]) -> None:
+    from planar_cli.commands._check_formats import as_record
     from planar_cli.formats.json import dumps
-    from planar_cli.homework.check_formats import as_record
 
     echo(dumps({"files": [as_record(c) for c in checked]}), end="")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from planar_cli.equation.marks import mark_of
 from planar_cli.equation.scene import Scene
 
 
@@ -10,5 +11,4 @@ def centre_of(scene: Scene, body: str) -> str:
     model = scene.bodies[body]
     if not model.rigid or (model.center_name and (model.center_name != body or body in scene.points)):
         return model.center_name or body
-    alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
-    return "G" if alone else f"G_{body}"
+    return mark_of(scene.bodies, scene.points, body)

@@ -193,8 +193,9 @@ def _residual(
 
 
 def _rooted(item: VectorStatement, read: Callable[[Side], Any], quantities: Quantities) -> Jet | None:
-    """|v| = m in a general position, where all of v goes with one speed: that speed has the sign that the first state
-    tells, else it is positive towards growing coordinate, so that the relation stays linear.
+    """|v| = m in a general position, where all of v goes with one speed: that speed has the sign with which the motion
+    arrives, or that the first state tells, else it is positive towards growing coordinate, so that the relation stays
+    linear.
     """
     scene = quantities.scene
     if scene.displacement is None or item.size is None:
@@ -210,7 +211,8 @@ def _rooted(item: VectorStatement, read: Callable[[Side], Any], quantities: Quan
     if any(expanded(p.value - e * u) != 0 for p, e in ((v.x, along.x), (v.y, along.y))):
         return None
     length = simplified(sp.sqrt(simplified(along.dot(along))))
-    way = way_told(u, read, scene, partial(_led_by, u, quantities)) or scene.sign(factors[u]) or 1
+    told = way_told(u, read, scene, partial(_led_by, u, quantities)) or scene.sign(factors[u]) or 1
+    way = scene.heading_of(u, told)
     found: Jet = Jet(length * u * way, None, None) - read(item.size)
     return found
 

@@ -30,7 +30,8 @@ FEW = 12
 class Decided:
     """The part of a scene that decides. `sides`: on which sides places are, |x|, from which distances are measured;
     `sided`: those that were asked for, each with its sign and the place;
-    `facings`: on which sides of circles contacts are looked at first, as drawn.
+    `facings`: on which sides of circles contacts are looked at first, as drawn; `headed`: the signs with which speeds
+    were written that are given by their size.
     """
 
     problem: Problem
@@ -41,13 +42,14 @@ class Decided:
     sides: Mapping[str, int]
     sided: dict[str, tuple[int, sp.Expr]]
     facings: Mapping[str, int]
+    headed: dict[str, tuple[int, sp.Symbol]]
 
     def undecided(self) -> None:
         """Nothing is decided yet."""
         self._valuations: tuple[Valuation, ...] | None = None
         self._decided: dict[Any, int] = {}
         self._supposes = False
-        self.sides, self.sided, self.facings = {}, {}, {}
+        self.sides, self.sided, self.facings, self.headed = {}, {}, {}, {}
 
     if TYPE_CHECKING:
 
@@ -64,6 +66,9 @@ class Decided:
     def faced(self, joint: str) -> int:
         """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""
         return self.facings.get(joint, 0)
+
+    def came_from(self, joint: str, off: Any) -> None:
+        """No motion is at hand that would tell it."""
 
     def redraw(self, holds: Callable[[Valuation], bool], tries: int = FEW) -> bool:
         """Take draws for which this holds as well. False: none was found among so many."""
@@ -175,6 +180,13 @@ class Decided:
             varying |= {c.symbol for c in self.displacement.coordinates}
         if self.displacement is None or not expr.free_symbols & varying:
             return expr if drawn > 0 else -expr
+        return self._kept_in_mind(expr, drawn)
+
+    def one_way(self, pace: Any) -> Any:
+        """|v| of a speed in a general position, as v or -v in the same manner: the motion may go the other way."""
+        return self._kept_in_mind(pace, 1)
+
+    def _kept_in_mind(self, expr: Any, drawn: int) -> Any:
         plain = -expr if expr.could_extract_minus_sign() else expr
         key = f"|{plain}|"
         # Numbers of a constant that is sought may lie on either side; what has been decided holds for all that ask.
@@ -182,6 +194,15 @@ class Decided:
         way = self.sides.get(key) or earlier or (drawn if plain == expr else -drawn) or 1
         self.sided[key] = way, plain
         return way * plain
+
+    def heading_of(self, speed: sp.Symbol, told: int) -> int:
+        """The sign of a speed that is given by its size: the one that `sides` names, else the one that is told; it is
+        kept in mind in `headed`, as the motion may arrive the other way.
+        """
+        key = f"|{speed}|"
+        way = self.sides.get(key, told)
+        self.headed[key] = way, speed
+        return way
 
     def presumed(self) -> tuple[Any, ...]:
         """What is positive in the scene as it was drawn, though letters may be had with which it is not."""

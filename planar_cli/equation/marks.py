@@ -1,42 +1,24 @@
-"""Factors of one at the parts of an acceleration: the normal, the tangential and the Coriolis part.
-
-Equations that are written with them can be carried out again with one part left out, as by a student who forgets it. No
-name of a file has a Greek letter, so that none is taken.
-"""
+"""What the mass centre of a rigid body is called that the file does not name."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
-from typing import TYPE_CHECKING
+from collections.abc import Container, Mapping
 
-import sympy as sp
-
-if TYPE_CHECKING:
-    from planar_cli.equation.ledger import Ledger
-
-CORIOLIS, NORMAL, TANGENTIAL = "κ_coriolis", "κ_normal", "κ_tangential"
-_marking: ContextVar[bool] = ContextVar("marking", default=False)
+from planar_cli.equation.bodies import BodyModel
 
 
-@contextmanager
-def marked() -> Iterator[None]:
-    """Equations that are set up here have the factors in them."""
-    token = _marking.set(True)
-    try:
-        yield
-    finally:
-        _marking.reset(token)
+def mark_of(bodies: Mapping[str, BodyModel], points: Container[str], body: str) -> str:
+    """G of the only rigid body, G_AB of one beside others."""
+    alone = sum(b.rigid for b in bodies.values()) == 1 and "G" not in points
+    return "G" if alone else f"G_{body}"
 
 
-def with_mark(expr: sp.Expr, part: str) -> sp.Expr:
-    """A part of an acceleration, with its factor where equations are marked."""
-    return expr * sp.Symbol(part, positive=True) if _marking.get() and expr != 0 else expr
-
-
-def know_marks(ledger: Ledger) -> None:
-    """The factors are known: they are one."""
-    if _marking.get():
-        for part in (CORIOLIS, NORMAL, TANGENTIAL):
-            ledger.known(part, sp.S.One, "1")
+def own_mark(bodies: Mapping[str, BodyModel], points: Container[str], body: str) -> str:
+    """The name of what a body's mass centre has alone, as an index: of bodies that have theirs at one point, the
+    body's; of a rigid body whose mass centre the file does not name G, or G,AB beside others.
+    """
+    model = bodies[body]
+    if not model.center_name:
+        return mark_of(bodies, points, body).replace("_", ",") if model.rigid and model.mass != 0 else body
+    shared = sum(b.center_name == model.center_name for b in bodies.values()) > 1
+    return body if shared else model.center_name

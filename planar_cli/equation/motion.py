@@ -20,7 +20,7 @@ import sympy as sp
 
 from planar_cli.equation.components import Components
 from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.equation.marks import CORIOLIS, NORMAL, TANGENTIAL, with_mark
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.problem.facts import Joining, Path, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -77,6 +77,11 @@ class Tree:
         """-1 where the rotations of these bodies count clockwise, else 1."""
         turns = {e.turn for e in self.edges if e.body in bodies and e.spin is not None}
         return -1 if turns == {-1} else 1
+
+    @property
+    def clockwise(self) -> frozenset[str]:
+        """The bodies whose rotations count clockwise."""
+        return frozenset(e.body for e in self.edges if e.turn < 0)
 
     def velocity_unknowns(self) -> tuple[sp.Symbol, ...]:
         return tuple(s for e in self.edges for s in (e.slide, e.rise, e.spin) if s is not None)
@@ -136,12 +141,16 @@ class TreeBuilder:
         return sorted(self.bodies, key=lambda b: -ties[b])
 
     def _choose(self, left: list[Joining], placed: set[str]) -> tuple[Joining, str] | None:
-        """The joining with the least freedom that hangs a new body on what is placed."""
-        best: tuple[tuple[int, int], Joining, str] | None = None
+        """The joining with the least freedom that hangs a new body on what is placed. A wheel whose axle the ground
+        leads hangs on the ground, not on a body on which it rolls: by the guide the velocity of its axle is known at
+        once, and that nothing slips is the relation that is left.
+        """
+        best: tuple[tuple[bool, int, int], Joining, str] | None = None
         for rank, joining in enumerate(left):
             for body, parent in ((joining.mover, joining.base), (joining.base, joining.mover)):
                 if parent in placed and body not in placed:
-                    cost = (self._freedom(joining, body), rank)
+                    later = parent != GROUND and joining.rolling is not None and _led(left, body)
+                    cost = (later, self._freedom(joining, body), rank)
                     if best is None or cost < best[0]:
                         best = (cost, joining, body)
         return None if best is None else (best[1], best[2])
@@ -215,6 +224,11 @@ class TreeBuilder:
         fixed = self.heading is not None and joining.base == GROUND and body == joining.mover
         back = fixed and self.heading is not None and self.heading(body, path) < 0
         return replace(joining, path=Path(-path.tangent, -path.curvature)) if back else joining
+
+
+def _led(joinings: Iterable[Joining], body: str) -> bool:
+    """Does the ground lead a point of a body, which turns about it, along a path?"""
+    return any({j.mover, j.base} == {body, GROUND} and j.path is not None and j.turns for j in joinings)
 
 
 def component(name: str, axis: str) -> str:

@@ -18,6 +18,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.marks import own_mark
 from planar_cli.equation.places import AsDrawn, Jets, is_plain
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.equation.written_angles import WrittenAngles
@@ -288,10 +289,8 @@ class Scene(Decided):
         return self.bodies[body].center_name or body
 
     def own_name(self, body: str) -> str:
-        """The name of what a body's mass centre has alone: of bodies that have theirs at one point, the body's."""
-        name = self.bodies[body].center_name
-        shared = sum(b.center_name == name for b in self.bodies.values()) > 1
-        return body if shared or not name else name
+        """The name of what a body's mass centre has alone, as an index."""
+        return own_mark(self.bodies, self.points, body)
 
     def mass(self, body: str) -> sp.Expr:
         return self.bodies[body].mass

@@ -14,7 +14,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind as RoleKind
 from planar_cli.equation.ledger import Ledger, Role
-from planar_cli.equation.marks import know_marks
+from planar_cli.equation.parts_of_accelerations import know_marks
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.errors import refuse

@@ -24,7 +24,8 @@ from planar_cli.homework.paper import (
     Task,
 )
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed import Typed, Unreadable
+from planar_cli.homework.typed import Typed
+from planar_cli.homework.unreadable import Unreadable
 from planar_cli.units import PURE, Unit, describe, parse_unit
 
 FLOOR = 1e-3

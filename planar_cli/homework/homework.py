@@ -20,23 +20,26 @@ from planar_cli.homework.worked_problem import (
     WorkedProblem,
     base_expected,
     base_numbers,
+    plainly_solved,
     read_and_solve,
     with_mistakes,
-    with_numbers,
 )
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
-from planar_cli.problem.variations import with_first_values
+from planar_cli.problem.variations import with_first_values, with_values
+from planar_cli.solve.solved_problem import Solution
 from planar_cli.units import pretty_unit
 
 PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
+Page = Callable[[Solution], str]
+"""Writes a worked solution."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
 
-def prepared(problem: SetProblem, variants: int, seed: int, worked: bool) -> Prepared:
-    """One problem of a set with so many variants, and its worked solutions where they are wanted. PlanarError: it has
-    no solution.
+def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -> Prepared:
+    """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted. PlanarError:
+    it has no solution.
     """
     solved = read_and_solve(problem.path, problem.name)
     _check_points(problem, solved)
@@ -50,7 +53,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, worked: bool) -> Pre
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
-    made = [_task(problem, solved, d, _with_points(problem, e), worked) for d, e in zip(draws, rows, strict=True)]
+    made = [_task(problem, solved, d, _with_points(problem, e), page) for d, e in zip(draws, rows, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
         problem.name,
@@ -95,12 +98,16 @@ def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Exp
 # --- what is handed out ----------------------------------------------------------------------------------------------
 
 
-def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...], worked: bool) -> Task:
+def _task(
+    problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...], page: Page | None
+) -> Task:
     values = {**_written_values(solved), **dict(draw.values)}
     text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
     given = tuple(f"{name} = {told(value)}" for name, value in values.items())
-    page = _worked(solved, draw) if worked else ""
-    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, page)
+    worked = ""
+    if page is not None:
+        worked = page(plainly_solved(solved.path, with_values(with_first_values(solved.node), dict(draw.values))))
+    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, worked)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:
@@ -116,16 +123,6 @@ def told(value: str) -> str:
     number, _, unit = value.partition(" ")
     pretty = pretty_unit(unit) if unit and re.fullmatch(r"[A-Za-z0-9*/^()-]+", unit) else unit
     return f"{number}{pretty}" if pretty == "°" else f"{number} {pretty}".strip()
-
-
-def _worked(solved: WorkedProblem, draw: Draw) -> str:
-    """The worked solution of a variant, as Markdown."""
-    from planar_cli.registry import members
-    from planar_cli.report.narrate import narrate
-
-    one = with_numbers(solved, dict(draw.values)) if draw.values else solved
-    rendered: str = members("formats")["markdown"]().render(narrate(one.solution))
-    return rendered
 
 
 # --- the whole set ---------------------------------------------------------------------------------------------------
@@ -151,12 +148,12 @@ def assembled(homework: HomeworkSet, problems: Sequence[Prepared]) -> Homework:
 
 
 def made_ready(
-    homework: HomeworkSet, jobs: int, timeout: float, worked: bool, told_done: Callable[[int], None]
+    homework: HomeworkSet, jobs: int, timeout: float, page: Page | None, told_done: Callable[[int], None]
 ) -> Homework:
-    """A set made ready on several workers. PlanarError: a problem of it cannot be read or has no solution."""
+    """A set made ready on several workers, which import `page` by its name. PlanarError: a problem of it is no good."""
     from planar_cli.homework.supervisor import Supervisor
 
-    items = [(p, homework.variants, homework.seed, worked) for p in homework.problems]
+    items = [(p, homework.variants, homework.seed, page) for p in homework.problems]
     ended = Supervisor(_attempt, jobs, timeout, told_done).run(items)
     found: list[Prepared] = []
     wrong: list[Diagnostic] = []
@@ -171,7 +168,7 @@ def made_ready(
     return assembled(homework, found)
 
 
-def _attempt(item: tuple[SetProblem, int, int, bool]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+def _attempt(item: tuple[SetProblem, int, int, Page | None]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
     try:
         return prepared(*item)
     except (FileProblem, NoSolution) as error:

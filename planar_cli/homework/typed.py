@@ -12,6 +12,7 @@ import math
 import re
 from functools import lru_cache
 
+from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
 from planar_cli.units import Unit, UnitError, parse_unit
 
@@ -75,10 +76,6 @@ _SPELT = {
     **dict.fromkeys(("Ns",), "N*s"),
     **dict.fromkeys(("fps",), "ft/s"),
 }
-
-
-class Unreadable(ValueError):
-    """What was typed is no answer; the message says why, to the student."""
 
 
 @record

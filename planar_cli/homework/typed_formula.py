@@ -9,7 +9,7 @@ from typing import Any
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
-from planar_cli.homework.typed import Unreadable
+from planar_cli.homework.unreadable import Unreadable
 from planar_cli.problem.evaluation import ARITHMETIC, evaluated
 from planar_cli.problem.expression import Binary, Function, Name, Number, Quantity, Scaled, Side
 from planar_cli.problem.parser import ParseError, parse_side

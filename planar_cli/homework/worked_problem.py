@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
-from planar_cli.equation.marks import marked
+from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words
 from planar_cli.homework.mistakes.base import Mistake, Model
@@ -89,6 +89,14 @@ def worked(path: str, name: str, node: Node) -> WorkedProblem:
     solution = _solved(problem)
     parts = tuple(_part(p, _of_part(solution.problem, p)) for p in solution.parts)
     return WorkedProblem(name, path, node, problem, solution, parts)
+
+
+def plainly_solved(path: str, node: Node) -> Solution:
+    """The solution of a tree as `planar solve` has it."""
+    problem, wrong = problem_of(path, node, [])
+    if problem is None or wrong:
+        raise FileProblem(wrong)
+    return solve_problem(problem, problem.method)
 
 
 def _solved(problem: Problem) -> Solution:

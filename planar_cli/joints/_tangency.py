@@ -80,3 +80,16 @@ def middle_of(body: str, scene: Setting) -> Vec:
         total = total + scene.point(name)
     mean: Vec = total / len(points)
     return mean
+
+
+def away_from_base(base: Outline, between: tuple[str, ...], place: Vec, scene: Setting) -> Vec:
+    """From the middle of the base; a round wall named beside its body, about its centre, is the inside."""
+    surfaced = base.body not in between
+    shapeless = base.body != "ground" and (drawn_by_points(base.body, scene) or not scene.rigid(base.body))
+    if base.body == "ground" or (surfaced and shapeless):
+        return Vec(0, 0)  # points of a truck tell nothing of its bed, nor does a wedge drawn as a particle
+    out = place - middle_of(base.body, scene)
+    if base.kind != "arc" or base.center is None or not surfaced:
+        return out
+    gap = base.center - scene.center(base.body)
+    return -out if scene.is_zero(gap.dot(gap)) else Vec(0, 0)

@@ -8,10 +8,10 @@ from typing import Any
 from planar_cli.errors import Mark
 from planar_cli.joints._tangency import (
     away,
+    away_from_base,
     beyond_the_line,
     demand_above,
     demand_common_tangent,
-    drawn_by_points,
     middle_of,
 )
 from planar_cli.problem.facts import (
@@ -79,7 +79,7 @@ class Touching:
         demand_above(self.base, self.normal, contact.between, contact.at, scene, contact.mark)
         self.words = f"{self.mover.body} at {contact.at}"
 
-    def _face(self, outward: int) -> None:
+    def _face(self, outward: Any) -> None:
         """Let the mover be on the left (+1) or right (-1) of the base's tangent."""
         self.outward = outward
         self.normal = self.left * outward
@@ -87,16 +87,20 @@ class Touching:
 
     @property
     def either_side(self) -> bool:
-        """A particle drawn on a circle, fixed or on a body, may be inside or outside: the side on which it presses
-        counts.
+        """A particle drawn on a circle, fixed or on a body, may be inside or outside, one that comes to a line later on
+        above or below: the side on which it presses counts.
         """
-        return (
-            self.base.kind == "arc"
-            and self.base.center is not None
-            and self.base.body not in self.contact.between
-            and self.mover.kind == "corner"
-            and not self.scene.rigid(self.mover.body)
-        )
+        if self.mover.kind != "corner" or self.scene.rigid(self.mover.body):
+            return False
+        if self.base.kind == "arc":
+            return self.base.center is not None and self.base.body not in self.contact.between
+        later = self.contact.during is not None and self.base.on_line is not None
+        return later and not self.scene.is_zero(self.scene.as_drawn(self._off_line()))
+
+    def _off_line(self) -> Any:
+        """How far the mover is to the left of the line."""
+        assert self.base.on_line is not None, "only a straight surface has a line"
+        return (self.scene.center(self.mover.body) - self.base.on_line).dot(self.left)
 
     @property
     def smooth(self) -> bool:
@@ -158,26 +162,19 @@ class Touching:
         # The rest of the drawing tells it last of all, as it was drawn: later on things move to the other side.
         rest = scene.middle() - place
         drawn = Vec(scene.as_drawn(rest.x), scene.as_drawn(rest.y))
-        for towards in (later, shapes, center, self._away_from_base(), Vec(0, 1), inward, drawn):
+        for towards in (
+            later,
+            shapes,
+            center,
+            away_from_base(self.base, self.contact.between, place, scene),
+            Vec(0, 1),
+            inward,
+            drawn,
+        ):
             side = scene.sign(towards.dot(left))
             if side:
                 return side
         return 1
-
-    def _away_from_base(self) -> Vec:
-        """From the middle of the base; a round wall named beside its body, about its centre, is the inside."""
-        base = self.base
-        surfaced = base.body not in self.contact.between
-        shapeless = base.body != "ground" and (
-            drawn_by_points(base.body, self.scene) or not self.scene.rigid(base.body)
-        )
-        if base.body == "ground" or (surfaced and shapeless):
-            return Vec(0, 0)  # points of a truck tell nothing of its bed, nor does a wedge drawn as a particle
-        out = self.place - middle_of(base.body, self.scene)
-        if base.kind != "arc" or base.center is None or not surfaced:
-            return out
-        gap = base.center - self.scene.center(base.body)
-        return -out if self.scene.is_zero(gap.dot(gap)) else Vec(0, 0)
 
     # --- the relative motion -----------------------------------------------------------------------------------------
 
@@ -301,15 +298,20 @@ class Touching:
         told = self.scene.pressed(self.name)
         sides = (told,) if told else (self.outward, -self.outward)
         found = []
+        came = None if self.base.kind == "arc" else self.scene.came_from(self.name, self._off_line())
         for side in sides:
             self._face(side)
-            found += [replace(mode, side=side, where=self._where()) for mode in self._pressing()]
-        self._face(sides[0])
+            # What comes to a line presses on the side from which it has come, where a motion tells that.
+            words = f"{self.words} comes from that side"
+            there = () if came is None else (Test(self.name, words, (), side * came, strict=True),)
+            found += [replace(m, side=side, where=self._where(), tests=(*there, *m.tests)) for m in self._pressing()]
+        self._face(sides[0] if came is None else came)
         return (*found, self._apart())
 
     def _where(self) -> str:
-        """On which side of the circle, by its name in the file."""
-        assert self.base.center is not None, "only a circle has two sides"
+        """On which side of the circle, by its name in the file; of a line nothing is said."""
+        if self.base.center is None:
+            return ""
         inside = self.scene.sign((self.base.center - self.place).dot(self.normal)) > 0
         return f"{'inside' if inside else 'outside'} {next(p for p in self.contact.between if p != self.mover.body)}"
 

@@ -59,5 +59,5 @@ class Weight(Load):
 
     def stored(self, scene: Setting) -> tuple[Any, Any, int, str]:
         """m g y_G, from y = 0."""
-        place = scene.center_name(self.name)
+        place = scene.own_name(self.name)
         return scene.mass(self.name) * scene.gravity, scene.center(self.name).y, 1, f"y_{place}"

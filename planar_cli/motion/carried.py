@@ -298,6 +298,8 @@ class Carried:
         """The name of a body's mass centre in print."""
         return self.drawn[body].center_name or body
 
+    own_name = center_name
+
     def middle(self) -> Vec:
         """The mean of all drawn points."""
         names = list(points_of(self.problem))

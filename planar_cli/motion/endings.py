@@ -46,8 +46,14 @@ def not_as_presumed(segment: Segment) -> Outcome | None:
     for t, y in (*((s.t1, s.y1) for s in segment.steps[:-1]), (segment.t1, segment.end)) if begun else ():
         for (joint, words, before), (*_, now) in zip(begun, segment.regime.presumed(t, y), strict=True):
             if abs(now - before) > CHANGED:
-                return Outcome("aside", f"{joint}: {words}, from t = {segment.t0:.9g} s on", t, joint, "PL539")
+                said = f"{joint}: {words}, from t = {segment.t0:.9g} s on"
+                return Outcome("aside", said, segment.t0, joint, "PL539")
     return None
+
+
+def as_presumed(segments: Sequence[Segment], outcome: Outcome) -> tuple[Segment, ...]:
+    """Those that go as they were followed: not the last, where a joint took something else for granted in it."""
+    return tuple(s for s in segments if outcome.kind != "aside" or s.t1 <= outcome.t)
 
 
 def jerked(joint: str, t: float) -> Outcome:

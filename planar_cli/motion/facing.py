@@ -17,6 +17,9 @@ from planar_cli.records import changing
 NEAR = 1e-9
 """Nearer to the rod's line, or to its end, than this part of the scene's extent, the side does not change."""
 
+ARRIVED = 1e-6
+"""Nearer than this part of it to a line, what has come to it is on it, and stays on its side."""
+
 
 @changing
 class Facing:
@@ -84,6 +87,10 @@ class Facings:
         gap = replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
         # Of a point on a line nothing but how it moves tells from which side it has come.
         return replace(gap, facing=name) if gap.free and radius.constant and radius.zero else gap
+
+    def last_side(self, called: str, off: Term) -> Term:
+        """+1 or -1: on which side of a line, `off` from it, something is or was before it came there."""
+        return self._kept(called, Facing(off, (), ARRIVED * self.extent, free=True))[1]
 
     def _kept(self, called: str, facing: Facing) -> tuple[str, Term]:
         """The name of a member and its side; the same however often the gap is asked for."""

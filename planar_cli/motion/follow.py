@@ -94,7 +94,7 @@ class Follower:
         while self.outcome is None:
             self._advance()
         return Trajectory(
-            tuple(self.segments),
+            endings.as_presumed(self.segments, self.outcome),
             tuple(self.transitions),
             tuple(self.waiting.reached),
             tuple(e.name for e in self.waiting.left()),

@@ -190,6 +190,10 @@ class MovingScene(Carried):
         """What presses is known, or it is as drawn."""
         return 0
 
+    def came_from(self, joint: str, off: Any) -> Term:
+        """The side of a line on which a body was last before it came to a contact."""
+        return self.facings.last_side(joint, self.graph.of(off))
+
     def heaviness(self, body: str) -> Term:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
         return self.mass(body) * self.constants.gravity(self.sides)

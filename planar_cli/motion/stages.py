@@ -227,6 +227,9 @@ class SceneStages:
         self.before = [s.name for s in scene.problem.states if s.before]
         """Equilibria that lie before the motion: what acts from there on acts as it begins."""
         self._made: dict[tuple[tuple[bool, ...], tuple[str, ...]], SceneAutomaton] = {}
+        for joint in (m for m in self.passing if isinstance(m, Joint) and m.unilateral and m.touches):
+            # From which side something comes is noted on the way there.
+            joint.modes(scene)
 
     def begin(self, t: float, y: Sequence[float]) -> None:
         """A motion begins anew: turns and directions of sliding count from this state."""

@@ -92,10 +92,13 @@ def _of_vector(item: VectorStatement, asked: Quantities) -> Stated:
         return Stated(item.text, mark, (asked.scene.graph.of(v.dot(v)) - size * size,), size)
     behind = vector_behind(item.angle, "angle")
     other = asked.any(behind) if behind is not None else None
-    if item.vector.word == "r" and size is None and behind is None:
+    if item.vector.word == "r" and behind is None:
         written = asked.written_direction(item.vector, v)
         if written is not None and not written.constant:
-            return Stated(item.text, mark, (written - asked.sides.value(item.angle),))
+            gap = written - asked.sides.value(item.angle)
+            if size is None:
+                return Stated(item.text, mark, (gap,))
+            return Stated(item.text, mark, (length_of(asked.scene.graph, v) - size, gap), size)
     u = other if isinstance(other, Vec) else unit_vector(asked.scene.graph, asked.sides.value(item.angle))
     if size is not None:
         u = u / length_of(asked.scene.graph, u) if isinstance(other, Vec) else u

@@ -211,11 +211,15 @@ def strikes_of(model: HybridModel) -> Strikes:
 def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[Direction]:
     """The directions of a contact or a rope."""
     parted = next(m for m in modes if m.parted)
-    whole = _direction(model, joint, modes, [m for m in modes if not m.parted and m.name != "tip"])
-    whole = replace(whole, gap=model.gap(joint, parted))
+    flat = [m for m in modes if not m.parted and m.name != "tip"]
+    # What may be met from both sides presses either way, and touches in the modes of both.
+    sides = [[m for m in flat if m.side == side] for side in dict.fromkeys(m.side for m in flat)]
+    wholes = [_direction(model, joint, modes, pressing) for pressing in sides]
+    touching = frozenset(i for whole in wholes for i in whole.holding)
+    wholes = [replace(whole, gap=model.gap(joint, parted), holding=touching) for whole in wholes]
     ends = model.ends(joint)
     if not ends:
-        return [whole]
+        return wholes
     flush = {i for i, m in enumerate(modes) if not m.parted and m.name != "tip"}
     found = []
     for end in ends:

@@ -227,17 +227,42 @@ def _why_idle(position: Position, push: Push) -> str:
     """Why a reaction between a body and the ground does no work: its point rests, or it moves across the force."""
     system = position.system
     if push.kind == "tension":
-        return "normal to the motion" if len({a.body for a in push.actions}) == len(push.actions) else ""
+        return _across(position, push) if len({a.body for a in push.actions}) == len(push.actions) else ""
     joinings = (j for mode in system.modes.values() for j in mode.facts.joinings if j.joint == push.joint)
     joining = next((j for j in joinings if GROUND in (j.mover, j.base)), None)
     if joining is None or joining.drift is not None:
         return ""
     if joining.path is not None:
-        return "normal to the motion" if any(a.force is not None for a in push.actions) else "no rotation"
+        return _across(position, push) if any(a.force is not None for a in push.actions) else "no rotation"
     if not joining.turns:
         return "at rest"
     pinned = any(j.name == push.joint and j.kind == "pin" for j in system.scene.problem.joints)
     return f"{joining.place or 'the pin'} is fixed" if pinned else "the point of contact is at rest"
+
+
+def _across(position: Position, push: Push) -> str:
+    """Why a force on one body does no work: its point rests, as does the one in which a thread leaves a wheel that
+    climbs it, or it moves across the force.
+    """
+    forces = [a for a in push.actions if a.body != GROUND]
+    if len(forces) == 1 and _rests(position, position.motion.velocity(forces[0].point, forces[0].body)):
+        body, scene = forces[0].body, position.system.scene
+        own = [p for p, owners in scene.owners.items() if body in owners and scene.point(p) == forces[0].point]
+        if own:
+            centre = scene.bodies[body].center == forces[0].point
+            return f"{own[0]} is at rest" if centre else f"the point {own[0]} of {body} is at rest"
+    return "normal to the motion"
+
+
+def _rests(position: Position, v: Vec) -> bool:
+    """Is a velocity nil in itself, or by one of the conditions that the joints set?"""
+    nil = [sp.S.Zero]
+    for c in position.system.velocity_conditions():
+        if isinstance(c.residual, Vec):
+            nil += [c.residual.x, c.residual.y] if c.normal is None else []
+        elif not c.now:
+            nil.append(c.residual)
+    return all(any(expanded(part - e) == 0 or expanded(part + e) == 0 for e in nil) for part in (v.x, v.y))
 
 
 def _is_internal(push: Push) -> bool:

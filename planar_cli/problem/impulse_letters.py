@@ -1,6 +1,8 @@
-"""The letters of impulses that a file gives in numbers: J, or J and the name of the blow."""
+"""The letters of impulses: of what a file gives in numbers J, or J and the name of the blow; of a reaction J_N_C."""
 
 from __future__ import annotations
+
+import re
 
 from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.scene import Problem
@@ -23,3 +25,8 @@ def impulse_letters(problem: Problem) -> dict[str, tuple[str, Side]]:
     alone = len(blows) == 1 and LETTER not in taken
     letters = {name: LETTER if alone else f"{LETTER}_{name}" for name in plain}
     return {name: (letter, plain[name]) for name, letter in letters.items() if letter not in taken}
+
+
+def of_reaction(name: str) -> str:
+    """The letter for the impulse of a reaction: J_N_C of N_C, and J_OA_x of a component at the point O_A."""
+    return "J_" + re.sub(r"^([A-Z])_(\w+)(?=_[xytn]$)", r"\1\2", name)

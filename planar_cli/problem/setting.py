@@ -73,6 +73,9 @@ class Setting(Protocol):
 
     def mass(self, body: str) -> Any: ...
     def center_name(self, body: str) -> str: ...
+    def own_name(self, body: str) -> str:
+        """The name of what its mass centre has alone, as an index."""
+
     def names_carrier(self, name: str) -> bool: ...
     def track(self, along: Side | str, point: Vec, mark: Mark) -> Outline:
         """What a point slides along there: a straight line, an arc or a curve, never a corner."""
@@ -93,6 +96,11 @@ class Setting(Protocol):
 
     def faced(self, joint: str) -> int:
         """On which side such a contact is looked at first as drawn; 0: this is the drawing."""
+
+    def came_from(self, joint: str, off: Any) -> Any:
+        """+1 or -1: the side of a line, where `off` is positive or negative, from which a body has come to a contact;
+        None: no motion tells it.
+        """
 
     def root(self, square: Any) -> Any: ...
     def steady(self, direction: Vec) -> Vec | None:

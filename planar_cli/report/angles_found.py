@@ -32,6 +32,8 @@ def by_function(
     short. `sides`: of its equation, where that stands in numbers.
     """
     found = None if r.formula is None else _argument(r.formula)
+    if found is not None and found[1].is_Rational and len(unknowns) > 1:
+        return phrases.math(found[0](r.unknown)), phrases.math(found[1])
     if found is None or phrases.symbolic or not phrases.has_numbers(found[1]):
         return ()
     function, argument = found

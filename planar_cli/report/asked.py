@@ -24,7 +24,7 @@ from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.component_sums import Turned, components_told
+from planar_cli.report.component_sums import components_told, sliding_told, turned_with
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
@@ -39,7 +39,7 @@ from planar_cli.report.swallowed import swallowed
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.units import ACCELERATION, LENGTH, VELOCITY, Dimension
+from planar_cli.units import ACCELERATION, VELOCITY, Dimension
 
 MOVING = ("v", "a", "coriolis")
 AXES = ("x", "y", "along", "across")
@@ -251,7 +251,17 @@ class AskedTelling:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
             yield from self._joined(self.vectors.edges[self.vectors.carrier(self.vectors.edges[body].parent)], level)
             yield from self.vectors.along(body)
-            yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
+            put = self._slid_in_numbers(body, at, level)
+            sides = (line(Name(f"{level[0]}_{index_of(place)}")), found[0], *([put] if put else []))
+            yield from self._once(key, sides, vector, level, found[1])
+
+    def _slid_in_numbers(self, body: str, at: Vec, level: str) -> Line:
+        """The components of what slides along a body that turns, with their numbers."""
+        edge, motion = self.vectors.edges[body], self.vectors.motion
+        frame = self.vectors.carrier(edge.parent)
+        twists = motion.velocities if level == "velocity" else motion.accelerations
+        arm = self.scene.arms.between(twists[frame].point, at)
+        return () if self.phrases.symbolic else sliding_told(self.vectors, edge, frame, arm, level)
 
     def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The equation of a point of a body with its value, after those of the points on which it rests."""
@@ -262,7 +272,8 @@ class AskedTelling:
         yield from self._joined(edge, level)
         motion, note = self.vectors.motion, self.vectors.arm_once(place, edge, arm)
         vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
-        told = () if self.phrases.symbolic else components_told(self._turned(body, arm, level), self.phrases.figures)
+        put = turned_with(self.vectors, body, arm, level) if not self.phrases.symbolic else None
+        told = components_told(put, self.phrases.figures) if put is not None else ()
         if is_given(vector, self.instant, self.phrases):
             yield from self._once(f"{level} {place}", sides[:1], vector, level, line(GIVEN))
             return
@@ -274,18 +285,6 @@ class AskedTelling:
             yield from self.paths.acceleration(edge.body, edge.joining.point, edge.joining.place, level)
             yield from self._along_body(edge.body, edge.joining.place, level, edge.joining.point)
             yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
-
-    def _turned(self, body: str, arm: Vec, level: str) -> Turned:
-        """What the components of a point of a body are made of, in numbers."""
-        motion, certain = self.vectors.motion, self.phrases.certain
-        velocity = motion.velocities[body]
-        own = velocity if level == "velocity" else motion.accelerations[body]
-        base = own.linear
-        spin = Decimal(0) if level == "velocity" else certain(velocity.angular)
-        dimension = VELOCITY if level == "velocity" else ACCELERATION
-        along, across = (self.phrases.of_dimension(certain(p), dimension).number for p in (base.x, base.y))
-        reach, rise = (self.phrases.of_dimension(certain(p), LENGTH).number for p in (arm.x, arm.y))
-        return Turned((along, across), certain(own.angular), (reach, rise), spin)
 
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
         if key not in self._told | self.vectors.valued:

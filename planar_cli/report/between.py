@@ -20,9 +20,10 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragrap
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
-from planar_cli.report.forces import force_rows
+from planar_cli.report.forces import drawn_bodies, force_rows
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
+from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
@@ -68,8 +69,8 @@ class BetweenTelling:
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies."""
 
-    finite: str = ""
-    """The finite forces whose impulses are negligible, in brackets."""
+    finite: FiniteForces | None = None
+    """The finite forces whose impulses are negligible."""
 
     named: Named | None = None
     """The equation that was told last, where arms in it have names."""
@@ -224,21 +225,20 @@ class BetweenTelling:
         if impact.since in self.told or solution is None:
             return
         self.told.add(impact.since)
-        words = f"Just after {impact.since}: momentum before + impulses = momentum after"
-        yield Paragraph(line(f"{words}{self.finite}."))
+        scene, stage = solution.instant.scene, solution.stages[0]
+        finite = self.finite.beside(impact.since, scene, drawn_bodies(solution, stage)) if self.finite else ()
+        yield Paragraph(line(f"Just after {impact.since}: momentum before + impulses = momentum after", *finite, "."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
         for mode in solution.trial.system.modes.values():
             if mode.name == "slack":
                 words = f"{mode.words[:1].upper()}{mode.words[1:]} in the blow"
                 yield Paragraph(line(f"{words}: its ends do not move apart, and it exerts no impulse."))
-        scene = solution.instant.scene
         for letter, side in impulse_letters(scene.problem).values():
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
                 symbol = scene.ledger.symbols[letter]
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
         phrases = Phrases(scene.ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
-        stage = solution.stages[0]
         # A velocity that is zero after the blow and stands in no equation is not drawn.
         speeds = dict.fromkeys(s for parts in stage.accelerations.values() for _, c in parts for s in c.free_symbols)
         idle = [s for s in speeds if s not in self.used and self.phrases.value.vanishes(s)]

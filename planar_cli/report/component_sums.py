@@ -7,17 +7,24 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.motion import Edge
+from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.told import RATES, Told
+from planar_cli.units import LENGTH, Dimension
 
-MOST_TERMS = 6
+MOST_TERMS = 10
 """Two components with more terms together are read off the vectors."""
 
 Power = tuple[Decimal, int]
 """A number inside a product, and how often it stands in it: the ω of ω². Numbers that are only equal stay apart."""
+
+Term = tuple[int, tuple[Power, ...]]
+"""A signed product of numbers."""
 
 NOTHING = Decimal("1e-12")
 """A sum of which so little is left is zero: it is what the motion keeps."""
@@ -34,7 +41,7 @@ class Turned:
     arm: tuple[Decimal, Decimal]
     spin: Decimal
 
-    def parts(self, axis: int) -> Iterator[tuple[int, tuple[Power, ...]]]:
+    def parts(self, axis: int) -> Iterator[Term]:
         """The terms along x (0) or y (1) that are not zero: sign and factors."""
         across, along = self.arm[1 - axis], self.arm[axis]
         if self.base[axis]:
@@ -45,18 +52,71 @@ class Turned:
             yield -1, ((along, 1), (self.spin, 2))
 
 
+def turned_with(told: Told, body: str, arm: Vec, level: str) -> Turned:
+    """What the components of a point of a body, `arm` from the one at which it is joined, are made of."""
+    velocity, certain = told.motion.velocities[body], told.phrases.certain
+    own = velocity if level == "velocity" else told.motion.accelerations[body]
+    spin = Decimal(0) if level == "velocity" else certain(velocity.angular)
+    base, reach = in_page_units(own.linear, RATES[level], told), in_page_units(arm, LENGTH, told)
+    return Turned(base, certain(own.angular), reach, spin)
+
+
+def in_page_units(vector: Vec, dimension: Dimension, told: Told) -> tuple[Decimal, Decimal]:
+    """The components of a known vector in the unit of the page."""
+    phrases = told.phrases
+    x, y = (phrases.of_dimension(phrases.certain(p), dimension).number for p in (vector.x, vector.y))
+    return x, y
+
+
 def components_told(turned: Turned, figures: int) -> Line:
     """Both components as sums; empty where each is one number, or they are too long."""
-    found = [list(turned.parts(axis)) for axis in (0, 1)]
-    if all(len(parts) == 0 or (len(parts) == 1 and len(parts[0][1]) == 1) for parts in found):
+    return both_told([list(turned.parts(axis)) for axis in (0, 1)], figures)
+
+
+def sliding_told(told: Told, edge: Edge, frame: str, arm: Vec, level: str) -> Line:
+    """The same of what slides along a straight line of a body that turns: its rate along the line and, of an
+    acceleration, 2 ω × v come to what the place on the line has, `arm` from where the `frame` is joined.
+    """
+    assert edge.joining is not None
+    assert edge.joining.path is not None
+    certain, tangent = told.phrases.certain, edge.joining.path.tangent
+    carried, unit = turned_with(told, frame, arm, level), (certain(tangent.x), certain(tangent.y))
+    speed, pace = (
+        told.phrases.of_dimension(certain(s), RATES[n]).number if s is not None else Decimal(0)
+        for s, n in ((edge.slide, "velocity"), (edge.slide_rate, "acceleration"))
+    )
+    along = speed if level == "velocity" else pace
+    both: list[list[Term]] = []
+    for axis in (0, 1):
+        terms = [*carried.parts(axis), *along_unit(unit[axis], ((along, 1),))]
+        if carried.spin and speed and unit[1 - axis]:
+            factors = ((Decimal(2), 1), (carried.spin, 1), (speed, 1))
+            terms += along_unit(unit[1 - axis], factors, -1 if axis == 0 else 1)
+        both.append(terms)
+    return both_told(both, told.phrases.figures)
+
+
+def along_unit(component: Decimal, factors: tuple[Power, ...], sign: int = 1) -> Iterator[Term]:
+    """What has a direction, by the component of its unit vector; nothing where either is zero."""
+    if not component or not all(number for number, _ in factors):
+        return
+    if abs(component) == 1:
+        yield sign * int(component), factors
+    else:
+        yield sign, ((component, 1), *factors)
+
+
+def both_told(terms: Sequence[Sequence[Term]], figures: int) -> Line:
+    """[x, y] of the `terms` along each axis; empty where each is one number, or they are too long."""
+    if all(len(parts) == 0 or (len(parts) == 1 and len(parts[0][1]) == 1) for parts in terms):
         return ()
-    if sum(map(len, found)) > MOST_TERMS:
+    if sum(map(len, terms)) > MOST_TERMS:
         return ()
-    x, y = (sum_of_products(parts, figures) for parts in found)
+    x, y = (sum_of_products(parts, figures) for parts in terms)
     return line("[", x, ", ", y, "]")
 
 
-def sum_of_products(parts: Sequence[tuple[int, tuple[Power, ...]]], figures: int) -> Math:
+def sum_of_products(parts: Sequence[Term], figures: int) -> Math:
     """A sum of signed products of numbers, with as many figures as its result needs."""
     if not parts:
         return Math(sp.S.Zero)

@@ -11,17 +11,23 @@ from planar_cli.equation.plain import longer
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.geometry import measured
 from planar_cli.report.inertias import alike_together, by_size, is_sought
+from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.solve.solution import Found
+from planar_cli.units import LENGTH
 
 OF_ASKED = 60
 """What is itself asked is told by its formula up to this number of operations."""
 ASKED_ALONE = re.compile(r"\bmass\b|^moment of inertia|^momentum per second")
 """Of what, by its title, a line leads to an answer that no equation leads to. Places have lines of their own."""
+
+CENTRE, ARM = " of the mass centre of ", "from the mass centre to that of "
+"""What the titles have in common of coordinates of mass centres, and of the arms of their parts."""
 
 
 class DefinitionTelling:
@@ -44,21 +50,30 @@ class DefinitionTelling:
         self.constructed, self.long = constructed, long
 
     def lines(self, used: Iterable[sp.Symbol], kind: str, least: int = 0) -> list[Equation]:
-        """Those on which the letters `used` rest: coordinates (kind "m"), masses and moments of inertia ("kg"); with
-        formulas of so many operations at `least`.
+        """Those on which the letters `used` rest: coordinates (kind "m") with the masses that make them, other masses
+        and moments of inertia ("kg"); with formulas of so many operations at `least`.
         """
         ledger = self.scene.ledger
         wanted = self._behind(used)
+        places = {s for s in wanted & set(ledger.definitions) if self._is_place(s)}
+        first = places | (self._behind(places) if places else set())
         blocks: list[Equation] = []
         for symbol, expr in ledger.definitions.items():
-            is_length = ledger.units[symbol].text == "m"
+            title = ledger.titles[symbol]
             if (
                 symbol in wanted
-                and is_length == (kind == "m")
-                and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
+                and (symbol in first) == (kind == "m")
+                and not (expr.is_number and title.startswith("mass"))
             ):
-                blocks += self._line(symbol, expr, is_length, least)
+                blocks += self._line(symbol, expr, self._is_length(symbol), OF_ASKED if CENTRE in title else least)
         return alike_together(blocks)
+
+    def _is_length(self, symbol: sp.Symbol) -> bool:
+        return self.scene.ledger.units[symbol].text == "m"
+
+    def _is_place(self, symbol: sp.Symbol) -> bool:
+        """A coordinate, not the arm of a parallel axis."""
+        return self._is_length(symbol) and not self.scene.ledger.titles[symbol].startswith(ARM)
 
     def of_asked(self, found: Iterable[Found]) -> list[Block]:
         """Masses, mass centres, moments of inertia and streams that are asked and stand in no equation."""
@@ -93,6 +108,9 @@ class DefinitionTelling:
             sides = (sides[0], sized[0], *rest)
         if root := measured(expr, self.phrases):
             sides = (sides[0], root, value)
+        if is_length and not self.phrases.symbolic and (hidden or not is_clean(ledger, expr, dimension=LENGTH)):
+            parts = in_parts(ledger.titles[symbol], self.scene, self.phrases)
+            sides = (sides[0], *parts, value) if parts else sides
         if not is_length and is_sought(symbol, ledger):
             sides = sides[:2]
         return [

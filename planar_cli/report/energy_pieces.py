@@ -31,7 +31,7 @@ from planar_cli.units import (
 
 SHORT = 16
 """With more operations a formula of an energy is told by what it is made of."""
-WIDE = 88
+WIDE = 94
 """So many characters of a chain fit into a line."""
 STATE = "__"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from planar_cli.problem.expression import Name, Negate, Quantity, Side
 from planar_cli.problem.keys import keys_of
@@ -27,6 +27,7 @@ from planar_cli.report.mentioned import Mentioned
 from planar_cli.report.sides import AS_WRITTEN, is_zero, number_of, said
 from planar_cli.units import pretty_unit
 
+AXES = ("x", "y", "t", "n", "r", "theta")
 SHORT = 2
 """Two names of so many letters side by side are the line between the points."""
 RATES = ("v", "a")
@@ -49,8 +50,24 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
         and (page.kinetic or b.name in joined or _is_placed(b.name, page))
     ]
     told = [(p, found) for p in (*places, *drops) if p.name not in page.built and (found := _place(p, figures))]
-    if any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
-        yield from (*turning.values(), *(found for _, found in told))
+    owners = {p.name: who for p, _ in told if (who := _at_it(p.name, problem, page))}
+    if owners or any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
+        yield from (*turning.values(), *(line(*found, _owned(p, owners)) for p, found in told))
+
+
+def _at_it(name: str, problem: Problem, page: Mentioned) -> str:
+    """The particles at a point whose letters have its name, v_F of what is called A; empty: they are called so."""
+    bodies = [b.name for b in problem.bodies if isinstance(b.shape, Particle) and b.shape.place == name]
+    if name in bodies or page.letters.isdisjoint(f"{name}{axis}" for axis in ("", *AXES)):
+        return ""
+    return ", ".join(bodies)
+
+
+def _owned(point: Point, owners: Mapping[str, str]) -> str:
+    """Behind the place of a point what is there: (A), or (B: the slider) where it is the end of a line."""
+    who = owners.get(point.name, "")
+    lead = "" if isinstance(point.place, At | TwoFacts) else f"{point.name}: "
+    return f" ({lead}{who})" if who else ""
 
 
 def _direction(point: Point, problem: Problem, page: Mentioned, figures: int) -> Line:

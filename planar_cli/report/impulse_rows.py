@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
+from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.report.blocks import Block, Forces, Line, Math, Paragraph, Text, Value, line
 from planar_cli.report.conditions_of_states import asked_here
 from planar_cli.report.forces import force_rows
@@ -40,7 +41,7 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     """The diagrams of the bodies of these balances; nothing where no reaction has an impulse in them."""
     solution, since, stop = regime.solution, own[0].since, own[0].stop
     system = solution.trial.system
-    letters = {system.symbols[p.name]: sp.Symbol(f"J_{p.name}__{stop}", real=True) for p in system.pushes}
+    letters = {system.symbols[p.name]: sp.Symbol(f"{of_reaction(p.name)}__{stop}", real=True) for p in system.pushes}
     used = {s.name for b in own for s in b.gain.free_symbols}
     stage = next((s for s in reversed(solution.stages) if s.level == "acceleration"), None)
     time = _between(since, stop, found)

@@ -132,7 +132,8 @@ class _Ends:
         (v, u), (q, p) = self._values("v"), self._values("q")
         if {"t", "q"} <= self.told:
             t, s = self._values("t")
-            if agree([(v + u) / 2 * (s - t)], [p - q]):
+            # Of a way there and back to where it began there is no name to set beside it.
+            if (p or q) and agree([(v + u) / 2 * (s - t)], [p - q]):
                 figures = self._enough([(v, "v"), (u, "v"), (s - t, "t")], _mean)
                 pair = line("(", self._bare(v, "v", figures), *self._plus(u, "v", figures))
                 mean = line(*pair, ")/2 · ", self._bare(s - t, "t", figures))

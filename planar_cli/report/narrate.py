@@ -33,10 +33,12 @@ from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
+from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
+from planar_cli.report.likewise import told_likewise
 from planar_cli.report.meanings import with_meanings
-from planar_cli.report.one_name import with_one_name
+from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
@@ -50,7 +52,7 @@ from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
-from planar_cli.report.told_before import ToldBefore
+from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
@@ -105,7 +107,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = list(without_ritual(own))
+        own = without_primes(list(without_ritual(in_one_line(list(defined_once(own))))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":
@@ -122,7 +124,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    page = with_one_name((*opening, *blocks))
+    page = told_likewise(with_one_name((*opening, *blocks)), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 
@@ -237,7 +239,7 @@ def _instant_blocks(
     if len(part.instants) > 1 and all(isinstance(b, Note) for b in blocks) and _only_after(part, instant):
         blocks = []
     if len(part.instants) > 1 and blocks:
-        blocks.insert(0, Heading("MOTION", stretches))
+        blocks = of_motion(blocks, stretches)
     printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
     return blocks, steps, max(printed, default=numbers[1])
 

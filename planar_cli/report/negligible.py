@@ -1,30 +1,84 @@
-"""Which finite forces of a problem have no impulse to speak of in a blow."""
+"""Which finite forces have no impulse to speak of in a blow: those that act then on the bodies that are drawn."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
+
+from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads
+from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
+from planar_cli.report.blocks import Line, Name, line
 
 UNCOUNTED = ("drag",)
 """Kinds of loads that have no plural."""
+FORCE = "force"
+"""The kind of load that is called by its letter, as in the diagrams."""
 
 
-def negligible(problem: Problem) -> str:
-    """` (the impulse of the weights and the spring is negligible)`; "" where no finite force acts."""
-    counts: dict[str, int] = {}
-    for load in acting_loads(problem):
-        if type(load).impulses is Load.impulses and _acts(load, problem):
-            counts[load.kind] = counts.get(load.kind, 0) + 1
-    named = [f"the {kind}{'s' if count > 1 and kind not in UNCOUNTED else ''}" for kind, count in counts.items()]
-    if not named:
+@record
+class FiniteForces:
+    """The finite forces of a problem; `states`: its states in their order."""
+
+    problem: Problem
+    states: tuple[str, ...]
+
+    def beside(self, since: str, scene: Scene, bodies: Collection[str]) -> Line:
+        """` (the impulse of the weights, the spring and R is negligible)` in the blow after a state on some bodies; ()
+        where no finite force acts on them then.
+        """
+        counts: dict[str, int] = {}
+        letters: list[str] = []
+        for load in acting_loads(self.problem):
+            finite = type(load).impulses is Load.impulses and self._acts(load.during, since)
+            absent = load.kind == "weight" and self.problem.plane != "vertical"
+            if absent or not finite or not _loaded(load, scene, bodies):
+                continue
+            if letter := _letter(load):
+                letters.append(letter)
+            else:
+                counts[load.kind] = counts.get(load.kind, 0) + 1
+        letters += self._friction(since, bodies)
+        named = [line(f"the {kind}{'s' if n > 1 and kind not in UNCOUNTED else ''}") for kind, n in counts.items()]
+        named += [line(Name(letter)) for letter in dict.fromkeys(letters)]
+        return line(" (the impulse of ", *_listed(named), " is negligible)") if named else ()
+
+    def _acts(self, during: tuple[str, str] | None, since: str) -> bool:
+        """Does something act at a state, and not only until then?"""
+        if during is None or since not in self.states:
+            return True
+        reached = self.states[: self.states.index(since) + 1]
+        return during[0] in reached and during[1] not in reached
+
+    def _friction(self, since: str, bodies: Collection[str]) -> Iterator[str]:
+        """The letters of friction of a fixed size: that of a pressure grows with the blow."""
+        for joint in self.problem.joints:
+            size = getattr(joint, "friction", None)
+            touched = set(getattr(joint, "between", ())) & set(bodies)
+            if isinstance(size, Letter) and touched and self._acts(joint.during, since):
+                yield size.name
+
+
+def _listed(named: Sequence[Line]) -> Line:
+    last = len(named) - 1
+    return line(*(p for i, n in enumerate(named) for p in (" and " if i == last else ", ", *n)[i == 0 :]))
+
+
+def _letter(load: Load) -> str:
+    """The letter of the magnitude of a force, else the name that the author gave it; "": it has neither."""
+    if load.kind != FORCE:
         return ""
-    listed = ", ".join(named[:-1]) + " and " * bool(named[:-1]) + named[-1]
-    return f" (the impulse of {listed} is negligible)"
+    magnitude = getattr(load, "magnitude", None)
+    if isinstance(magnitude, Letter):
+        return magnitude.name
+    return "" if load.name in (getattr(load, "body", ""), getattr(load, "at", ""), FORCE) else load.name
 
 
-def _acts(load: Load, problem: Problem) -> bool:
-    """Is there such a force at all: weights act on what has mass, in a vertical plane?"""
-    if load.kind != "weight":
-        return True
-    return problem.plane == "vertical" and not next(b for b in problem.bodies if b.name == load.name).is_massless
+def _loaded(load: Load, scene: Scene, bodies: Collection[str]) -> bool:
+    """Does a load act on one of these bodies? Weights act on what has mass."""
+    if load.kind == "weight":
+        return load.name in bodies and scene.bodies[load.name].mass != 0
+    ends: tuple[str, ...] = getattr(load, "between", None) or ()
+    return not {getattr(load, "body", ""), *ends, *(scene.owner(end) for end in ends)}.isdisjoint(bodies)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -17,6 +16,7 @@ from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
+from planar_cli.report.told import Across
 from planar_cli.report.with_units import led, with_units
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -92,7 +92,7 @@ class NumericTelling:
         """`general`: writes letters of a motion in which nothing varies, with the units of the numbers among them."""
         self.phrases, self.general = phrases, general
         self._put: set[tuple[int, int]] = set()
-        self.components: dict[tuple[int, int], tuple[Decimal, ...]] = {}
+        self.components: dict[tuple[int, int], Across | None] = {}
         """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
         """Stages whose kinematic relations are all in numbers, because one of them has to be."""
@@ -208,6 +208,11 @@ class NumericTelling:
         found = solved_for(x.symbol, (left, right), unknowns, self.phrases)
         return [] if found is None else [found]
 
+    def quotient(self, x: SolvedLine, stage: Stage) -> list[Line]:
+        """What gives an unknown from the components that were told before its equation."""
+        found = [self.components.get((id(stage.algebra), n)) for n in x.equations]
+        return [f.quotient for f in found if f is not None and f.quotient and len(found) == 1]
+
     def inserted(self, block: SolvedBlock, stage: Stage) -> tuple[Printed, list[Math]] | None:
         """The last equation of a block when the others are put into it, in its one letter; and the numbers that give
         this. None: there are more letters, or numbers alone do not tell it.
@@ -252,11 +257,11 @@ class NumericTelling:
         self, w: Written, stage: Stage, residual: sp.Expr, unknowns: Collection[sp.Symbol], negative: bool
     ) -> Math | None:
         """What the number of a relation is made of: the components that were told before it, or its products."""
-        sizes = self.components.get((id(stage.algebra), w.number), ())
-        if not sizes:
+        found = self.components.get((id(stage.algebra), w.number))
+        if found is None:
             return opened_number(residual, unknowns, self.phrases, negative)
         number = abs(self.phrases.value(residual.xreplace(dict.fromkeys(unknowns, sp.S.Zero))))
-        return difference_of(sizes, -number if negative else number, self.phrases.figures)
+        return difference_of(found.sizes, -number if negative else number, self.phrases.figures)
 
     def opened(self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr]) -> tuple[Any, ...]:
         """The sides of an equation of forces or moments that stands in numbers, before its terms are collected; empty

@@ -17,6 +17,7 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.curves import curve_formula
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Path
@@ -24,12 +25,13 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Curve
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.component_sums import along_unit, both_told
 from planar_cli.report.names import plain_name
 from planar_cli.report.swallowed import with_unit
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
-from planar_cli.units import LENGTH, PURE, Dimension
+from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension
 
 SHORT = 6
 """y′ and y″ of more operations are told by their values."""
@@ -76,8 +78,27 @@ class PathTelling:
             vector = Vec(*(p.xreplace({edge.slide_rate: sp.S.Zero}) for p in (vector.x, vector.y)))
         if self.phrases.symbolic:
             vector = Vec(*(sp.sympify(p).xreplace(self.vectors.letters) for p in (vector.x, vector.y)))
-        sides = (line(Name(f"a_{index_of(place)}")), parts)
+        sides = (line(Name(f"a_{index_of(place)}")), parts, *self._put_in(edge, path, steady))
         yield from self.once(f"acceleration {place}", sides, vector, "acceleration", () if radius else note)
+
+    def _put_in(self, edge: Edge, path: Path, steady: bool) -> list[Line]:
+        """Both components of a_t e_t + v²/ρ e_n with their numbers."""
+        assert edge.slide is not None
+        assert edge.slide_rate is not None
+        phrases = self.phrases
+        if phrases.symbolic or not phrases.has_numbers(edge.slide + edge.slide_rate + path.curvature):
+            return []
+        speed = phrases.of_dimension(phrases.certain(edge.slide), VELOCITY).number
+        rate = Decimal(0) if steady else phrases.of_dimension(phrases.certain(edge.slide_rate), ACCELERATION).number
+        radius = phrases.of_dimension(abs(1 / phrases.value(path.curvature)), LENGTH).number
+        towards = ((speed, 2), (radius, -1))
+        hollow = path.tangent.turned() * (1 if phrases.value(path.curvature) > 0 else -1)
+        components = [
+            [*along_unit(phrases.certain(along), ((rate, 1),)), *along_unit(phrases.certain(across), towards)]
+            for along, across in ((path.tangent.x, hollow.x), (path.tangent.y, hollow.y))
+        ]
+        told_both = both_told(components, phrases.figures)
+        return [told_both] if told_both else []
 
     def _unit_vectors(self, tangent: Vec, normal: Vec) -> Iterator[Block]:
         """e_t by the slope y′, and e_n at right angles to it."""

@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import by_name, longer, simplified
+from planar_cli.equation.waves import vanishing, wave_put_in
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
 from planar_cli.report.origins import used_elsewhere
@@ -46,8 +47,10 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
     """The time at which several equations hold, from the one into which all others are put; None: they are others."""
     roles = found.ledger.roles
     times = [x for x in leg.unknowns if x in found.general and roles[found.general[x]].kind is Kind.TIME]
-    if len(times) != 1 or len(leg.relations) != len(leg.unknowns) or len(leg.unknowns) < 2:
+    if len(leg.relations) != len(leg.unknowns) or len(leg.unknowns) < 2:
         return None
+    if len(times) != 1:
+        return _of_angles(leg, found, plain) if not times else None
     (time,) = times
     residuals = [e.residual.xreplace(dict(plain)) for e in leg.relations]
     if any(longer(e, LONGEST) or e.has(sp.Integral) for e in residuals):
@@ -84,6 +87,23 @@ def told_inserted(
     yield Equation(chain(found.time), None, lead)
     for i, result in found.others:
         yield Equation(chain(result), None, line(f"({numbers[i]}):"))
+
+
+def _of_angles(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol, sp.Expr]) -> Inserted | None:
+    """One of two equations in two angles, with the sine or cosine put in that the other gives; what is told is the
+    factor that vanishes.
+    """
+    residuals = [e.residual.xreplace(dict(plain)) for e in leg.relations]
+    if len(residuals) != 2 or any(r.formula is None for r in leg.results) or found.symbolic:
+        return None
+    for put, other in wave_put_in(residuals, found.value):
+        inside = [r for r in leg.results if r.unknown in put.free_symbols]
+        factor = next(vanishing(put, found.value), None)
+        if len(inside) == 1 and factor is not None and inside[0].unknown in factor.free_symbols:
+            by = residuals.index(other)
+            rest = tuple((by, r) for r in leg.results if r not in inside)
+            return Inserted((by,), 1 - by, factor, False, inside[0], rest)
+    return None
 
 
 @record

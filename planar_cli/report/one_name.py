@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Answer, Block, Inline, Line, Math, Name, No
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 
+PRIME = "′"
 OPENING = ("Find", "Principle")
 """Notes that name what is asked, or quantities in general."""
 RATES = ("dot", "ddot")
@@ -35,11 +36,40 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
     if not asked:
         return list(blocks)
     used = _used(blocks)
-    names: dict[str, str] = {}
+    found: dict[str, dict[str, str]] = {}
     for letter, name in asked.items():
         own = {letter: name} | {x: other for x in used.letters if (other := _along(x, letter, name))}
         if not _stays_beside(letter, own, asked, used) and all(_is_meant(x, other, used) for x, other in own.items()):
-            names |= own
+            found[letter] = own
+    while half := [letter for letter in found if _is_one_of_a_set(letter, found, used)]:
+        for letter in half:
+            del found[letter]
+    return _renamed(blocks, {x: name for own in found.values() for x, name in own.items()})
+
+
+def _is_one_of_a_set(letter: str, found: Mapping[str, Mapping[str, str]], used: _Used) -> bool:
+    """Does another letter of its kind keep what this one would lose, T_rope,A beside T_D for T_rope,D?"""
+    dropped, stem = set(_left_out(found[letter][letter], letter)), _pieces(letter)[0]
+    if "__" in letter or stem in OF_POINTS:
+        return False
+    kept = (x for x in used.letters if not any(x in own for own in found.values()))
+    return any(_pieces(x)[0] == stem and dropped <= set(_pieces(x)) for x in kept)
+
+
+def without_primes(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of one part of a page without a prime on an index that it sets apart from nothing there: a_G for a_G′
+    where there is no a_G; y′ is a derivative.
+    """
+    symbols = {s.name for b in blocks for p in pieces_of(b) if isinstance(p, Math) for s in p.expr.free_symbols}
+    primed = {x: x.removesuffix(PRIME) for x in sorted(symbols) if x.endswith(PRIME) and "_" in x}
+    if not primed:
+        return list(blocks)
+    used, told = _used(blocks).letters, [(b.name, _letter(b.line)) for b in blocks if isinstance(b, Answer)]
+    names = {x: own for x, own in primed.items() if own not in used}
+    return _renamed(blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == n)})
+
+
+def _renamed(blocks: Sequence[Block], names: Mapping[str, str]) -> list[Block]:
     if not names:
         return list(blocks)
     renaming = Renaming(names)
@@ -47,13 +77,19 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
 
 
 def _asked(blocks: Iterable[Block]) -> dict[str, str]:
-    """The name of an answer by the letter that it is told to be, where one name alone is asked for and is shorter."""
+    """The shorter name of an answer by the letter that it is told to be, where all that are asked for begin with it."""
     found: defaultdict[str, set[str]] = defaultdict(set)
     for block in blocks:
         if isinstance(block, Answer) and (letter := _letter(block.line)):
             found[letter].add(block.name)
-    only = {letter: next(iter(names)) for letter, names in found.items() if len(names) == 1}
+    only = {letter: name for letter, names in found.items() if (name := _first_of(names))}
     return {letter: name for letter, name in only.items() if _may_stand_for(name, letter)}
+
+
+def _first_of(names: Iterable[str]) -> str:
+    """The only name, or the one that all others begin with: T_A of T_A and T_A_after; empty: there is none."""
+    shortest = min(names, key=lambda n: (len(n), n))
+    return shortest if all(n == shortest or n.startswith(f"{shortest}_") for n in names) else ""
 
 
 def _may_stand_for(name: str, letter: str) -> bool:

@@ -16,16 +16,19 @@ import sympy as sp
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.report.along_slots import coriolis_across, slot_of
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
+from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.given_vectors import size_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.told import RATES, Told
+from planar_cli.report.told import RATES, Across, Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
-from planar_cli.units import PURE, VELOCITY, Dimension
+from planar_cli.units import LENGTH, PURE, Dimension
 
 NEARLY = Decimal("1e-12")
 
@@ -46,12 +49,14 @@ def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:
     return told.motion.velocity(at, body) if level == "velocity" else told.motion.acceleration(at, body)
 
 
-def value_of(told: Told, body: str, at: Vec, level: str) -> Line:
-    """[x, y] of what is known as soon as it is told; else nothing."""
+def known_sides(told: Told, body: str, at: Vec, arm: Vec, level: str) -> tuple[Line, ...]:
+    """[x, y] of what is known as soon as it is told, with its numbers before it; else nothing."""
     vector = vector_at(told, body, at, level)
     if not is_known(told, vector, level):
         return ()
-    return told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
+    put = components_told(turned_with(told, body, arm, level), told.phrases.figures)
+    value = told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
+    return (put, value) if put else (value,)
 
 
 def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]:
@@ -68,19 +73,94 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
         known.append(("a_cor", relative.turned() * (2 * spin)))
     carried = vector_at(told, j.base, j.point, level)
     known = [(n, v) for n, v in known if any(told.phrases.certain(p) for p in (v.x, v.y))]
-    beside = list(_carried(Vec(*w.along), f"{name}′", carried, RATES[level], told))
-    if not known or not beside:
+    unit = _unit(Vec(*w.along), told.phrases)
+    rate = _carried(unit, carried, level, told)
+    if not known or rate is None or any(abs(abs(u) - 1) < NEARLY for u in unit):
         return
-    fresh = f"n {j.base}" not in told.valued
-    told.valued.add(f"n {j.base}")
-    lines = list(_along(Vec(*w.along), f"unit vector across {j.base}", known, RATES[level], told.phrases, fresh))
-    if not lines:
-        return
-    lines = list(_by_speed(lines, told, j, _unit(Vec(*w.along), told.phrases)))
-    sizes = (b.sides[-1] for b in lines if isinstance(b, Equation))
-    told.components = tuple(v.number for v in sizes if isinstance(v, Value))
+    unknown, factor = rate
+    reach = _reach(told, j, unit)
+    if f"n {j.base}" not in told.valued:
+        told.valued.add(f"n {j.base}")
+        yield from _unit_vector(told, j.base, unit, reach)
+    lines = list(_by_speed(_along(unit, known, RATES[level], told.phrases), told, j, unit))
     yield from lines
-    yield from beside
+    own_name, turns = line(Name(f"{name}′"), " · ", Name("n")), sp.Symbol(f"{NUMBER}arm", real=True)
+    product = Math(turns * unknown, {turns: significant(factor, told.phrases.figures)})
+    size = () if reach is None else line("-" if factor < 0 else "", told.phrases.math(unknown), " ", *reach.size)
+    yield Equation((own_name, *([size] if size else []), product))
+    told.components = _across(lines, reach, (factor < 0) != (known[0][0] != name))
+
+
+def with_direction(words: list[Block], w: Written, phrases: Phrases) -> list[Block]:
+    """The words before a component, with the unit vector along which it is taken where that is no axis."""
+    last = words[-1] if words else None
+    if not isinstance(last, Paragraph) or last.line[-1] != Text(":") or w.along is None or phrases.symbolic:
+        return words
+    if not all(phrases.has_numbers(sp.sympify(p)) for p in w.along):
+        return words
+    unit = _unit(Vec(*w.along), phrases)
+    if any(abs(abs(u) - 1) < NEARLY for u in unit):
+        return words
+    return [
+        *words[:-1],
+        Paragraph(line(*last.line[:-1], " (unit vector ", *phrases.vector(unit[0], unit[1], PURE), "):")),
+    ]
+
+
+@record
+class _Reach:
+    """The arm to a point on a line through the place about which its body turns: the name of its length, and both in
+    SI units; `sense`: 1 where n is 90° to the left of it, else -1.
+    """
+
+    size: Line
+    arm: tuple[Decimal, Decimal]
+    length: Decimal
+    sense: int
+
+
+def _reach(told: Told, j: Joining, unit: Sequence[Decimal]) -> _Reach | None:
+    """None: the line passes beside that place."""
+    edge = next((e for e in told.system.tree.edges if e.body == j.base), None)
+    if edge is None or edge.joining is None:
+        return None
+    arm = told.system.scene.arms.between(told.motion.velocities[j.base].point, j.point)
+    x, y = told.phrases.certain(arm.x), told.phrases.certain(arm.y)
+    length = (x * x + y * y).sqrt()
+    if not length or abs(x * unit[0] + y * unit[1]) > NEARLY * length:
+        return None
+    place, pivot = (p.replace("_", ",") for p in (j.place, edge.joining.place))
+    sense = 1 if x * unit[1] - y * unit[0] > 0 else -1
+    return _Reach(line("|", Name(f"r_{place}/{pivot}"), "|"), (x, y), length, sense)
+
+
+def _unit_vector(told: Told, body: str, unit: Sequence[Decimal], reach: _Reach | None) -> Iterator[Block]:
+    """The unit vector across a line; with the length of the arm along that line, by which it is the arm turned."""
+    phrases, words = told.phrases, line(f"unit vector across {body}")
+    value = phrases.vector(unit[0], unit[1], PURE)
+    if reach is None:
+        yield Equation((line(Name("n")), value), None, (), words)
+        return
+    (x, y), sense = reach.arm, reach.sense
+    length = phrases.of_dimension(reach.length, LENGTH)
+    yield Equation((reach.size, size_of(reach.arm, LENGTH, phrases), length))
+    turned = phrases.vector(-sense * y, sense * x, PURE)
+    quotient = line(*turned, "/", replace(length, unit="1"))
+    yield Equation((line(Name("n")), quotient, value), None, (), words)
+
+
+def _across(lines: Iterable[Block], reach: _Reach | None, back: bool) -> Across:
+    """The components that were told, and what they give: (a_P · n - (2 ω × v_rel) · n)/|r_P/A|. `back`: they count
+    against the sense of ω.
+    """
+    told = [b for b in lines if isinstance(b, Equation)]
+    sizes = tuple(b.sides[-1].number for b in told if isinstance(b.sides[-1], Value))
+    if reach is None:
+        return Across(sizes, ())
+    parts: list[Any] = []
+    for b in told:
+        parts += [" - " if parts else "", *(b.sides[0] if isinstance(b.sides[0], tuple) else ())]
+    return Across(sizes, line("-" if back else "", "(", *parts, ")/", *reach.size))
 
 
 def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Decimal]) -> Iterator[Block]:
@@ -110,15 +190,8 @@ def difference_of(sizes: Sequence[Decimal], number: Decimal, figures: int) -> Ma
     return Math(sp.Add(*terms, evaluate=False), texts)
 
 
-def _along(
-    normal: Vec, words: str, known: Sequence[Known], dimension: Dimension, phrases: Phrases, fresh: bool
-) -> Iterator[Block]:
-    """The unit vector, and the component of each known vector along it. `normal`: of any length."""
-    unit = _unit(normal, phrases)
-    if any(abs(abs(u) - 1) < NEARLY for u in unit):
-        return
-    if fresh:
-        yield Equation((line(Name("n")), phrases.vector(unit[0], unit[1], PURE)), None, (), line(words))
+def _along(unit: list[Decimal], known: Sequence[Known], dimension: Dimension, phrases: Phrases) -> Iterator[Block]:
+    """The component of each known vector along a unit vector."""
     parts = [[phrases.of_dimension(phrases.certain(p), dimension).number for p in (v.x, v.y)] for _, v in known]
     sizes = [sum((e * x for e, x in zip(unit, p, strict=True)), Decimal(0)) for p in parts]
     figures = figures_of(sizes, lambda x: x[0] - sum(x[1:], Decimal(0)), phrases.figures)
@@ -141,23 +214,18 @@ def _unit(normal: Vec, phrases: Phrases) -> list[Decimal]:
     return [x / size, y / size]
 
 
-def _carried(normal: Vec, name: str, vector: Vec, dimension: Dimension, told: Told) -> Iterator[Block]:
-    """The component of the point of the body itself: a number times the one unknown that is in it."""
-    phrases, unit = told.phrases, _unit(normal, told.phrases)
-    tree = told.system.tree
-    every = {*tree.velocity_unknowns()} if dimension == VELOCITY else {*tree.acceleration_unknowns()}
+def _carried(unit: Sequence[Decimal], vector: Vec, level: str, told: Told) -> tuple[sp.Symbol, Decimal] | None:
+    """The one unknown in the component of the point of the body itself, and its factor; None: there is more in it."""
+    phrases, tree = told.phrases, told.system.tree
+    every = {*tree.velocity_unknowns()} if level == "velocity" else {*tree.acceleration_unknowns()}
     inside = (vector.x.free_symbols | vector.y.free_symbols) & (every - told.given)
     if len(inside) != 1:
-        return
+        return None
     (unknown,) = inside
     factors = [phrases.value(sp.diff(p, unknown)) for p in (vector.x, vector.y)]
     rests = [phrases.value(p.xreplace({unknown: sp.S.Zero})) for p in (vector.x, vector.y)]
     factor, rest = (sum((e * x for e, x in zip(unit, parts, strict=True)), Decimal(0)) for parts in (factors, rests))
-    if abs(rest) > NEARLY or abs(factor) < NEARLY or phrases.ledger.us:
-        return
-    own = sp.Symbol(f"{NUMBER}arm", real=True)
-    product = Math(own * unknown, {own: significant(factor, phrases.figures)})
-    yield Equation((line(Name(name), " · ", Name("n")), product))
+    return None if abs(rest) > NEARLY or abs(factor) < NEARLY or phrases.ledger.us else (unknown, factor)
 
 
 def _summed(unit: list[Decimal], shown: list[Decimal], figures: int) -> Math | Line:

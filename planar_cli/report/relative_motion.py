@@ -13,12 +13,15 @@ import sympy as sp
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.along_slots import Slot, component, coriolis_size, relative_along, slot_of, unit_told, why_along
-from planar_cli.report.blocks import Block, Equation, Name, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Name, Value, line
+from planar_cli.report.coincident import coincident
+from planar_cli.report.component_sums import both_told, in_page_units
 from planar_cli.report.names import plain_name
 from planar_cli.report.on_path import Once
 from planar_cli.report.projected import differences, vector_at
 from planar_cli.report.told import RATES
 from planar_cli.report.vectors import VectorTelling
+from planar_cli.units import VELOCITY
 
 LEVELS = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}
 """What must be told for each kind of relative motion."""
@@ -100,6 +103,7 @@ class RelativeTelling:
         place, spin = self.system.scene.point(point), motion.velocities[frame].angular
         relative, acceleration = quantities.seen_from(point, frame)
         yield from self.absolute(point, v)
+        yield from coincident(f"{point}′", frame, self.vectors.valued)
         yield from self.carried(frame, place, f"{point}′", level)
         sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
         others = [vector_at(self.vectors, frame, place, level)]
@@ -112,5 +116,12 @@ class RelativeTelling:
         yield from self.once(f"{v}_rel {point} {frame}", shown, relative if v == "v" else acceleration, level, ())
 
     def _coriolis(self, relative: Vec, spin: sp.Expr) -> Iterator[Block]:
-        sides = (line(Name("a_cor")), line("2 ", self.phrases.math(spin), " × ", Name("v_rel")))
+        put: Line = ()
+        if not self.phrases.symbolic:
+            omega, (along, across) = self.phrases.certain(spin), in_page_units(relative, VELOCITY, self.vectors)
+            factors = ((Decimal(2), 1), (omega, 1))
+            terms = [[(sign, (*factors, (v, 1)))] if v else [] for sign, v in ((-1, across), (1, along))]
+            put = both_told(terms, self.phrases.figures)
+        formula = line("2 ", self.phrases.math(spin), " × ", Name("v_rel"))
+        sides = (line(Name("a_cor")), formula, *([put] if put else []))
         yield from self.once(f"a_cor {spin} {relative}", sides, relative.turned() * (2 * spin), "acceleration", ())

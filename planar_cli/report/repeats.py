@@ -5,7 +5,7 @@ numbers of equations, only that it is as before; of a diagram from which forces 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -29,6 +29,8 @@ LEAST = 3
 """Fewer lines are printed again, unless they are all of a step."""
 TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBER = re.compile(r"Decimal\('([^']+)'\)")
+NUMBERED = re.compile(r"\(\d+\)")
+CASE = "CASE"
 INERTIA, BETWEEN = "moment of inertia of", ",  "
 """Begins the line of a moment of inertia; stands between the forces of a diagram."""
 
@@ -41,6 +43,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     drawn = [printed.reduced(b) for b in blocks]
     known = [printed.knows(b) for b in drawn]
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
+    known = [k and not _is_led_anew(drawn, known, i) for i, k in enumerate(known)]
     found: list[Block] = []
     start = 0
     while start < len(drawn):
@@ -52,7 +55,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         while stop > start and stop < len(drawn) and _leads(drawn[stop - 1]) and not isinstance(drawn[stop], Heading):
             stop -= 1
         run = drawn[start:stop]
-        told = _as_before(run)
+        told = _as_before(run, printed)
         if run and isinstance(heading, Heading) and heading in before:
             found[-1] = _headed(heading, run, told)
             start = stop
@@ -72,8 +75,10 @@ class _Printed:
 
     def __init__(self, before: Sequence[Block]) -> None:
         # A letter that is sought in one case and given in another is the same in print.
-        self.said = {_read(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
-        self.numbered = {b.number: _read(b) for b in before if isinstance(b, Equation) and b.number is not None}
+        self.said = {_told(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
+        self.numbered = {b.number: _told(b) for b in before if isinstance(b, Equation) and b.number is not None}
+        self._numbers = {said: number for number, said in self.numbered.items()}
+        self.places = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
 
     def knows(self, block: Block) -> bool:
@@ -82,8 +87,14 @@ class _Printed:
             last = self.diagrams.get(block.body)
             return last is not None and _read(last) == _read(block)
         if isinstance(block, Equation) and block.number is not None:
-            return self.numbered.get(block.number) == _read(block)
-        return isinstance(block, TOLD) and _read(block) in self.said
+            return self.number(block) is not None
+        return isinstance(block, TOLD) and _told(block) in self.said
+
+    def number(self, equation: Equation) -> int | None:
+        """The number of an equation there; None: it did not stand there, or another had its number later."""
+        said = _told(equation)
+        same = equation.number is not None and self.numbered.get(equation.number) == said
+        return equation.number if same else self._numbers.get(said)
 
     def reduced(self, block: Block) -> Block:
         """The diagram of a body by the forces that are gone from the last one; itself, where it is another."""
@@ -108,17 +119,29 @@ def _read(piece: object) -> str:
     return NUMBER.sub(lambda found: f"{Decimal(found[1]):.10g}", repr(piece))
 
 
+def _told(block: Block) -> str:
+    """What a block says, whatever the numbers of equations."""
+    if isinstance(block, Equation):
+        block = replace(block, number=None)
+    return NUMBERED.sub("(#)", _read(block))
+
+
 def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
     """Of `From 1 to 2, work and kinetic energy:` whether all that stands under it is known too."""
-    block = blocks[i]
-    if (
-        not isinstance(block, Paragraph)
-        or not isinstance(block.line[-1], Text)
-        or not block.line[-1].text.endswith(":")
-    ):
+    if not _announces(blocks[i]):
         return True
     stop = next((k for k in range(i + 1, len(blocks)) if isinstance(blocks[k], Paragraph | Heading)), len(blocks))
     return all(known[i + 1 : stop])
+
+
+def _is_led_anew(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
+    """Does it stand under words that are new?"""
+    return isinstance(blocks[i], Equation) and i > 0 and _announces(blocks[i - 1]) and not known[i - 1]
+
+
+def _announces(block: Block) -> bool:
+    """Is it a sentence that ends with a colon?"""
+    return isinstance(block, Paragraph) and isinstance(last := block.line[-1], Text) and last.text.endswith(":")
 
 
 def _defines(block: Block) -> bool:
@@ -145,18 +168,50 @@ def _leads(block: Block) -> bool:
     return isinstance(block, Paragraph)
 
 
-def _as_before(run: Sequence[Block]) -> Line:
+def _as_before(run: Sequence[Block], printed: _Printed) -> Line:
     """What stands in place of a run of lines: the diagram, the numbers of equations, quantities with their values; ():
     there is nothing to name.
     """
-    numbers = [b.number for b in run if isinstance(b, Equation) and b.number is not None]
+    equations = [b for b in run if isinstance(b, Equation) and b.number is not None]
     told: list[Line] = [line("the diagram")] if any(isinstance(b, Forces) for b in run) else []
-    if numbers:
-        told.append(line(_range(min(numbers), max(numbers))))
+    if equations:
+        shifted = _shifted(equations, printed)
+        told.append(line("; ".join(_ranges(run, printed.places) for run in shifted)))
     else:
         told += [valued for b in run if (valued := _valued(b))]
-    last = " and " if numbers else ", "
+    last = " and " if equations else ", "
     return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))
+
+
+def _shifted(equations: Sequence[Equation], printed: _Printed) -> list[list[tuple[int, int]]]:
+    """The numbers of equations, here and there, in runs in which both grow alike."""
+    runs: list[list[tuple[int, int]]] = []
+    for equation in equations:
+        here, there = equation.number or 0, printed.number(equation) or 0
+        if runs and runs[-1][-1] == (here - 1, there - 1) and printed.places[there] == printed.places[there - 1]:
+            runs[-1].append((here, there))
+        else:
+            runs.append([(here, there)])
+    return runs
+
+
+def _ranges(run: Sequence[tuple[int, int]], places: Mapping[int, str]) -> str:
+    """(1) to (3); of equations that had other numbers there, (6) to (8), that is (5) to (7) of case root."""
+    (first, old), (last, older) = run[0], run[-1]
+    own = _range(first, last)
+    return own if first == old else f"{own}, that is {_range(old, older)} {places[old]}"
+
+
+def _places(before: Sequence[Block]) -> dict[int, str]:
+    """In which case the last equation of each number stands."""
+    found: dict[int, str] = {}
+    place = "above"
+    for block in before:
+        if isinstance(block, Heading) and block.label == CASE:
+            place = f"of case {block.text}"
+        elif isinstance(block, Equation) and block.number is not None:
+            found[block.number] = place
+    return found
 
 
 def _valued(block: Block) -> Line:

@@ -164,8 +164,8 @@ class SolvingTelling:
         elif self._put_into(block):
             lines = [x for x in lines if not x.letters]
         elif len(block.unknowns) > 1:
-            numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
-            parts: list[Any] = [f"{numbers} together"]
+            numbers = [self.number(stage, w.number) for w in block.equations]
+            parts: list[Any] = [f"{numbered(numbers)} together"]
             if block.letters:
                 parts.append(", in terms of ")
                 for i, s in enumerate(block.letters):
@@ -254,7 +254,9 @@ class SolvingTelling:
         sides = self.chain(x.symbol, x.formula, shown)
         bare = len(sides) == 2 and not x.formula.is_number and not self.phrases.symbolic
         if put or bare:
-            sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
+            solution = self.numeric.solution(x, stage)
+            quotient = self.numeric.quotient(x, stage) if solution else ()
+            sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
         return [
             *(() if put else self._values_of(sides, x, stage)),
             Equation(sides, None, lead),

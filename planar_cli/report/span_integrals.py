@@ -14,7 +14,7 @@ from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer
 from planar_cli.equation.setup import ANGULAR_IMPULSE
 from planar_cli.problem.dimensions import Lookup, dimension_of
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Text, Value, line
 from planar_cli.report.clean import is_clean
@@ -30,6 +30,8 @@ NUMERICAL = {
 }
 SHORT = 16
 """A longer integrand is printed with its numbers."""
+MOST = 6
+"""So many times of what is counted are listed, and the last."""
 FEW = 2
 """So many integrals stand in one line."""
 
@@ -53,7 +55,7 @@ class SpanTelling:
             said = (Text(said[0].text[:1].upper() + said[0].text[1:]), *said[1:])
         yield Paragraph(line(*said, f" from state {q.at[0]} to state {q.at[1]}:"))
         if q.word == "count":
-            yield from _events(found)
+            yield from _events(found, ())
             return
         axis = f", {q.parts[0].kind}" if q.parts else ""
         blows = [p for p in found.pieces if p.how == "blow"]
@@ -69,7 +71,7 @@ class SpanTelling:
     def lines(self, found: SpanIntegral, lead: Line, last: tuple[Any, ...]) -> Iterator[Block]:
         """The integral or integrals, then `last`: formula, numbers and value of an answer (none: its own value)."""
         if found.quantity.word == "count":
-            yield from _events(found)
+            yield from _events(found, last)
             return
         pieces = [p for p in found.pieces if p.integrand != 0] or list(found.pieces[:1])
         pieces = _counted_positive(pieces) if any(p.turns for p in pieces) else _joined(pieces)
@@ -205,17 +207,20 @@ def _unit(q: Quantity, dimension: Dimension | None, angle: bool) -> str:
     return default_unit(dimension, angle).text
 
 
-def _events(found: SpanIntegral) -> Iterator[Block]:
-    if found.events:
-        when = (": at ", *_times(found.events)) if found.dated else ()
-        yield Result(line(f"it happens {len(found.events)} times", *when))
-    else:
-        yield Result(line("it does not happen"))
+def _events(found: SpanIntegral, last: tuple[Any, ...]) -> Iterator[Block]:
+    """What is counted, when it happens and how often. `last`: the sides of an answer, its name first."""
+    counted = found.quantity.argument
+    what = spoken(counted.text, ()) if isinstance(counted, Relation) else line("it")
+    number = len(found.events)
+    how_often = line(*last[:1], f" = {number}") if last else line(f"{number} times")
+    when = line(" at ", *_times(found.events)) if found.events and found.dated else ()
+    yield Result(line(*what, *when, ": ", *how_often))
 
 
 def _times(times: tuple[Decimal, ...]) -> list[Any]:
+    """t_1, t_2 and so on; of many the first ones and the last."""
     shown: list[Any] = []
-    for n, t in enumerate(times):
+    for n, t in enumerate(times[:MOST] if len(times) > MOST else times):
         shown += [", "] if n else []
         shown.append(Value(t, "s"))
-    return shown
+    return [*shown, ", …, ", Value(times[-1], "s")] if len(times) > MOST else shown

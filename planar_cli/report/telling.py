@@ -12,7 +12,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
-from planar_cli.report.at_rest import said_at_rest
+from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
@@ -24,6 +24,7 @@ from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
+from planar_cli.report.projected import with_direction
 from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
@@ -31,7 +32,7 @@ from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import begun, spoken
-from planar_cli.report.steps import SOLVING
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
@@ -112,7 +113,8 @@ class Telling:
             blocks.append(self._step("Kinematic analysis", resting))
         blocks += [*(legend if kinematics else ()), *kinematics]
         if kinetic and last is not None:
-            blocks.append(self._step("Kinetic analysis", self.principle.diagram))
+            still = balance(self.system, last)
+            blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = [row.body for row in rows]
             blocks += [*(() if kinematics else legend), *rows, *sentences(self.system, bodies)]
@@ -294,6 +296,7 @@ class Telling:
         if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
+        words = with_direction(words, w, self.phrases) if self.numeric.put_whole(w, stage) else words
         return [*words, Equation(sides, number, (), note)]
 
     def _is_told(self, seen: tuple[str, str], stage: Stage) -> bool:

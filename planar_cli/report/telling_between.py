@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.report.between import BetweenTelling
-from planar_cli.report.negligible import negligible
+from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import said_nil
 from planar_cli.report.origins import inertias_of_blows, letters_of_blows
 from planar_cli.report.words import Phrases
@@ -19,5 +19,5 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         used=letters_of_blows(found),
         axes=inertias_of_blows(found),
         nil={(symbol, since) for symbol, since, _ in said_nil(found)},
-        finite=negligible(found.problem),
+        finite=FiniteForces(found.problem, found.states),
     )

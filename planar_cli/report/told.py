@@ -9,11 +9,23 @@ import sympy as sp
 
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.records import record
+from planar_cli.report.blocks import Line
 from planar_cli.report.words import Phrases
 from planar_cli.units import ACCELERATION, VELOCITY
 
 RATES = {"velocity": VELOCITY, "acceleration": ACCELERATION}
 """The dimension of what is told on each level."""
+
+
+@record
+class Across:
+    """Components across a line of a body: their `sizes`, in the unit of the page, and what they give for the rate with
+    which the body turns, (v_P · n)/|r_P/A|; empty where its own part is no length times that.
+    """
+
+    sizes: tuple[Decimal, ...]
+    quotient: Line
 
 
 class Told(Protocol):
@@ -25,7 +37,7 @@ class Told(Protocol):
     given: set[sp.Symbol]
     late: set[sp.Symbol]
     zero: frozenset[sp.Symbol]
-    components: tuple[Decimal, ...]
+    components: Across | None
     valued: set[str]
     phrases: Phrases
     system: System

@@ -8,11 +8,37 @@ from dataclasses import field, replace
 from itertools import pairwise
 
 from planar_cli.records import changing, record
-from planar_cli.report.blocks import Block, Equation, Forces, Heading, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Paragraph, Text, line
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.results import numbered
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 
 NUMBERED = re.compile(r"\((\d+)\)")
 STEP = "STEP"
-NAMES = {"Kinematic analysis": "kinematics", "Kinetic analysis": "equations", "Solving the equations": "solution"}
+DEFINED = ("moment of inertia of", "moments of inertia of", "pull of the")
+"""Begins the line of a quantity that stays what it is."""
+NAMES = {"Kinematic analysis": "kinematics", KINETICS: "equations", EQUILIBRIUM: "equations", SOLVING: "solution"}
+
+
+def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:
+    """The blocks of a part; a moment of inertia, or the pull of a spring, is defined where it first occurs."""
+    said: set[str] = set()
+    for block in blocks:
+        if not isinstance(block, Equation) or not _defines(block):
+            yield block
+        elif (key := "".join(map(_written, pieces_of((block.lead, block.sides))))) not in said:
+            said.add(key)
+            yield block
+
+
+def _defines(equation: Equation) -> bool:
+    lead = equation.lead[0] if equation.number is None and equation.lead else None
+    return isinstance(lead, Text) and lead.text.startswith(DEFINED)
+
+
+def _written(piece: Inline) -> str:
+    """A formula without the order in which numbers are put into it."""
+    return str(piece.expr) if isinstance(piece, Math) else str(piece)
 
 
 @record
@@ -82,6 +108,9 @@ class ToldBefore:
             if where is None and section.forces and self._before(section.equations) and not needed:
                 where = self._before(section.equations)
                 yield replace(section, blocks=section.forces)
+            elif where is not None and needed and not section.forces:
+                yield self._referred(section, where)
+                continue
             elif where is None or needed:
                 yield section
                 continue
@@ -89,6 +118,14 @@ class ToldBefore:
         for where, names in dropped.items():
             said = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
             yield Paragraph(line(f"{said[:1].upper()}{said[1:]}: as {where}."))
+
+    def _referred(self, section: Section, where: str) -> Section:
+        """A step that was told there, of which later ones name equations: how these were numbered there."""
+        old = next(s for place, told in self.told if place == where for s in told if s.key() == section.key())
+        if not (numbers := section.numbers()) or sorted(numbers) != numbers or sorted(old.numbers()) != old.numbers():
+            return section
+        aside = f"as {where}: {numbered(numbers)}, there {numbered(old.numbers())}"
+        return Section(replace(section.heading, aside=aside), ())
 
     def _new(self, sections: Iterable[Section]) -> list[Section]:
         return [s for s in sections if self._before(s) is None]

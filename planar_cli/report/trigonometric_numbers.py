@@ -27,3 +27,16 @@ def turned_angles(expr: sp.Expr, ledger: Ledger) -> tuple[sp.Expr, dict[sp.Symbo
     own = {s: sp.Symbol(f"{s.name} turned", **s.assumptions0) for s in angles}
     found = {f: f.func(own[f.args[0]]) for f in functions if f.args[0] in own}
     return (expr.xreplace(found) if found else expr), own
+
+
+def right_angles(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, str]]:
+    """Multiples of π in a sum of angles that are told in degrees, by symbols with their texts: 203.6° - 90°."""
+    texts: dict[sp.Symbol, str] = {}
+    terms = []
+    for term in sp.Add.make_args(expr):
+        degrees = abs(term) * 180 / sp.pi
+        own = sp.Symbol(f"{degrees} degrees", positive=True)
+        if term.is_number and degrees.is_Integer:
+            texts[own] = f"{degrees}°"
+        terms.append(term if own not in texts else own if term.is_positive else -own)
+    return (sp.Add(*terms), texts) if texts else (expr, texts)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -24,10 +23,12 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import is_along_path, on_path
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
-from planar_cli.report.projected import projected, unit_of, value_of
+from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
+from planar_cli.report.told import Across
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
 from planar_cli.solve.instant.instant import Trial
@@ -62,7 +63,7 @@ class VectorTelling:
         self.late: set[sp.Symbol] = set()
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
-        self.components: tuple[Decimal, ...] = ()
+        self.components: Across | None = None
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -75,14 +76,13 @@ class VectorTelling:
             writer = self.phrases.writer
             shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
             if shared and is_along_path(w, self.system, level):
-                both = replace(w, words="")
-                told = differentiated(both, level, self.system.scene, self.phrases)
+                told = differentiated(replace(w, words=""), level, self.system.scene, self.phrases)
                 return [Paragraph(line(*told, f", {on_path(w, self.edges.values())}:"))]
             divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
             return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
         if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
             return [Paragraph(told)]
-        joining, self.components = self._closure(w), ()
+        joining, self.components = self._closure(w), None
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
@@ -99,13 +99,13 @@ class VectorTelling:
         blocks = [*self.point(joining.mover, joining.point, joining.place, level, apart)]
         if joining.base != GROUND and not tied:
             blocks += self.point(joining.base, joining.point, self._beside(joining), level, apart)
+            blocks += coincident(self._beside(joining), joining.base, self.valued)
         return blocks
 
     def _taut(self, j: Joining, level: str) -> Line:
         """What a link or a taut cord between two points says."""
         named = self._called(j)
-        v = "v" if level == "velocity" else "a"
-        own = Name(f"{v}_{index_of(j.place)}")
+        own = Name(f"{level[0]}_{index_of(j.place)}")
         if j.base == GROUND and level == "velocity":
             return line(f"{named} keeps its length, so that along it ", own, " has no component")
         if j.base == GROUND:
@@ -135,8 +135,8 @@ class VectorTelling:
 
     def _words(self, j: Joining, w: Written, level: str) -> Line:
         """Why the component vanishes or agrees."""
-        v, place = ("v" if level == "velocity" else "a"), j.place
-        own, side = Name(f"{v}_{index_of(place)}"), self._component(w)
+        v, place, side = level[0], j.place, self._component(w)
+        own = Name(f"{v}_{index_of(place)}")
         if j.rolling is not None:
             return self._rolls(j, w, level)
         if j.base == GROUND and j.path is None:
@@ -216,10 +216,11 @@ class VectorTelling:
         key = f"{level} {body} {place}"
         if key not in self._told:
             self._told.add(key)
-            value = () if place.endswith("′") else value_of(self, body, at, level)
+            yield from coincident(place, body, self.valued)
+            value = () if place.endswith("′") else known_sides(self, body, at, arm, level)
             self.valued |= {f"{level} {place}"} if value and not apart else set()
             sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
-            yield Equation((*sides, value) if value else sides, None, note=self.arm_once(place, edge, arm))
+            yield Equation((*sides, *value), None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
         """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""
@@ -255,8 +256,7 @@ class VectorTelling:
         key, found = f"{level} {body} {place}", self.sliding(body, at, place, level)
         if found is not None and key not in self._told:
             self._told.add(key)
-            own = Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(place)}")
-            yield Equation((line(own), found[0]), None, note=found[1])
+            yield Equation((line(Name(f"{level[0]}_{index_of(place)}")), found[0]), None, note=found[1])
             yield from self.along(body)
 
     def carrier(self, body: str) -> str:

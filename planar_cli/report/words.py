@@ -27,7 +27,7 @@ from planar_cli.report.pieces import met
 from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula, steepness_words
 from planar_cli.report.swallowed import swallowed
-from planar_cli.report.trigonometric_numbers import in_radians, turned_angles
+from planar_cli.report.trigonometric_numbers import in_radians, right_angles, turned_angles
 from planar_cli.solve.passages import squared_radius
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH, TIME, Dimension, Unit
@@ -130,6 +130,9 @@ class Phrases:
         found = self.numbers(expr, turns=not isinstance(value, Value) or value.unit in ANGLES)
         if found is None:
             return []
+        if isinstance(value, Value) and value.unit == "deg" and found.values is not None:
+            told, texts = right_angles(found.expr)
+            found = Math(told, {**found.values, **texts})
         same = isinstance(value, Value) and plain(found.expr, found.values) in _texts(value)
         return [] if same else [found]
 

@@ -16,6 +16,7 @@ from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, number_of, stops
 from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate, units_of
+from planar_cli.simulate.stopped import CONTRADICTIONS, NotFollowed, refusal
 from planar_cli.simulate.table import Table, table_of
 from planar_cli.units import pretty_unit
 
@@ -24,8 +25,6 @@ FOLLOWED, CONTRADICTED, NOT_FOLLOWED = "followed", "contradicted", "not followed
 or a state or an answer was not reached."""
 WORST = (FOLLOWED, CONTRADICTED, NOT_FOLLOWED)
 """The better one first."""
-CONTRADICTIONS = ("PL700", "PL701")
-"""Codes of outcomes in which the scene itself has none or several ways to go on."""
 ROUNDING = 1e-13
 Progress = Callable[[float, float], None] | None
 
@@ -37,11 +36,11 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
         return FOLLOWED, _joined([_effects(p) for _, p in parts], request)
     status, told_parts = FOLLOWED, []
     earlier: dict[str, float] = {}
-    refused: list[FileProblem | NoSolution] = []
+    refused: list[FileProblem | NoSolution | NotFollowed] = []
     for case, part in parts:
         try:
             found, more, piece = _part(case, part, problem.answers, request, progress, earlier)
-        except (FileProblem, NoSolution) as error:
+        except (FileProblem, NoSolution, NotFollowed) as error:
             # One case that can not be followed does not keep the others from being told.
             refused.append(error)
             if len(refused) == len(parts):
@@ -60,7 +59,7 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
     return status, "\n".join([problem.title or problem.file, "", *told_parts])
 
 
-def _refusal(case: str, error: FileProblem | NoSolution, request: Request) -> Any:
+def _refusal(case: str, error: FileProblem | NoSolution | NotFollowed, request: Request) -> Any:
     """What keeps a part from being followed."""
     why = [f"{d.mark.file}:{d.mark.line}: {d.code} {d.message}" for d in error.diagnostics] or [str(error)]
     if request.output in ("json", "npz"):
@@ -110,9 +109,12 @@ def _part(
         progress=progress,
     )
     found = simulate(problem, settings, units_of(stated))
+    as_data = request.output in ("json", "npz")
+    if not as_data and (refused := refusal(problem, found.run.trajectory)) is not None:
+        raise refused
     table = table_of(found.run, asked, request.times, request.rows)
     other = _without(problem, request, settings, stated)
-    if request.output in ("json", "npz"):
+    if as_data:
         return found, _status(found), _data(case, found, table, other)
     if request.output == "csv":
         return found, _status(found), "\n".join([*_csv(table), ""])

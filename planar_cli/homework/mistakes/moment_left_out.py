@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import ClassVar, final
 
 import sympy as sp
@@ -31,8 +32,13 @@ class MomentLeftOut(Mistake):
                 continue
             changed = with_changed(
                 equations,
-                lambda r, f=symbol: terms_without(r, lambda t: f in t.free_symbols),  # type: ignore[misc]
+                partial(_without, symbol),
                 lambda kind: kind == "moment",
             )
             if changed is not None:
                 yield Model(f"the moment of {symbol.name} is missing", changed)
+
+
+def _without(force: sp.Symbol, residual: sp.Expr) -> sp.Expr:
+    """An equation of moments without that of one force."""
+    return terms_without(residual, lambda term: force in term.free_symbols)

@@ -4,12 +4,11 @@ The set
 
 A set is a file that lists problem files:
 
-    title: Homework 3
-    text: Hand in by Friday.
     problems:
       - slope.yaml                                     a path, as seen from the set file
       - {file: gears.yaml, name: gears, points: 4}     points of a problem, shared by its finds
       - {file: rod.yaml, points: {alpha: 3, A_x: 1}}   or of each find; else each counts 1
+    text: Hand in by Friday.
     variants: {number: 30, seed: 7}
     students: [s101, s102]                             the first has variant 1, the second variant 2, …
     tolerance: 0.01                                    relative; else that of each file, else one per cent
@@ -18,7 +17,7 @@ A set is a file that lists problem files:
     credit: {unit: 0.5, no_unit: 0, sign: 0, precision: 0.9, carried: 1}
     decimal_comma: true                                12,5 is twelve and a half
 
-Only `title` and `problems` are needed. A credit is the part of the points that is given for the right number with a
+Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is given for the right number with a
 wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign or sense, with too few figures,
 and for what follows rightly from a wrong earlier value of the student's own (1 unless said otherwise).
 

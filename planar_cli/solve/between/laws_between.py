@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.principles.base import Balance, Impulses, Integrated
+from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.records import changing
 from planar_cli.solve.between.balances import Closed, Offered, balance_equations, closed_balances
 from planar_cli.solve.between.impulses import impulse_equations
@@ -72,5 +73,5 @@ class LawsBetween:
         """The letter for the impulse of a reaction between two states."""
         key = (push.name, since.name, stop.name)
         if key not in self.impulses:
-            self.impulses[key] = ledger.fresh(f"J_{push.name}__{stop.name}", unit)
+            self.impulses[key] = ledger.fresh(f"{of_reaction(push.name)}__{stop.name}", unit)
         return self.impulses[key]

@@ -31,6 +31,7 @@ from planar_cli.solve.regimes.equations import (
 )
 from planar_cli.solve.regimes.meetings import meeting_equations
 from planar_cli.solve.regimes.mode_sequence import fixed_time
+from planar_cli.solve.regimes.orbits import orbit_equations
 from planar_cli.solve.regimes.standing import begun_at, standing_at, standing_equations
 from planar_cli.solve.regimes.symmetric import symmetric_equations
 from planar_cli.solve.regimes.timeline import Stop
@@ -255,6 +256,9 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr], data: Sequ
         standing = list(standing_equations(laws, start, stop, regime, known))
         found, known = [*found, *standing], known | standing_at(standing, known)
         found += list(symmetric_equations(start, stop, regime, begun))
+        between = [motion.stops[s.name] for s in motion.states[since + 1 : i]]
+        orbits = orbit_equations(start, between, stop, regime, stated, data)
+        found += [replace(e, offered=frozenset(motion.between.integrating)) for e in orbits]
         found += list(kept_equations(regime, start, stop))
         balances = list(motion.between.equations(motion, i))
         found += [*balances, *mass_centre_equations(balances, regime, motion.first, begun)]

@@ -10,12 +10,16 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.between.derivation import Derivation
 from planar_cli.solve.regimes.equations import Equation
 
 Inside = Callable[[Equation], frozenset[sp.Symbol]]
 Regular = Callable[[tuple[Equation, ...], tuple[sp.Symbol, ...]], bool]
 
+SIGNED = ("extreme", "link", "loop")
+LONGEST = 60
+"""A longer equation is not made plainer."""
 NOTHING = Decimal("1e-9")
 """A factor that is smaller, in parts of the size of its terms, may be zero."""
 
@@ -63,8 +67,11 @@ def _smallest(
 
 def without_factors(equation: Equation, value: Valuation) -> Equation:
     """A condition whose factors are known not to vanish loses them: of 2 v dv/dt = 0 with v > 0, dv/dt = 0 is left. A
-    number stays with a polynomial in numbers: of (20 - 4 t)/m = 0, 20 - 4 t = 0 is left.
+    number stays with a polynomial in numbers: of (20 - 4 t)/m = 0, 20 - 4 t = 0 is left. What has a sign there is not
+    told by its size: with y < 0, -y stands for |y|.
     """
+    if equation.kind in SIGNED:
+        equation = _signed(equation, value)
     if equation.kind != "extreme":
         return equation
     factors = sp.Mul.make_args(sp.factor_terms(equation.residual))
@@ -75,6 +82,20 @@ def without_factors(equation: Equation, value: Valuation) -> Equation:
     if rest.is_Add and len(rest.free_symbols) == 1 and rest.is_polynomial():
         rest = sp.expand(rest * sp.Mul(*(f for f in factors if f.is_number)))
     return replace(equation, residual=rest)
+
+
+def _signed(equation: Equation, value: Valuation) -> Equation:
+    """An equation in which nothing is told by its size whose sign is known in this motion."""
+    signed = {a: a.args[0] * sign for a in equation.residual.atoms(sp.Abs) if (sign := _sign_of(a.args[0], value))}
+    if not signed or longer(equation.residual, LONGEST):
+        return equation
+    return replace(equation, residual=simplified(equation.residual.xreplace(signed)))
+
+
+def _sign_of(expr: sp.Expr, value: Valuation) -> int:
+    """Which sign it has in this motion; 0: none that is known."""
+    number = value.known(expr)
+    return 0 if number is None or not _differs_from_zero(expr, value) else 1 if number > 0 else -1
 
 
 def _differs_from_zero(factor: sp.Expr, value: Valuation) -> bool:

@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
+from planar_cli.solve.between.angles_between import by_angles, by_the_angle_between
 from planar_cli.solve.between.at_hand import at_hand
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
@@ -67,6 +68,7 @@ class Router:
         self.plain = self._plain(equations)
         self._residuals: dict[sp.Expr, sp.Expr] = {}
         equations = [without_factors(e, value) for e in with_aims(equations)]
+        equations = [by_the_angle_between(e, unknowns, value) for e in equations]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
         self._zeros: dict[sp.Symbol, sp.Expr] = {}
         self._same: dict[sp.Symbol, sp.Expr] = {}
@@ -328,7 +330,8 @@ class Router:
             results.append(self._single(pool[0], left[0]))
             results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
         else:
-            results = self._by_squares(pool, left) or [Result(x, None, self.value(x)) for x in derivation.unknowns]
+            results = self._by_squares(pool, left) or by_angles(pool, left, self.value, self._single)
+            results = results or [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
         return DerivedStep(derivation, tuple(results), datum and not _is_high(derivation))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from itertools import islice
 
@@ -14,6 +14,7 @@ from planar_cli.solve.between.events import FollowedSegment, events, is_zero, sc
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, unit_of
+from planar_cli.solve.following.ends import is_put_in
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -39,30 +40,54 @@ def how_near(course: MotionEquations, followed: Followed, stop: Stop, value: Val
     for d in equations if onward is not None and onward.pieces else ():
         assert onward is not None
         try:
-            g = reader.along(d.residual, stop, onward)
-            run = min(20 * scale_of(onward), max(p.t1 for p in onward.pieces) - onward.t0)
-            times = [onward.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
-            sizes = [reader.size(d.residual, stop, onward, t) for t in times]
-            if all(is_zero(g, t, onward, size) for t, size in zip(times, sizes, strict=True)):
-                found.append(f"`{d.text}` holds all the time, and tells no instant")
-                continue
-            first, within = _first(g, onward, run)
-            if first is not None:
-                found.append(f"`{d.text}` holds at t = {first:.4g} s")
-                continue
-            away, at = _nearest(g, times)
-            lasts = max(abs(g(t)) for t in times) - away <= BEFORE * away
+            found.append(_of_one(course, reader, d, stop, [*_on_the_way(course, followed), onward]))
         except (NoValue, Unvalued):
             return ""
-        apart = apart_by(course, d, Decimal(repr(away)))
-        if lasts and apart:
-            found.append(f"from t = {onward.t0:.4g} s on `{d.text}` stays as far off: {apart}")
-        else:
-            found.append(f"{within}`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}")
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
     if outcome is not None and outcome.kind == "repeats":
         found.append(outcome.words)
     return "; ".join(dict.fromkeys(found))
+
+
+def _on_the_way(course: MotionEquations, followed: Followed) -> list[FollowedSegment]:
+    """The stretches from the last state of the file to where the modes changed last."""
+    ends = range(1, len(followed.segments) + 1)
+    last = max((i for i in ends if i < len(course.states) and not is_put_in(course, i)), default=0)
+    return list(followed.segments[last:])
+
+
+def _of_one(
+    course: MotionEquations, reader: Follower, d: Demand, stop: Stop, stretches: Sequence[FollowedSegment]
+) -> str:
+    """How near the motion comes to one relation on these stretches, the last of which goes on. NoValue, Unvalued."""
+    onward = stretches[-1]
+    nearest: list[tuple[float, float]] = []
+    for stretch in stretches[:-1]:
+        g = reader.along(d.residual, stop, stretch)
+        if (root := next(events(g, stretch, stretch.t1), None)) is not None:
+            return f"`{d.text}` holds at t = {root.value:.4g} s"
+        nearest.append(_nearest(g, [_share(stretch.t0, stretch.t1, k) for k in range(SAMPLES + 1)]))
+    g = reader.along(d.residual, stop, onward)
+    run = min(20 * scale_of(onward), max(p.t1 for p in onward.pieces) - onward.t0)
+    times = [_share(onward.t0, onward.t0 + run, k) for k in range(SAMPLES + 1)]
+    sizes = [reader.size(d.residual, stop, onward, t) for t in times]
+    if all(is_zero(g, t, onward, size) for t, size in zip(times, sizes, strict=True)):
+        return f"`{d.text}` holds all the time, and tells no instant"
+    first, within = _first(g, onward, run)
+    if first is not None:
+        return f"`{d.text}` holds at t = {first:.4g} s"
+    last = _nearest(g, times)
+    away, at = min(last, *nearest) if nearest else last
+    lasts = away == last[0] and max(abs(g(t)) for t in times) - away <= BEFORE * away
+    apart = apart_by(course, d, Decimal(repr(away)))
+    if lasts and apart:
+        return f"from t = {onward.t0:.4g} s on `{d.text}` stays as far off: {apart}"
+    return f"{within}`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}"
+
+
+def _share(start: float, end: float, k: int) -> float:
+    """The k-th of the times at which a stretch is looked at."""
+    return start + (end - start) * k / SAMPLES
 
 
 def _first(g: Callable[[float], float], onward: FollowedSegment, run: float) -> tuple[float | None, str]:

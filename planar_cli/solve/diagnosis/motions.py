@@ -6,7 +6,7 @@ that is seen from their rank at a general place. Data contradict each other wher
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -34,7 +34,8 @@ from planar_cli.solve.diagnosis.turns_off import turns_off
 from planar_cli.solve.diagnosis.undated import mode_at_a_time
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.following.passage_times import is_steady
-from planar_cli.solve.instant.instant import make_instant, search_modes
+from planar_cli.solve.instant.instant import make_instant
+from planar_cli.solve.instant.modes_search import search_modes
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.mode_sequence import Span, Workshop, fixed_time
@@ -256,8 +257,29 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
                 f"it is {abs(turns)} whole turn{'s' * (abs(turns) > 1)} off: an angle begins as the points are written"
             )
         return _wrong(last.mark, "PL609", text, hint)
+    if len(texts) == 1 and (later := [e for e in stated if _comes_after(course.problem, e, last)]):
+        return _not_from_there(course, last, later)
     rest = _quoted(texts[:-1]) if len(texts) > 1 else "what else is known"
     text = f"state {last.stop}: `{texts[-1]}` contradicts {rest}"
+    return _wrong(last.mark, "PL624", text, what_to_write(course.problem, last.stop))
+
+
+def _comes_after(problem: Problem, one: Equation, other: Equation) -> bool:
+    """Does it speak of a later state?"""
+    names = [s.name for s in problem.states]
+    return {one.stop, other.stop} <= set(names) and names.index(one.stop) > names.index(other.stop)
+
+
+def _not_from_there(course: MotionEquations, start: Equation, later: Sequence[Equation]) -> NoSolution:
+    """Only without what an earlier state says is there a motion: what is not reached from there is at fault."""
+    last, names = later[-1], list(dict.fromkeys(e.stop for e in later))
+    here = [f"`{text}`" for text in dict.fromkeys(e.words for e in later if e.stop == last.stop)]
+    told, verb = " and ".join(here), "contradict" if len(here) > 1 else "contradicts"
+    if len(names) > 1:
+        told, verb = f"what is said of {' and '.join(names)}", "contradicts"
+    sought = " and ".join(s.name for s in course.problem.unknowns)
+    text = f"state {last.stop}: {told} {verb} `{start.words}` in state {start.stop}"
+    text += f": it is not reached from there, whatever the value of {sought}" if sought else ""
     return _wrong(last.mark, "PL624", text, what_to_write(course.problem, last.stop))
 
 

@@ -173,7 +173,8 @@ class Follower:
             done.misfit, done.choice = i, choice
             return False
         self.begun = self._begin(regime, begins, before)
-        done.ways = ways_at(regime, self._here(regime, self.begun))
+        turned = self._letters(regime).turned_round(begins[2], self.begun)
+        done.ways = ways_at(regime, self._here(regime, self.begun)) | turned
         done.misfit = i if done.ways else None
         return done.misfit is None
 

@@ -107,6 +107,27 @@ class Letters:
         letters = self.regime.letters
         return dict(zip(letters, (t, *places, *speeds), strict=True))
 
+    def turned_round(self, y: Sequence[float], letters: Mapping[sp.Symbol, float]) -> dict[str, int]:
+        """Signs of speeds that a law gives by their size, where a state of the scene arrives the other way. `letters`:
+        those of this state.
+        """
+        headed, coordinates = self.regime.general.instant.scene.headed, self.regime.coordinates
+        if not headed or not coordinates or not self.places:
+            return {}
+        numbers = self._where(*(letters[s] for s in self.regime.letters))
+        slopes, sizes = numbers[len(self.places) :], [self.scale[i] for i, _ in self.places]
+        count, own = len(coordinates), self.velocities(letters)
+        rows = [[x / s for x in slopes[k * count : (k + 1) * count]] for k, s in enumerate(sizes)]
+        off = [(y[self.half + i] - own[i]) / s for (i, _), s in zip(self.places, sizes, strict=True)]
+        rates = self._numbers([self.regime.rates[c.symbol] for c in coordinates])
+        told = rates(*(letters[s] for s in self.regime.letters))
+        found = {}
+        for c, rate, missed in zip(coordinates, told, in_the_mean(rows, off), strict=True):
+            for key, (way, speed) in headed.items():
+                if c.speed == speed and rate * (rate + missed) < 0:
+                    found[key] = -way
+        return found
+
     def _coordinates(self, t: float, y: Sequence[float], found: list[float]) -> list[float]:
         count, still = len(found), [0.0] * len(self.regime.free)
         if not count:

@@ -23,6 +23,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import AtRest, Binary, Grouped, Name, Quantity, Relation, Side, Statement
 from planar_cli.problem.facts import Mode, Push
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.instant.asked import FORCES
@@ -124,7 +125,7 @@ class Struck(Instant):
         return made
 
     def name_of(self, push: Push) -> tuple[str, str]:
-        return f"J_{push.name}{self.mark}", OF_IMPULSE[push.unit]
+        return f"{of_reaction(push.name)}{self.mark}", OF_IMPULSE[push.unit]
 
 
 def struck_instant(

@@ -15,6 +15,7 @@ from functools import cached_property, partial
 import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.expansion import expanded
@@ -299,7 +300,7 @@ class Offers:
                 found[name] = self.scene.point(name)
         for body in group.bodies:
             if self.scene.rigid(body):
-                found.setdefault(self.scene.bodies[body].center_name or f"G_{body}", self.scene.center(body))
+                found.setdefault(centre_of(self.scene, body), self.scene.center(body))
         for push in self.system.pushes:
             for action in push.actions:
                 if action.body in group.bodies and push.place in self.scene.points:

@@ -184,10 +184,11 @@ class Writer:
             return expr
         scene = self.system.scene
         at = centre_of(scene, body)
-        stem = f"a_{body if '_' in at else at}"
+        own = at.replace("_", ",")
+        index = f"{own}_{axis}" if axis and own != at else f"{own}{axis}"
         form = self.numbers.form(expr)
         expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
-        symbol = scene.ledger.once(stem + axis, "m/s^2", expr)
+        symbol = scene.ledger.once(f"a_{index}", "m/s^2", expr)
         self.lines.append(Explicit(self.number(), symbol, expr, acceleration_words(self.system, body, at, axis, expr)))
         return symbol
 

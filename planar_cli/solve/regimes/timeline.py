@@ -264,6 +264,8 @@ class Reader:
         difference: Any
         trend: sp.Expr | None = None
         if isinstance(item, VectorStatement) and self._counted(item):
+            if item.size is not None:
+                return [told for r in item.relations for one in grouped([r]) for told in self._relation(one)]
             item = item.relations[0]
         if isinstance(item, VectorStatement):
             s, (difference, trend) = item.relations[0], vector_equations(item, self.any)
@@ -282,8 +284,8 @@ class Reader:
         return [(s, (s.operator, difference.value, trend))]
 
     def _counted(self, item: VectorStatement) -> bool:
-        """Does a statement about the direction of a place alone tell its turns as well?"""
-        if item.vector.word != "r" or item.size is not None:
+        """Does a statement about the direction of a place tell its turns as well?"""
+        if item.vector.word != "r" or item.angle is None:
             return False
         angle = self.any(replace(item.vector, parts=(*item.vector.parts, Part("angle", None, item.vector.mark))))
         return isinstance(angle, Jet) and not angle.value.has(sp.atan2)

@@ -1,0 +1,38 @@
+"""What stands on a page already is told once: under another number, in a later part of a motion, or as a definition."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    ("stem", "line"),
+    [
+        ("simple-pendulum", "as before: the diagram and (1), that is (2) of case released"),
+        ("disk-held-by-a-spring", "as before: (1) and (2), that is (2) and (3) of case let go"),
+        ("chain-5-symbols", "As before: (6) to (10), that is (5) to (9) of case root."),
+        ("bicycle-driven-and-braked", "STEP 4 Kinematic analysis as from 1 to 2: (9) to (12), there (1) to (4)"),
+    ],
+)
+def test_equations_that_had_other_numbers(stem: str, line: str) -> None:
+    assert line in page_of_file(stem)
+
+
+def test_results_from_equations_with_other_numbers() -> None:
+    """(6) in (7) gives what (5) in (6) gave."""
+    page = page_of_file("chain-5-symbols")
+    assert page.count("α_DE = -3 g cos β / (362 L)") == 3
+    assert "α_DE = -3 g cos β / (362 L), α_OA = -459 g cos β / (362 L)" in page
+
+
+@pytest.mark.parametrize(
+    "stem", ["bicycle-driven-and-braked", "ladder-leaving-the-wall", "roller-onto-a-spring", "ball-with-backspin"]
+)
+def test_a_moment_of_inertia_is_defined_once(stem: str) -> None:
+    page = page_of_file(stem)
+    defined = re.findall(r"moment of inertia of \w+:", page)
+    assert defined
+    assert len(defined) == len(set(defined))

@@ -1,0 +1,28 @@
+"""P′ is introduced before the first formula that has it: as the point of which body it moves."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+@pytest.mark.parametrize(("stem", "words"), [
+    ("crank-pin-in-a-slotted-arm", "P′: the point fixed to the arm that coincides with P"),
+    ("car-seen-from-a-bend", "B′: the point fixed to carA that coincides with B"),
+    ("eccentric-cam-with-flat-follower", "G′: the point fixed to the follower that coincides with G"),
+    ("pin-in-two-slotted-rods", "P′: the point fixed to BD that coincides with P"),
+])  # fmt: skip
+def test_a_primed_point_is_introduced(stem: str, words: str) -> None:
+    page = " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+    _, _, steps = page.partition("STEP 1")
+    first = re.search(rf"{words[0]}′", steps)
+    assert first is not None
+    assert steps[first.start() :].startswith(words)

@@ -1,0 +1,32 @@
+"""Given says which particle is at a point whose name its letters have: v_F is the velocity of A."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def given(stem: str) -> str:
+    """What is given, with single spaces."""
+    page = " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+    return page.partition(" Given ")[2].partition(" Find ")[0]
+
+
+@pytest.mark.parametrize(("stem", "words"), [
+    ("weight-lifted-by-a-jerk", "F(-0.2, 0) m (A), B(0.2, 2.5) m;"),
+    ("bead-in-loop", "OP = R at 120° (P: ball)"),
+    ("block-with-a-fading-push", "P(0, 0) (block)"),
+    ("ex-1-14", "P at y = 500 mm on the line through O at θ (collar)"),
+])  # fmt: skip
+def test_a_particle_is_told_where_its_point_is(stem: str, words: str) -> None:
+    assert words in given(stem)
+
+
+def test_a_particle_with_the_name_of_its_point_needs_no_word() -> None:
+    assert "(P" not in given("ellipse-in-time").replace("P(", "")
