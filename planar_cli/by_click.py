@@ -69,7 +69,7 @@ def _made(name: str, command: Command) -> click.Command:
 
 
 def _argument(declared: Argument) -> click.Argument:
-    return click.Argument([declared.parameter], nargs=-1, required=True)
+    return click.Argument([declared.parameter], nargs=-1, required=declared.required)
 
 
 def _option(declared: Option) -> click.Option:

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from planar_cli.problem.keys import KeySpec
 
 PAGES = Path(__file__).parent / "problem" / "pages"
-SHELVES = ("joints", "loads", "principles", "integrators")
+SHELVES = ("joints", "loads", "principles", "integrators", "homework.mistakes", "homework.exports")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
 BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
-LAST = ("cases", "answers", "checks_confirmed", "examples", "pitfalls")
+LAST = ("cases", "answers", "variants", "homework_sets_submissions", "checks_confirmed", "examples", "pitfalls")
 
 
 @cache
@@ -56,7 +56,9 @@ def topics() -> str:
         seen.setdefault(page, []).append(topic)
     lines += [f"  {', '.join(names):<22}{page.partition(chr(10))[0]}" for page, names in seen.items()]
     for shelf in SHELVES:
-        lines += ["", f"Kinds of {shelf}:", *(f"  {kind:<22}{line}" for kind, line in kinds(shelf).items())]
+        width = max(22, *(len(kind) + 2 for kind in kinds(shelf)))
+        lines += ["", f"Kinds of {shelf.rpartition('.')[2]}:"]
+        lines += [f"  {kind:<{width}}{line}" for kind, line in kinds(shelf).items()]
     return "\n".join([*lines, "", "Codes of messages: PL101, PL102, … as printed with each error."])
 
 
@@ -81,12 +83,13 @@ def codes() -> dict[str, str]:
     """Every diagnostic code with its explanation."""
     from planar_cli.problem.codes import CODES
     from planar_cli.problem.codes_engine import CODES_ENGINE
+    from planar_cli.problem.codes_homework import CODES_HOMEWORK
     from planar_cli.problem.codes_motion import CODES_MOTION
     from planar_cli.problem.codes_scene import CODES_SCENE
     from planar_cli.problem.codes_solve import CODES_SOLVE
     from planar_cli.problem.codes_structure import CODES_STRUCTURE
 
-    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE}
+    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE, **CODES_HOMEWORK}
 
 
 def kind_page(shelf: str, kind: str) -> str:

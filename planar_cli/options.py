@@ -103,9 +103,10 @@ class Option:
 
 @record
 class Argument:
-    """What stands on the line beside options: one or more texts."""
+    """What stands on the line beside options: one or more texts, or none where it is not `required`."""
 
     parameter: str
+    required: bool = True
 
 
 Function = Callable[..., int]
@@ -139,8 +140,9 @@ class Command:
                 text = value if sign else next(left, None)
                 if text is None or text.startswith("-") or not _take(option, text, found):
                     return None
-        names = [p.parameter for p in self.parameters if isinstance(p, Argument)]
-        return {**found, names[0]: tuple(texts)} if texts and len(names) == 1 else None
+        beside = [p for p in self.parameters if isinstance(p, Argument)]
+        enough = len(beside) == 1 and (texts or not beside[0].required)
+        return {**found, beside[0].parameter: tuple(texts)} if enough else None
 
 
 def _take(option: Option, text: str, found: dict[str, Any]) -> bool:
@@ -161,9 +163,9 @@ def command(help: str | None) -> Callable[[Function], Command]:
     return lambda function: Command(function, getattr(function, "parameters", ()), help or "")
 
 
-def argument(parameter: str) -> Callable[[Function], Function]:
+def argument(parameter: str, required: bool = True) -> Callable[[Function], Function]:
     """One text or more beside the options."""
-    return lambda function: _with(function, Argument(parameter))
+    return lambda function: _with(function, Argument(parameter, required))
 
 
 def option(*names: str, help: str, **more: Any) -> Callable[[Function], Function]:

@@ -12,7 +12,7 @@ from conftest import ROOT
 PACKAGE = ROOT / "planar_cli"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
-STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "homework", "report")
+STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "replay", "homework", "report")
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "exports", "commands")
 COMMON = {"base_units", "errors", "near", "records", "registry", "unit_hints", "units"}
 # What members of a shelf may import, beside errors, records, units and their own shelf's base and private modules.

@@ -74,7 +74,7 @@ def test_a_damper_at_rest_has_the_sense_in_which_it_counts(tmp_path: Path) -> No
 
 def test_a_force_that_is_given_as_zero_is_not_drawn() -> None:
     free = _page("friction/block-held-on-slope").partition("CASE  free")[2]
-    assert "block: the diagram as before, without F\n" in free
+    assert "block:  m g ↓,  N_A ↖,  F_A ↗   =   0\n" in free
 
 
 def test_a_guide_that_carries_a_weight_is_drawn() -> None:

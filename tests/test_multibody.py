@@ -17,7 +17,8 @@ from planar_cli.errors import FileProblem
 from planar_cli.problem.facts import Action, Push
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load, load_text
-from planar_cli.solve.instant.instant import Trial, make_instant, search_modes
+from planar_cli.solve.instant.instant import Trial, make_instant
+from planar_cli.solve.instant.modes_search import search_modes
 from planar_cli.solve.instant.worked import Worked, unknowns_of
 from planar_cli.solve.multibody.agreement import Agreement
 from planar_cli.solve.multibody.motion import second_road

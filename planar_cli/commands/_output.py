@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Mapping
 from pathlib import Path
 
 from planar_cli.errors import PlanarError
@@ -24,6 +25,20 @@ def write(text: str, output: str | None, styled: bool = False) -> None:
         echo(shown, end="")
         return
     _replace(Path(output or ""), shown.encode())
+
+
+def write_files(files: Mapping[str, bytes], folder: str) -> None:
+    """Write files below a folder, which is made where it is not there. Their names never lead out of it."""
+    root = Path(folder)
+    for name, data in files.items():
+        target = root.joinpath(*name.split("/"))
+        if not target.resolve().is_relative_to(root.resolve()):
+            raise PlanarError(f"cannot write {name}: it does not lie in {folder}")
+        try:
+            target.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise PlanarError(f"cannot write {target}: {error.strerror}") from error
+        _replace(target, data)
 
 
 def write_bytes(data: bytes, output: str) -> None:

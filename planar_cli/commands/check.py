@@ -1,9 +1,12 @@
-"""Solve problem files on all cores and compare with the answers that they state.
+"""Solve problem files and compare with the answers that they state, or grade submissions against a homework set.
 
 FILES are problem files or folders (every .yaml and .yml file below). Prints one line for each file and what differs; of
 a file without `answers`, which is only solved, `no answers`.
+With --set FILES are submissions: YAML, JSON or CSV files or folders of them. Each find gets a verdict on value, unit,
+sign and precision; a wrong number that a typical mistake gives is told so. See `planar explain homework`.
 The exit status is 0 when all agree, 1 when an answer disagrees or a problem has no solution, 2 for a bad file, 3 when
-something was not decided in time, 4 for a fault of planar; of several, the highest.
+something was not decided in time, 4 for a fault of planar; of several, the highest. A graded class is 0 whatever its
+answers are, unless submissions could not be graded within their limits.
 """
 
 from __future__ import annotations
@@ -30,29 +33,72 @@ STATUS = {
     "fault": cli.FAULT,
 }
 NO_ANSWERS = "no answers"
+FORMS = ("terminal", "json", "jsonl", "csv", "junit", "github", "markdown")
+ONLY_SET = {
+    "--results": "results",
+    "--export": "exports",
+    "--output": "output",
+    "--student": "for_student",
+    "--shard": "shard",
+    "--cluster": "cluster",
+    "--false-matches": "matches",
+}
+"""Options that say something of a set alone."""
 COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad file": "red"}
 
 
 @declared(help=__doc__)
-@argument("files")
-@option("--format", "form", type=Choice(["text", "json"]), default="text", help="How to print.")
+@argument("files", required=False)
+@option("--set", "homework", metavar="SET", help="A homework set against which FILES are graded.")
+@option("--format", "form", type=Choice(FORMS), default="terminal", help="How to print.")
+@option("--results", metavar="FILE", help="With --set: lines of JSON as they come; a second run takes up there.")
+@option("--export", "exports", multiple=True, metavar="NAME", help="With --set: gradebook, canvas or gradescope.")
+@option("-o", "--output", metavar="FOLDER", help="Where exports are written.")
+@option("--student", "for_student", is_flag=True, help="With --set: nothing of the key is printed.")
+@option("--shard", metavar="K/N", default="1/1", help="With --set: only the Kth of N parts of the submissions.")
+@option("--cluster", metavar="ADDRESS", help="With --set: grade on a dask cluster, `tcp://host:8786` or `local`.")
+@option("--tolerance-report", "tolerances", is_flag=True, help="What rounding on the way does to each find.")
+@option("--false-matches", "matches", is_flag=True, help="With --set: how often a random wrong number is diagnosed.")
 @option("--jobs", type=IntRange(1), help="Worker processes; as many as there are cores.")
 @option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a problem; 0: none.")
-def command(files: tuple[str, ...], form: str, jobs: int | None, timeout: float) -> int:
-    """Check all files and print a table."""
+def command(
+    files: tuple[str, ...], homework: str | None, form: str, jobs: int | None, timeout: float, **options: Any
+) -> int:
+    """Check all files and print a table, or grade a class."""
+    if "-" in files:
+        raise WrongUsage("check reads files and folders; `planar solve -` reads standard input")
+    if homework is not None:
+        from planar_cli.commands._check_set import checked_set
+
+        return checked_set(homework, files, form, jobs or os.cpu_count() or 1, timeout, options)
+    wrong = next((o for o, name in ONLY_SET.items() if options[name] not in (None, (), False, "1/1")), None)
+    if wrong is not None:
+        raise WrongUsage(f"{wrong} belongs to --set")
+    if not files:
+        raise WrongUsage("name a problem file or a folder")
+    if options["tolerances"]:
+        from planar_cli.commands._tolerances import tolerances_of
+
+        return tolerances_of(files, timeout)
+    return _checked(files, form, jobs or os.cpu_count() or 1, timeout)
+
+
+def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float) -> int:
     from planar_cli.homework.checking import check_files
     from planar_cli.problem.files import problem_files
 
-    if "-" in files:
-        raise WrongUsage("check reads files and folders; `planar solve -` reads standard input")
     paths = list(problem_files(files))
-    checked = check_files(paths, jobs or os.cpu_count() or 1, timeout, _progress(len(paths)))
+    checked = check_files(paths, jobs, timeout, _progress(len(paths)))
     if form == "json":
         _print_json(checked)
-    else:
+    elif form == "terminal":
         _print_table(checked)
         _print_differences(checked)
         _print_count(checked)
+    else:
+        from planar_cli.commands._check_formats import written
+
+        echo(written(checked, form), end="")
     return max(STATUS[c.outcome] for c in checked)
 
 
@@ -124,24 +170,7 @@ def _print_count(checked: Sequence[Checked]) -> None:
 
 
 def _print_json(checked: Sequence[Checked]) -> None:
-    from planar_cli.diagnostics import as_data
+    from planar_cli.commands._check_formats import as_record
     from planar_cli.formats.json import dumps
 
-    files: list[dict[str, Any]] = []
-    for one in checked:
-        answers = [
-            {"find": v.find, "stated": v.stated, "solved": v.solved, "agrees": v.agrees, "relative_error": v.error}
-            for v in one.verdicts
-        ]
-        files.append(
-            {
-                "file": one.path,
-                "problem": one.title,
-                "outcome": one.outcome,
-                "answers": answers,
-                "message": one.message,
-                "diagnostics": [as_data(d) for d in one.diagnostics],
-                "seconds": round(one.seconds, 3),
-            }
-        )
-    echo(dumps({"files": files}), end="")
+    echo(dumps({"files": [as_record(c) for c in checked]}), end="")

@@ -3,12 +3,16 @@
 FILES are problem files or folders (every .yaml and .yml file below). The answers are those of the solution; one that
 the file states otherwise is marked. With --both all answers come first, then all solutions. The exit status is that of
 `planar solve`.
+
+One FILE may be a homework set (`planar explain homework`): then its variants are drawn, and with -o FOLDER a sheet for
+each variant and the key of all are written there; without, the key is printed. The same seed gives the same files.
 """
 
 from __future__ import annotations
 
+import os
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -22,6 +26,8 @@ from planar_cli.options import SECONDS
 if TYPE_CHECKING:
     from planar_cli.report.blocks import Document
 
+FORMS = ("markdown", "html", "json", "csv")
+
 
 @click.command(help=__doc__)
 @click.argument("files", nargs=-1, required=True)
@@ -33,13 +39,32 @@ if TYPE_CHECKING:
     default="student",
     help="How solutions are worked: as short as a key, worked out, or with words on each step.",
 )
-@click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option("--variants", type=click.IntRange(1, 10_000), help="Of a set: so many variants.")
+@click.option("--seed", type=click.IntRange(0, 10**9), help="Of a set: what the variants are drawn by.")
+@click.option("--format", "form", type=click.Choice(FORMS), help="Of a set: how sheets and key are written.")
+@click.option(
+    "--export", "exports", multiple=True, metavar="NAME", help="Of a set: moodle, prairielearn, qti, text2qti."
+)
+@click.option("-o", "--output", metavar="FILE", help="Write to FILE (of a set: a folder) instead of standard output.")
 @click.option("--figures", type=click.IntRange(1, 40), default=4, show_default=True, help="Significant figures.")
 @click.option("--timeout", type=type_of(SECONDS), default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(
-    files: tuple[str, ...], worked: bool, both: bool, audience: str, output: str | None, figures: int, timeout: float
+    files: tuple[str, ...],
+    worked: bool,
+    both: bool,
+    audience: str,
+    output: str | None,
+    figures: int,
+    timeout: float,
+    **of_set: Any,
 ) -> int:
-    """One section for each file, in their order."""
+    """One section for each file, in their order; or the sheets and the key of a set."""
+    if len(files) == 1 and _is_set(files[0]):
+        from planar_cli.commands._key_of_set import key_of_set
+
+        return key_of_set(files[0], worked, both, output, timeout, **of_set)
+    if any(v not in (None, ()) for v in of_set.values()):
+        raise click.UsageError("--variants, --seed, --format and --export are for one homework set")
     from planar_cli.problem.files import problem_files
     from planar_cli.registry import members
 
@@ -63,6 +88,16 @@ def command(
     else:
         write("\n".join(solutions if worked else answers), output)
     return worst
+
+
+def _is_set(path: str) -> bool:
+    """Does a file list problems, as a homework set does?"""
+    from planar_cli.problem.nodes import Mapping, read_file
+
+    if path == "-" or os.path.isdir(path):
+        return False
+    node = read_file(path)[1]
+    return isinstance(node, Mapping) and node.get("problems") is not None and node.get("find") is None
 
 
 def _below(section: str) -> str:

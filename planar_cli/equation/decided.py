@@ -180,6 +180,13 @@ class Decided:
             varying |= {c.symbol for c in self.displacement.coordinates}
         if self.displacement is None or not expr.free_symbols & varying:
             return expr if drawn > 0 else -expr
+        return self._kept_in_mind(expr, drawn)
+
+    def one_way(self, pace: Any) -> Any:
+        """|v| of a speed in a general position, as v or -v in the same manner: the motion may go the other way."""
+        return self._kept_in_mind(pace, 1)
+
+    def _kept_in_mind(self, expr: Any, drawn: int) -> Any:
         plain = -expr if expr.could_extract_minus_sign() else expr
         key = f"|{plain}|"
         # Numbers of a constant that is sought may lie on either side; what has been decided holds for all that ask.

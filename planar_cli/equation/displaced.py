@@ -55,8 +55,7 @@ class Displacer:
         self.formula |= {e.body for e in self.tree.edges if self._on_fixed_pin(e) and self._turned_by_points(e.body)}
         for edge in self.tree.edges:
             self._place(edge)
-        clockwise = frozenset(e.body for e in self.tree.edges if e.turn < 0)
-        return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula, clockwise)
+        return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula, self.tree.clockwise)
 
     # --- bodies ------------------------------------------------------------------------------------------------------
 

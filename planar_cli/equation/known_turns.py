@@ -30,9 +30,12 @@ MOVING = ("v", "a", "omega", "alpha", "x", "y", "r", "theta", "dot", "ddot")
 def with_known_turns(
     builder: TreeBuilder, scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
 ) -> TreeBuilder:
-    """The same builder, in which the only body of a scene counts clockwise where it is known to turn so. `modes`: of
-    each joint or load.
+    """The same builder, in which the only body of a scene counts clockwise where it is known to turn so; in a general
+    position as its coordinates do. `modes`: of each joint or load.
     """
+    if scene.displacement is not None:
+        builder.clockwise = scene.displacement.clockwise
+        return builder
     pivot = _pivot(scene, [found for _, found in modes]) if _starts(scene, statements) else None
     if pivot is None:
         return builder

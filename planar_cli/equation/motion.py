@@ -20,6 +20,7 @@ import sympy as sp
 
 from planar_cli.equation.components import Components
 from planar_cli.equation.ledger import Kind, Ledger, Role
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.problem.facts import Joining, Path, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -76,6 +77,11 @@ class Tree:
         """-1 where the rotations of these bodies count clockwise, else 1."""
         turns = {e.turn for e in self.edges if e.body in bodies and e.spin is not None}
         return -1 if turns == {-1} else 1
+
+    @property
+    def clockwise(self) -> frozenset[str]:
+        """The bodies whose rotations count clockwise."""
+        return frozenset(e.body for e in self.edges if e.turn < 0)
 
     def velocity_unknowns(self) -> tuple[sp.Symbol, ...]:
         return tuple(s for e in self.edges for s in (e.slide, e.rise, e.spin) if s is not None)
@@ -304,15 +310,21 @@ class Motion:
             return demanded
         if joining.path is not None:
             t = joining.path.tangent
-            along: Vec = t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
+            bend = with_mark(joining.path.curvature * speed**2, NORMAL) + with_mark(2 * base_spin * speed, CORIOLIS)
+            along: Vec = t * pace + t.turned() * bend
             return along
-        carried = joining.drift.turned() * (2 * base_spin) if joining.drift is not None and base_spin != 0 else STILL
+        carried = (
+            joining.drift.turned() * with_mark(2 * base_spin, CORIOLIS)
+            if joining.drift is not None and base_spin != 0
+            else STILL
+        )
         if joining.rolling is not None:
             roll = joining.rolling
             difference = base_spin - mover_spin
             if roll.mover - roll.base == 0 or difference == 0:
                 return carried
-            rolled: Vec = carried + roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
+            bend = with_mark(difference**2 / (roll.mover - roll.base), NORMAL)
+            rolled: Vec = carried + roll.tangent.turned() * bend
             return rolled
         return carried
 
@@ -331,8 +343,8 @@ class Motion:
         twist, omega = self.accelerations[body], self.velocities[body].angular
         found, arm = twist.linear, self.arm(twist.point, point)
         if twist.angular != 0:
-            found = found + arm.turned() * twist.angular
-        return found if omega == 0 else found - arm * omega**2
+            found = found + arm.turned() * with_mark(twist.angular, TANGENTIAL)
+        return found if omega == 0 else found - arm * with_mark(omega**2, NORMAL)
 
     def row_velocity(self, row: Row) -> sp.Expr:
         """Left minus right side of a row, at velocity level."""
@@ -348,7 +360,7 @@ class Motion:
                 s.direction.turned()
             )
             if across != 0:
-                found += across**2 / s.length
+                found += with_mark(across**2 / s.length, NORMAL)
         if row.sharpening != 0:
             speed = sp.Add(*(self.velocity(p.anchor.point, p.anchor.body).dot(p.direction) for p in row.slides))
             found -= row.sharpening * speed**2

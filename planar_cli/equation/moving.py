@@ -15,7 +15,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.growth import growth
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.plain import MANY, by_name, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
@@ -96,7 +96,25 @@ class Moving:
                 reach = sp.sqrt(simplified(along.dot(along)))
                 found: Vec = -along * (_with_sign(u, sp.expand(simplified(size))) / reach)
                 return found
+        if (line := self._on_a_line(velocity, speeds)) is not None:
+            along, pace = line
+            way = simplified(self.one_way(pace) / pace)
+            force: Vec = -along * (way * size / sp.sqrt(simplified(along.dot(along))))
+            return force
         return Vec(*(-p * (size / sp.sqrt(simplified(velocity.dot(velocity)))) for p in (velocity.x, velocity.y)))
+
+    def _on_a_line(self, velocity: Vec, speeds: list[sp.Symbol]) -> tuple[Vec, sp.Expr] | None:
+        """A direction in which no speed stands, and how fast it goes along that; None: the direction varies with the
+        speeds.
+        """
+        for u in by_name(speeds):
+            along = Vec(sp.diff(velocity.x, u), sp.diff(velocity.y, u))
+            if {*along.x.free_symbols, *along.y.free_symbols} & self._speeds():
+                return None
+            pace = simplified(velocity.dot(along) / along.dot(along))
+            if all(expanded(simplified(p - e * pace)) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
+                return along, pace
+        return None
 
     def _speeds(self) -> set[sp.Symbol]:
         rates = self._scene.evaluator.speeds

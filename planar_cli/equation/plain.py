@@ -30,6 +30,8 @@ PRINTABLE = 1000
 """A formula of more operations than this is not printed as one: its lines are, step by step."""
 DIGITS = 50
 """Of numbers that refute a zero."""
+ANGLES = (sp.asin, sp.acos, sp.atan)
+"""The fraction inside is put together by itself."""
 FEW = 2
 """So short an expression is left alone."""
 _KEPT = 50_000
@@ -172,6 +174,8 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
         expr = expr.replace(_log_of_exp, lambda e: e.args[0].args[0])
     if expr.has(sp.Abs, sp.sign):
         expr = with_certain_signs(expr)
+    if expr.has(*ANGLES):
+        expr = expr.replace(lambda e: isinstance(e, ANGLES), lambda e: e.func(_simplified(e.args[0])))
     whole = expanded(expr)
     forms = [expr, whole]
     if _degree(expr) >= 2:

@@ -14,6 +14,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind as RoleKind
 from planar_cli.equation.ledger import Ledger, Role
+from planar_cli.equation.parts_of_accelerations import know_marks
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.errors import refuse
@@ -151,6 +152,7 @@ class Setup:
             if "g" in letters and "g" not in self.ledger.symbols:
                 self._gravity()
             self.ledger.known(name, known.value, known.unit)
+        know_marks(self.ledger)
         for symbol in self.problem.given:
             self._know(symbol)
         for letter, side in impulse_letters(self.problem).values():

@@ -19,6 +19,7 @@ from planar_cli.equation.conditions import (
 )
 from planar_cli.equation.determined import told_by
 from planar_cli.equation.driven_rest import relative_rest
+from planar_cli.equation.held import is_held
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
 from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
@@ -99,6 +100,8 @@ class System:
     reactions: Reactions | None = None
     wrenches: tuple[Wrench, ...] = ()
     titles: dict[sp.Symbol, str] = field(default_factory=dict)
+    held: bool | None = None
+    """Do the joints keep everything where it is? None: that has not been asked."""
 
     def velocity_conditions(self) -> list[Condition]:
         """Everything that velocities must satisfy (rest is applied afterwards)."""
@@ -194,10 +197,13 @@ class System:
     def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         motion = quantities.motion
         rows = [row for mode in self.modes.values() for row in mode.facts.rows]
-        return [
+        found = [
             *joint_conditions(self.tree, rows, motion, level, self.scene.rigid),
             *self._file_conditions(quantities, level),
         ]
+        if level == ACCELERATION and not self._all_balanced() and self.is_held():
+            found += [Condition("held", "equilibrium", a) for a in motion.tree.acceleration_unknowns()]
+        return found
 
     def _file_conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         """The relations of the file, points that follow formulas, and bodies at rest."""
@@ -208,7 +214,14 @@ class System:
 
     def balanced(self, body: str) -> bool:
         """Is a body in equilibrium?"""
-        return body in self.statements.equilibrium or self._all_balanced()
+        return body in self.statements.equilibrium or self._all_balanced() or self.is_held()
+
+    def is_held(self) -> bool:
+        """Do the joints keep everything where it is, so that it is in equilibrium, also where it is about to slip?"""
+        if self.held is None:
+            driven = any(always for _, always in self.statements.relations)
+            self.held = not driven and is_held(self.scene, self.first, self.modes.values())
+        return self.held
 
     def _all_balanced(self) -> bool:
         """Is everything in equilibrium, and not driven by `motion`?"""

@@ -18,7 +18,7 @@ from planar_cli.report.numbers import quantity
 # Spaces inside formulas while lines are being filled. `printable` lets neither through from a file.
 FIRM = "\N{NO-BREAK SPACE}"
 BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS = "\ue000", "\ue001", "\ue002"
-"""Outside brackets before + - = /, and between two factors; inside brackets before an operator."""
+"""Outside brackets before + - =, and between two factors or before a stroke; inside brackets before an operator."""
 VECTOR = (Text("["), Text(", "), Text("]"))
 """What stands around the components of a vector."""
 _INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS), " "))
@@ -54,11 +54,56 @@ def words(text: str) -> str:
 def spans(line: Line) -> list[Span]:
     """A line as styled text; spaces inside formulas, and inside a vector of two numbers, are marked as firm."""
     firm = _in_vectors(line)
-    return [
-        Span(words(part.text).replace(" ", FIRM), part.style) if i in firm and isinstance(part, Text) else span
+    made = [
+        (
+            isinstance(part, Text),
+            Span(words(part.text).replace(" ", FIRM), part.style) if i in firm and isinstance(part, Text) else span,
+        )
         for i, part in enumerate(line)
         for span in _spans(part)
     ]
+    whole = "".join(span.text for _, span in made).translate(_INNER_SPACES)
+    if not re.search(r"[-+=/·] |[\w′√][(\[]|\[", whole):
+        return [span for _, span in made]
+    kept, begin, found = _brackets(whole), 0, list[Span]()
+    for is_text, span in made:
+        text = _held(span.text, whole, begin, kept) if is_text else span.text
+        found.append(Span(text, span.style))
+        begin += len(span.text)
+    return found
+
+
+def _brackets(whole: str) -> list[int]:
+    """By place: 0 outside brackets, 1 in those about words, 2 in those of a formula, f(x), T(0, R + r) or [1, 2]."""
+    depth, opened = [], list[int]()
+    for place, character in enumerate(whole):
+        if character in "([":
+            formula = character == "[" or re.match(r"[\w′√]", whole[place - 1 : place]) is not None
+            opened.append(2 if formula or 2 in opened else 1)
+        elif character in ")]" and opened:
+            opened.pop()
+        depth.append(max(opened, default=0))
+    return depth
+
+
+def _held(text: str, whole: str, begin: int, depth: list[int]) -> str:
+    """The spaces of words between formulas: firm behind an operator and in the brackets of a formula."""
+    return "".join(_between(whole, n, depth[n]) if c == " " else c for n, c in enumerate(text, begin))
+
+
+def _between(whole: str, place: int, depth: int) -> str:
+    """A space of words, by what stands around it."""
+    if depth > 1 or (depth and re.match(r"[-+/·] ", whole[place + 1 : place + 3])):
+        return IN_BRACKETS
+    if re.match(r" [-+=/·]$", whole[place - 2 : place]):
+        return FIRM
+    begins = whole.startswith("= ", place + 1) and _begins_datum(whole[:place])
+    return BEFORE_OPERATOR if begins else " "
+
+
+def _begins_datum(before: str) -> bool:
+    """Is what stands before a sign of equality one letter with which a datum begins?"""
+    return re.search(r"(?:^|[,;:] )\S+$", before) is not None
 
 
 def _in_vectors(line: Line) -> set[int]:
@@ -106,7 +151,7 @@ def _firm(formula: str) -> str:
 def _space(formula: str, place: int, depth: int) -> str:
     """A space of a formula, by what stands around it."""
     if re.match(r"[-+=/·] ", formula[place + 1 : place + 3]):
-        return IN_BRACKETS if depth else BEFORE_OPERATOR
+        return IN_BRACKETS if depth else BETWEEN_FACTORS if formula[place + 1] in "/·" else BEFORE_OPERATOR
     behind_a_sign = re.search(r"(^|[-+=/·,≤≥<>→]|sin[²³]?|cos[²³]?|tan[²³]?)$", formula[:place])
     return FIRM if depth or behind_a_sign else BETWEEN_FACTORS
 

@@ -31,7 +31,7 @@ class Expected:
     asked: str
     """What is asked, as the page tells it: `acceleration of A`."""
     kind: str
-    """number, vector (two components), list, word (also true, false) or formula."""
+    """number, vector (two components), list, word (also true, false), formula, or equation of a curve."""
     values: tuple[float, ...]
     """In `unit`; of a word or formula none."""
     unit: str
@@ -46,6 +46,10 @@ class Expected:
     """Has it a sense of rotation, counterclockwise being positive?"""
     direction: bool = False
     """Is it an angle that is the same after a whole turn?"""
+    axis: str = ""
+    """x or y, where it is a component along that axis: then right and up are positive; "" of anything else."""
+    formula: str = ""
+    """Of a formula: itself, as a problem file would write it."""
     letters: tuple[tuple[str, str], ...] = ()
     """Of a formula: its letters with their units."""
     points: float = 1.0
@@ -105,10 +109,16 @@ class Graded:
     """To the student: gives nothing of the key away."""
     mistakes: tuple[str, ...] = ()
     """Names of the mistakes that give this number; several: it is ambiguous."""
+    feedback: str = ""
+    """What the one mistake is, in a sentence; "" where there is none or it is ambiguous."""
     carried: tuple[str, ...] = ()
     """Earlier finds of which the student's own values were put in."""
     expected: str = ""
     """What the key says; only for the lecturer."""
+    due_unit: str = ""
+    """The unit of the key; "" of what has none."""
+    tolerance: float = 0.0
+    """Relative, within which it was compared; 0 of what is not compared by size."""
 
 
 @record

@@ -71,6 +71,8 @@ _FORM = {
     ),
     "PL341": "The answer of a vector is a pair: `[3 m, 4 m]`.",
     "PL342": "YAML readers differ on what `yes`, `no`, `on` and `off` are. Answers say `true` or `false`.",
+    "PL343": "Variants are values of given names: a range `m: {from: 2 kg, to: 5 kg, step: 0.5 kg}`, or a list "
+    "`l: [3 m, 4 m]`, under `variants`, or in `given` itself, there a list as `{one_of: [3 m, 4 m]}`.",
 }
 
 _NAMES = {

@@ -14,7 +14,6 @@ from planar_cli.units import UnitError, parse_unit
 
 PLANES = ("vertical", "horizontal")
 ANSWER_KEYS = ("value", "tolerance")
-RANGE_KEYS = ("from", "to", "step")
 FIGURE_KEYS = ("hide",)
 ONE_LINE = ("title", "source")
 
@@ -193,24 +192,9 @@ def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, 
 
 
 def check_extras(whole: Fields) -> None:
-    """The form of `variants` and `figure`, which the solution itself does not need."""
-    node = whole.node("variants")
-    for key, value in (
-        [] if node is None else reading.pairs(node, "variants", whole.report, "variants: {l: [3 m, 4 m]}")
-    ):
-        _check_variant(key, value, whole)
+    """The form of `figure`, which the solution itself does not need."""
     node = whole.node("figure")
     if node is not None:
         hide = Fields(node, FIGURE_KEYS, "figure", whole.report).node("hide")
         for item in [] if hide is None else reading.items(hide, "hide", whole.report, "figure: {hide: [W]}"):
             reading.name(item, "a name", whole.report)
-
-
-def _check_variant(key: Scalar, node: Node, whole: Fields) -> None:
-    if isinstance(node, Sequence):
-        for item in node.items:
-            reading.side(item, f"a value of {key.text}", whole.report)
-        return
-    fields = Fields(node, RANGE_KEYS, f"the variant {key.text}", whole.report)
-    for part in RANGE_KEYS:
-        fields.need_side(part, "write `{from: 1 kg, to: 5 kg, step: 0.5 kg}`")

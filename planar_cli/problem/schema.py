@@ -71,12 +71,11 @@ def schema() -> Schema:
 
 def _sections() -> Schema:
     """The sections that a file and its cases have in common."""
-    values = named(ref("side"), "name: value")
     units = named({"type": ["string", "number"]}, "name: unit; `1` for a pure number")
     return {
         **{key: {"type": "string", "description": words} for key, words in TITLES.items()},
         "plane": {"enum": list(PLANES), "description": "vertical: weight acts, -y"},
-        "given": values,
+        "given": named({"anyOf": [ref("side"), *_varied()]}, "name: value, or values of variants"),
         "symbols": {**units, "description": "known, kept as letters: name: unit"},
         "unknowns": {**units, "description": "to be solved for: name: unit"},
         "coordinates": {**units, "description": "positions that vary: name: unit"},
@@ -92,15 +91,16 @@ def _sections() -> Schema:
     }
 
 
+def _varied() -> list[Schema]:
+    """A range, or a choice, of values of a name."""
+    ranged = record(dict.fromkeys(("from", "to", "step"), ref("side")), ["from", "to", "step"])
+    return [ranged, record({"one_of": listing(ref("side"), 1)}, ["one_of"])]
+
+
 def _own() -> Schema:
     """The sections that only a file has."""
     value = {"anyOf": [ref("side"), {"type": "boolean"}, listing(ref("side"), 2)]}
-    variant = {
-        "anyOf": [
-            listing(ref("side"), 1),
-            record(dict.fromkeys(("from", "to", "step"), ref("side")), ["from", "to", "step"]),
-        ]
-    }
+    variant = {"anyOf": [listing(ref("side"), 1), *_varied()]}
     answer = {"anyOf": [value, record({"value": value, "tolerance": ref("side")}, ["value"])]}
     return {
         "find": ref("finds"),

@@ -37,6 +37,7 @@ from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface, Symbol
 from planar_cli.problem.touching_points import with_later_meetings, with_touching_points
 from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
+from planar_cli.problem.variations import variations_of, with_first_values
 from planar_cli.problem.whose_load import with_bodies
 from planar_cli.registry import modules
 
@@ -127,6 +128,9 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
             "begin with `title: …`",
         )
         node = Mapping((), node.mark)
+    variations_of(node, report)
+    node = with_first_values(node)
+    assert isinstance(node, Mapping)
     whole = Fields(node, KEYS, "a problem file", report, SLIPS)
     base = _read(file, whole)
     cases = _cases(file, node, whole)

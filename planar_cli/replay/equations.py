@@ -1,4 +1,4 @@
-"""The equations of one part of a solution as data: what is given, the steps in which all else follows, what is asked."""
+"""The equations of one part of a solution as data: what is given, the steps in which all follows, what is asked."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from dataclasses import field, replace
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind
 from planar_cli.records import record
+from planar_cli.units import Unit
 
 
 @record
@@ -56,6 +58,17 @@ class Equations:
     asked: Mapping[str, Asked]
     tests: tuple[Test, ...]
     value: Mapping[sp.Symbol, float]
+    roles: Mapping[sp.Symbol, Kind] = field(default_factory=dict)
+    """What symbols are."""
+    units: Mapping[sp.Symbol, Unit] = field(default_factory=dict)
+    """Units in which symbols are shown."""
+    titles: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    """What names that are defined stand for."""
+
+    def turns(self, symbol: sp.Symbol) -> bool:
+        """Is a symbol an angle, an angular velocity or an angular acceleration?"""
+        unit = self.units.get(symbol)
+        return unit is not None and unit.angle
 
     @property
     def unknowns(self) -> tuple[sp.Symbol, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from planar_cli.replay.equations import Equations, Step
 from planar_cli.replay.written import opened
 
 Numbers = NDArray[np.float64]
+Rounding = Callable[[Numbers], Numbers]
 ROUNDS, STRIDES = 60, 6
 """Steps of Newton's method; stretches in which inputs go from those of the solution to others."""
 CLOSE = 1e-13
@@ -83,15 +85,18 @@ class Replay:
         self.equations = equations
         self._solvers = [_Solver(step, equations) for step in equations.steps]
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
+        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], _Solver] = {}
 
     def run(
         self,
         inputs: Mapping[sp.Symbol, Numbers],
         fixed: Mapping[sp.Symbol, Numbers] | None = None,
         start: Mapping[sp.Symbol, float] | None = None,
+        rounding: Rounding | None = None,
     ) -> Run:
         """All unknowns for inputs that differ from those of the solution. `fixed`: unknowns that are not solved for;
-        `start`: where the search for others begins, if not at the values of the solution.
+        `start`: where the search for others begins, if not at the values of the solution; `rounding`: what is done to
+        every number that comes out on the way.
         """
         count = max((np.size(v) for v in (*inputs.values(), *(fixed or {}).values())), default=1)
         base = self.equations.value
@@ -106,7 +111,7 @@ class Replay:
                 else np.full(count, base[s])
                 for s in self.equations.inputs.values()
             }
-            run = self._once(at, fixed or {}, from_here, count)
+            run = self._once(at, fixed or {}, from_here, count, rounding)
             from_here = {u: run.values[u] for u in self.equations.unknowns}
         return run
 
@@ -114,17 +119,46 @@ class Replay:
         return all(s.linear for s in self._solvers)
 
     def _once(
-        self, at: dict[sp.Symbol, Numbers], fixed: Mapping[sp.Symbol, Numbers], start: dict[sp.Symbol, Numbers], count: int
+        self,
+        at: dict[sp.Symbol, Numbers],
+        fixed: Mapping[sp.Symbol, Numbers],
+        start: dict[sp.Symbol, Numbers],
+        count: int,
+        rounding: Rounding | None,
     ) -> Run:
-        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count)
-        for solver in self._solvers:
-            if all(u in fixed for u in solver.unknowns):
+        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, rounding)
+        for k, whole in enumerate(self._solvers):
+            if all(u in fixed for u in whole.unknowns):
                 continue
+            solver = self._without(k, frozenset(fixed)) if any(u in fixed for u in whole.unknowns) else whole
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([start[u] for u in solver.unknowns]))
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
-                run.values.setdefault(unknown, numbers)
+                run.values.setdefault(unknown, numbers if rounding is None else rounding(numbers))
         return run
+
+    def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> _Solver:
+        """A step in which some unknowns are fixed: with as many of its equations as unknowns are left, those that fix
+        them best where the solution lies.
+        """
+        step = self.equations.steps[k]
+        left = tuple(u for u in step.unknowns if u not in fixed)
+        key = (k, left)
+        if key not in self._reduced:
+            self._reduced[key] = _Solver(self._best(step, left), self.equations)
+        return self._reduced[key]
+
+    def _best(self, step: Step, left: tuple[sp.Symbol, ...]) -> Step:
+        best, most = tuple(step.residuals[: len(left)]), -1.0
+        run = Run(self, {s: np.array([v]) for s, v in self.equations.value.items()}, 1)
+        for some in combinations(step.residuals, len(left)):
+            opened_ones = [opened(r, step.unknowns, self.equations.defined) for r in some]
+            slopes = np.array([[float(run.of(sp.diff(r, u))[0]) for u in left] for r in opened_ones])
+            rows = np.abs(slopes).max(1, keepdims=True)
+            size = abs(float(np.linalg.det(slopes / np.where(rows > 0, rows, 1.0))))
+            if size > most:
+                best, most = tuple(some), size
+        return Step(left, best)
 
     def formula(self, expr: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]:
         """An expression as a function, with the symbols that it takes."""
@@ -137,13 +171,16 @@ class Replay:
 class Run:
     """Numbers of one carrying out: of inputs and unknowns, and through them of any expression."""
 
-    def __init__(self, replay: Replay, values: dict[sp.Symbol, Numbers], count: int) -> None:
-        self.replay, self.values, self.count = replay, values, count
+    def __init__(
+        self, replay: Replay, values: dict[sp.Symbol, Numbers], count: int, rounding: Rounding | None = None
+    ) -> None:
+        self.replay, self.values, self.count, self.rounding = replay, values, count, rounding
 
     def number(self, symbol: sp.Symbol) -> Numbers:
         """Of a symbol that is known by now."""
         if symbol not in self.values:
-            self.values[symbol] = self.of(self.replay.equations.defined[symbol])
+            found = self.of(self.replay.equations.defined[symbol])
+            self.values[symbol] = found if self.rounding is None else self.rounding(found)
         return self.values[symbol]
 
     def of(self, expr: sp.Expr) -> Numbers:
@@ -163,5 +200,3 @@ class Run:
         for test in self.replay.equations.tests:
             passed &= self.of(test.positive) > -1e-12
         return passed
-
-

@@ -18,20 +18,30 @@ from planar_cli.solve.solved_problem import PartSolution
 
 
 class NotWritten(LookupError):
-    """The answers of a part do not all follow from equations on its page: a motion that is followed in numbers, a curve,
-    a formula that holds throughout.
+    """The answers of a part do not all follow from equations on its page: a motion that is followed in numbers, a
+    curve, a formula that holds throughout.
     """
 
 
 def equations_of(part: PartSolution) -> Equations:
     """The equations of a part. NotWritten: its answers do not follow from them alone."""
-    if part.followed is not None or any(f.kind not in ("number", "vector") for f in part.found):
-        raise NotWritten("an answer is read off a motion, or is no number")
+    if part.followed is not None:
+        raise NotWritten("the answers are read off a motion that is followed in numbers")
     if part.motion is not None:
         return _Motion(part, part.motion).equations()
     if not part.instants:
         raise NotWritten("no instant is worked out")
     return _Instants(part).equations()
+
+
+def is_number(found: Found) -> bool:
+    """Is it a number, or a vector of two?"""
+    return found.kind in ("number", "vector") and not found.word
+
+
+def is_mode(found: Found) -> bool:
+    """Is it a mode, such as slip, which stays what it is while the tests hold?"""
+    return bool(found.word) and found.kind != "truth"
 
 
 class _Writer:
@@ -45,10 +55,12 @@ class _Writer:
         self.asked: dict[str, Asked] = {}
         self.tests: list[Test] = []
         self.valuations: list[Valuation] = []
+        self.ledgers: list[Ledger] = []
 
     def know(self, ledger: Ledger, value: Valuation) -> None:
         """What a ledger knows: numbers are inputs, formulas definitions."""
         self.valuations.append(value)
+        self.ledgers.append(ledger)
         for symbol, expr in ledger.values.items():
             if sp.sympify(expr).free_symbols:
                 self.defined[symbol] = expr
@@ -64,7 +76,16 @@ class _Writer:
         for symbol in (*self.inputs.values(), *(u for step in self.steps for u in step.unknowns)):
             numbers[symbol] = self._number(symbol)
         made = Equations(
-            self.part.case, self.inputs, self.defined, tuple(self.steps), self.asked, tuple(self.tests), numbers
+            self.part.case,
+            self.inputs,
+            self.defined,
+            tuple(self.steps),
+            self.asked,
+            tuple(self.tests),
+            numbers,
+            {s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()},
+            {s: unit for ledger in self.ledgers for s, unit in ledger.units.items()},
+            {s: title for ledger in self.ledgers for s, title in ledger.titles.items()},
         )
         loose = made.rests_on(e for a in self.asked.values() for e in a.parts) - numbers.keys() - made.defined.keys()
         if loose:
@@ -85,6 +106,8 @@ class _Instants(_Writer):
         for instant in self.part.instants:
             self._take(instant)
         for found in self.part.found:
+            if not is_number(found):
+                continue
             if not found.asked:
                 raise NotWritten(f"{found.name} is not told by the unknowns of an instant")
             self.asked[found.name] = Asked(tuple(map(sp.sympify, found.asked)), found.turn)
@@ -137,7 +160,8 @@ def opened(expr: sp.Expr, unknowns: Iterable[sp.Symbol], defined: Mapping[sp.Sym
 
 
 def _holds(symbol: sp.Symbol, wanted: set[sp.Symbol], defined: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    seen, waiting = set(), [symbol]
+    seen: set[sp.Symbol] = set()
+    waiting = [symbol]
     while waiting:
         expr = defined.get(waiting.pop())
         for inner in (expr.free_symbols if expr is not None else set()) - seen:
@@ -172,7 +196,7 @@ class _Motion(_Writer):
         by_name = {f.name: f for f in self.part.found}
         for request in motion.requests:
             found = by_name.get(request.find.name)
-            if found is not None:
+            if found is not None and is_number(found):
                 self.asked[found.name] = Asked(tuple(map(sp.sympify, request.parts)), found.turn)
         _demand_all(self.part.found, self.asked)
         made = self.made()
@@ -196,5 +220,5 @@ class _Motion(_Writer):
 
 def _demand_all(found: Iterable[Found], asked: Mapping[str, Any]) -> None:
     for one in found:
-        if one.name not in asked:
+        if one.name not in asked and is_number(one):
             raise NotWritten(f"{one.name} is not asked of a state")

@@ -15,6 +15,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS
 from planar_cli.report.telling import Telling
 from planar_cli.report.vectors import index_of
 from planar_cli.solve.between.trace import MotionTrace, Request
@@ -22,7 +23,6 @@ from planar_cli.solve.between.trace import MotionTrace, Request
 LONGEST = 16
 """A component of more operations is not told."""
 AXES = ("x", "y")
-KINETICS = "Kinetic analysis"
 
 
 def with_asked(blocks: Sequence[Block], telling: Telling, motion: MotionTrace) -> list[Block]:
@@ -30,7 +30,9 @@ def with_asked(blocks: Sequence[Block], telling: Telling, motion: MotionTrace) -
     if len(motion.regimes) > 1 or not blocks:
         return list(blocks)
     added = [*_relative(telling, motion), *(b for r in motion.requests for b in _asked(r, telling, motion))]
-    end = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), len(blocks))
+    end = next(
+        (i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text in (KINETICS, EQUILIBRIUM)), len(blocks)
+    )
     told = [b.sides for b in blocks if isinstance(b, Equation)]
     own = [b for i, b in enumerate(added) if b.sides not in told and b not in added[:i]]
     return [*blocks[:end], *own, *blocks[end:]]

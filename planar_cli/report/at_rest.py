@@ -23,6 +23,16 @@ def said_at_rest(instant: InstantSolution, last: Stage | None, system: System) -
     return "at rest: all velocities are zero" if rests and speeds_matter(system, nothing) else ""
 
 
+def balance(system: System, stage: Stage) -> str:
+    """What is said beside the heading of sums of forces and moments of bodies that are all in equilibrium; "": they are
+    not.
+    """
+    sums = [w for block in stage.blocks for w in block.equations if w.law in ("force", "moment")]
+    if not sums or not all(system.balanced(body) for w in sums for body in w.bodies):
+        return ""
+    return f"free-body diagram; ΣF = 0{', ΣM = 0' if any(w.law == 'moment' for w in sums) else ''}"
+
+
 def speeds_matter(system: System, still: Collection[sp.Symbol]) -> bool:
     """Does something begin to move so that speeds would bring terms into its acceleration: does a body turn, or a point
     run on a curve? `still`: accelerations that are zero.

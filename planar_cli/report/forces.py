@@ -25,6 +25,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
+from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
@@ -72,9 +73,8 @@ def force_rows(
         acting = _acting(instant, stage, body, phrases, nil)
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
-            rows.append(Forces(body, (*acting, Text(",  "), *inertia) if inertia else acting, (Text("0"),)))
-        else:
-            rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),)))
+            acting, inertia = (*acting, Text(",  "), *inertia) if inertia else acting, ()
+        rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),)))
     return rows
 
 
@@ -110,7 +110,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                     [_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), Text(" ↻" if back else " ↺")]
                 )
     assert system.reactions is not None
-    absent = _absent(instant, stage)
+    absent, at_limit = _absent(instant, stage), impending(stage)
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
         if push.name in absent or expr in nil or (idle and (push.kind == "friction" or guides_nothing(system, push))):
@@ -121,7 +121,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             # What drives has the statement of the file for its place.
-            parts.append(_push(push, expr, a, phrases, named if rigid and push.kind != "drive" else ""))
+            where = named if rigid and push.kind != "drive" else ""
+            parts.append(_push(push, expr, a, phrases, where, expr in at_limit))
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
@@ -202,9 +203,9 @@ def _sense(w: Wrench, phrases: Phrases, back: bool, idle: bool = False) -> str:
     return phrases.arrow(-x, -y) if reversed_sense else phrases.arrow(x, y)
 
 
-def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str) -> list[Any]:
-    """One reaction on a body. `where`: " at P" where its point has a name. A belt is drawn by what it turns: its two
-    parts pull at the rim, and nobody asks how much they press the disks together.
+def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str, sure: bool) -> list[Any]:
+    """One reaction on a body. `where`: " at P" where its point has a name. `sure`: its sense is known. A belt is drawn
+    by what it turns: its two parts pull at the rim, and nobody asks how much they press the disks together.
     """
     if push.kind == "tension" and action.couple != 0:
         turning = sp.sympify(expr * action.couple)
@@ -217,7 +218,7 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str) 
         return [_amount(-expr if back else expr, ENERGY, phrases), Text(" ↺" if counterclockwise else " ↻")]
     if expr.could_extract_minus_sign():
         return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)}{where}")]
-    assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol else ""
+    assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol and not sure else ""
     return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}")]
 
 

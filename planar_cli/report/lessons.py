@@ -8,11 +8,12 @@ from typing import TypeGuard
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Paragraph, Text, line
 from planar_cli.report.names import plain_name
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.uses import Uses
 from planar_cli.solve.law import RELATIVE
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 
-KINEMATICS, KINETICS, SOLVING = "Kinematic analysis", "Kinetic analysis", "Solving the equations"
+KINEMATICS = "Kinematic analysis"
 
 
 @record
@@ -52,7 +53,7 @@ def _new(words: Sequence[str], told: set[str]) -> list[Block]:
 
 
 def _words(title: str, uses: Uses) -> list[str]:
-    of_motion = title not in (KINEMATICS, KINETICS, SOLVING)
+    of_motion = title not in (KINEMATICS, KINETICS, EQUILIBRIUM, SOLVING)
     own = [x for x in LESSONS if (title in x.steps if x.steps else of_motion)]
     return [words for lesson in own for words in lesson.words(uses)]
 
@@ -187,13 +188,15 @@ def _axles(uses: Uses) -> Iterator[str]:
 
 
 def _why_kinetics(uses: Uses) -> Iterator[str]:
-    if uses.forces and not uses.inertial:
+    if uses.forces and uses.at_balance:
+        yield "Each body is drawn alone, with all forces that act on it; at rest they balance, and so do their moments."
+    elif uses.forces and not uses.inertial:
         yield (
             "Each body is drawn alone, with all forces that act on it on the left and what they amount "
             "to on the right. "
             "The trap is to draw mass times acceleration among the forces: it is what they come to, and no force."
         )
-    if uses.inertial:
+    if uses.inertial and not uses.at_balance:
         yield "Inertial forces are drawn against the accelerations; with them each body is in equilibrium."
     if uses.streams:
         yield (
@@ -368,7 +371,7 @@ def _swings(uses: Uses) -> Iterator[str]:
 
 LESSONS = (
     *(Lesson((KINEMATICS,), f) for f in (_why_kinematics, _passages, _axles, _rolling, _sliding, _component, _cords)),
-    *(Lesson((KINETICS,), f) for f in (_why_kinetics, _moments, _groups, _friction)),
+    *(Lesson((KINETICS, EQUILIBRIUM), f) for f in (_why_kinetics, _moments, _groups, _friction)),
     Lesson((SOLVING,), _solving),
     *(Lesson((), f) for f in (_energies, _momenta, _blows, _laws, _swings)),
 )

@@ -33,6 +33,7 @@ from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
+from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.likewise import told_likewise
@@ -106,7 +107,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_primes(list(without_ritual(list(defined_once(own)))))
+        own = without_primes(list(without_ritual(in_one_line(list(defined_once(own))))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":
@@ -238,7 +239,7 @@ def _instant_blocks(
     if len(part.instants) > 1 and all(isinstance(b, Note) for b in blocks) and _only_after(part, instant):
         blocks = []
     if len(part.instants) > 1 and blocks:
-        blocks.insert(0, Heading("MOTION", stretches))
+        blocks = of_motion(blocks, stretches)
     printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
     return blocks, steps, max(printed, default=numbers[1])
 

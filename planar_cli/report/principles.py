@@ -89,7 +89,7 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
     elif uses.coriolis or uses.beside:
         yield from _relative(uses, page)
     if uses.forces:
-        yield DALEMBERT if uses.inertial else "Newton's second law."
+        yield _of_forces(uses)
         if uses.streams:
             yield STREAM
     if any("virtual power" in words for words in uses.singles):
@@ -112,6 +112,12 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
         yield "Relative motion: with the same acceleration the relative velocity is constant."
     if uses.swings:
         yield "Small oscillations about an equilibrium."
+
+
+def _of_forces(uses: Uses) -> str:
+    if uses.at_balance:
+        return f"Equilibrium: ΣF = 0{', ΣM = 0' if uses.moments else ''}."
+    return DALEMBERT if uses.inertial else "Newton's second law."
 
 
 def _momenta(uses: Uses) -> Iterator[str]:

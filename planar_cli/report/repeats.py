@@ -43,6 +43,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     drawn = [printed.reduced(b) for b in blocks]
     known = [printed.knows(b) for b in drawn]
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
+    known = [k and not _is_led_anew(drawn, known, i) for i, k in enumerate(known)]
     found: list[Block] = []
     start = 0
     while start < len(drawn):
@@ -127,15 +128,20 @@ def _told(block: Block) -> str:
 
 def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
     """Of `From 1 to 2, work and kinetic energy:` whether all that stands under it is known too."""
-    block = blocks[i]
-    if (
-        not isinstance(block, Paragraph)
-        or not isinstance(block.line[-1], Text)
-        or not block.line[-1].text.endswith(":")
-    ):
+    if not _announces(blocks[i]):
         return True
     stop = next((k for k in range(i + 1, len(blocks)) if isinstance(blocks[k], Paragraph | Heading)), len(blocks))
     return all(known[i + 1 : stop])
+
+
+def _is_led_anew(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
+    """Does it stand under words that are new?"""
+    return isinstance(blocks[i], Equation) and i > 0 and _announces(blocks[i - 1]) and not known[i - 1]
+
+
+def _announces(block: Block) -> bool:
+    """Is it a sentence that ends with a colon?"""
+    return isinstance(block, Paragraph) and isinstance(last := block.line[-1], Text) and last.text.endswith(":")
 
 
 def _defines(block: Block) -> bool:

@@ -8,6 +8,8 @@ from dataclasses import replace
 from planar_cli.report.blocks import Block, Heading, Text
 
 STEP, SOLVING, SINGLE = "STEP", "Solving the equations", "1 equation, 1 unknown"
+KINETICS, EQUILIBRIUM = "Kinetic analysis", "Equilibrium"
+"""The step of the forces: of what moves, and of what does not."""
 
 
 def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:

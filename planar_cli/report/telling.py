@@ -12,7 +12,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
-from planar_cli.report.at_rest import said_at_rest
+from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
@@ -32,7 +32,7 @@ from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import begun, spoken
-from planar_cli.report.steps import SOLVING
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
@@ -113,7 +113,8 @@ class Telling:
             blocks.append(self._step("Kinematic analysis", resting))
         blocks += [*(legend if kinematics else ()), *kinematics]
         if kinetic and last is not None:
-            blocks.append(self._step("Kinetic analysis", self.principle.diagram))
+            still = balance(self.system, last)
+            blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = [row.body for row in rows]
             blocks += [*(() if kinematics else legend), *rows, *sentences(self.system, bodies)]

@@ -11,12 +11,13 @@ from planar_cli.records import changing, record
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Paragraph, Text, line
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
+from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 
 NUMBERED = re.compile(r"\((\d+)\)")
 STEP = "STEP"
 DEFINED = ("moment of inertia of", "moments of inertia of", "pull of the")
 """Begins the line of a quantity that stays what it is."""
-NAMES = {"Kinematic analysis": "kinematics", "Kinetic analysis": "equations", "Solving the equations": "solution"}
+NAMES = {"Kinematic analysis": "kinematics", KINETICS: "equations", EQUILIBRIUM: "equations", SOLVING: "solution"}
 
 
 def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:

@@ -17,6 +17,7 @@ from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
+from planar_cli.report.at_rest import balance
 from planar_cli.report.characteristic import linear_method
 from planar_cli.report.drawing_only import drawing_only
 from planar_cli.report.rope_lengths import drums
@@ -49,6 +50,8 @@ class Uses:
 
     relations: bool = False
     forces: bool = False
+    at_balance: bool = False
+    """Are all forces and moments those of bodies in equilibrium?"""
     inertial: bool = False
     """Are inertial forces drawn among the forces?"""
     streams: bool = False
@@ -185,6 +188,9 @@ def _stages(part: PartSolution, instant: InstantSolution) -> tuple[Stage, ...]:
 def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]) -> None:
     written = [w for s in stages for b in s.blocks for w in b.equations if not w.given]
     system = instant.trial.system
+    if any(w.law in ("force", "moment") for w in written):
+        balanced = all(balance(system, s) for s in stages if s.level == "acceleration")
+        found.at_balance = balanced and (found.at_balance or not found.forces)
     found.at_rest |= instant.instant.at_rest
     found.together = max([found.together, *(len(b.unknowns) for s in stages for b in s.blocks)])
     for w in written:

@@ -31,7 +31,8 @@
   answers            what a key says, by find name: planar explain answers
   tolerance          the relative tolerance of the answers: 0.01
   method             the principle to use, and no other: planar explain methods
-  variants           values for variants: {m: {from: 1 kg, to: 5 kg, step: 0.5 kg}, l: [3 m, 4 m]}
+  variants           values for variants: {m: {from: 1 kg, to: 5 kg, step: 0.5 kg}, l: [3 m, 4 m]}; planar explain
+                     variants
   figure             {hide: [W]}: names that the figure does not show
 
 Words that contain `: ` or ` #` go on indented lines below `>-`:

@@ -34,7 +34,8 @@ from planar_cli.solve.diagnosis.turns_off import turns_off
 from planar_cli.solve.diagnosis.undated import mode_at_a_time
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.following.passage_times import is_steady
-from planar_cli.solve.instant.instant import make_instant, search_modes
+from planar_cli.solve.instant.instant import make_instant
+from planar_cli.solve.instant.modes_search import search_modes
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.mode_sequence import Span, Workshop, fixed_time

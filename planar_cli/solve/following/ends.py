@@ -97,7 +97,8 @@ class EndSearch:
         letters, units = {s: here[s] for s in regime.letters}, self.course.ledger.units
         # From rest, the way to here is the first that shows how fast things move.
         by_letter = sizes.passing(letters, units, segment.length).by_letter(regime.letters, units)
-        for expr, words in watched:
+        # What slides in a plane along one line stops where its speed along that vanishes.
+        for expr, words in watched or _sides(regime):
             if expr.free_symbols & set(regime.letters):
                 number, size = measured([expr], letters, by_letter, self.value)[0]
                 found.append((abs(number) / size if size else 0.0, Ends(i, time, expr, words, choice)))
@@ -128,7 +129,7 @@ class EndSearch:
         """The first speed that changes its sign, or place that comes to the other side, where a law asks for it."""
         regime = segment.regime
         watched = [(sign * u, "it turns round") for u, sign in regime.going().items()]
-        watched += [(e, "it comes to the other side") for _, e in regime.sided.values()]
+        watched += _sides(regime)
         best: Ends | None = None
         for expr, words in watched:
             if not expr.free_symbols & set(regime.letters):
@@ -154,6 +155,12 @@ class EndSearch:
             elif v < 0 and positive is not None:
                 return bisected(g, positive, t)
         return None
+
+
+def _sides(regime: Regime) -> list[tuple[sp.Expr, str]]:
+    """What stays positive as long as places stay on their sides, and what slides goes on in its sense."""
+    ways = [(e, e.free_symbols & set(regime.accelerations)) for _, e in regime.sided.values()]
+    return [(e, "it stops sliding" if speeds else "it comes to the other side") for e, speeds in ways]
 
 
 def bisected(g: Callable[[float], float], low: float, high: float) -> float:

@@ -15,7 +15,8 @@ from planar_cli.equation.setup import Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.expression import Binary, Number, Quantity, Relation
 from planar_cli.problem.outermost import quantities_in
-from planar_cli.solve.instant.instant import NONLINEAR, OPEN, TINY, Instant, search_modes
+from planar_cli.solve.instant.instant import NONLINEAR, OPEN, TINY, Instant
+from planar_cli.solve.instant.modes_search import search_modes
 from planar_cli.solve.solution import Found, InstantSolution
 
 SPEEDS = (Fraction(37, 29), Fraction(83, 31))

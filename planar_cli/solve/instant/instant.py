@@ -6,7 +6,6 @@ import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from decimal import Decimal
-from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -21,13 +20,12 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, is_linear, names_in
 from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.errors import Undecided
+from planar_cli.equation.turned_pushes import with_turned
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode, Push, Row, Skid, Test, relative
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.records import record
@@ -92,6 +90,8 @@ class Instant:
         names = [b.name for b in self.scene.problem.bodies]
         self.builder = self.tree_builder(names)
         self.symbols: dict[str, sp.Symbol] = {}
+        self.turned: frozenset[str] = frozenset()
+        """Reactions that count the other way than their joints have them."""
         apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.own_name, names)
         self.free = Motion(apart.build((), hang=False), self.scene.center, self.scene.arms.between, {})
         self.drivers: tuple[Push, ...] = ()
@@ -119,12 +119,9 @@ class Instant:
         return held(found) if self.kinematic else found
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
-        """What makes the unknowns of the motion; in a general position they count as its coordinates do."""
+        """What makes the unknowns of the motion; the coordinates of a general position keep their own sense."""
         scene, own, heading = self.scene, at_instants(self.scene.problem.method), headings(self.scene, self.statements)
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
-        if scene.displacement is not None:
-            builder.clockwise = scene.displacement.clockwise
-            return builder
         return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:
@@ -208,7 +205,7 @@ class Instant:
 
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
-        modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
+        modes = {j.name: with_turned(found[i], self.turned) for (j, found), i in zip(self.modes, choice, strict=True)}
         rest = (self.symbols, self.aliases, self.plain, self.drivers, self.name_of)
         return make_system(self.scene, self.builder, self.statements, modes, *rest)
 
@@ -324,76 +321,6 @@ def held(modes: tuple[Mode, ...]) -> tuple[Mode, ...]:
     """The modes in which a joint holds: where nothing is said of forces, nothing parts or slackens."""
     found = tuple(m for m in modes if not m.parted) or modes
     return (replace(found[0], words="", tests=()),) if len(found) == 1 else found
-
-
-def search(instant: Instant) -> tuple[list[Trial], list[Trial]]:
-    """As `search_modes`; of letters draws are taken with which a choice holds, where the first ones have none."""
-    held, rejected = search_modes(instant, instant.scene.valuations)
-    doubtful = [t.choice for t in rejected if t.tests] if instant.scene.ledger.symbolic and not held else []
-    for choice in doubtful:
-        if instant.scene.redraw(partial(instant.holds_at, choice)):
-            return search_modes(instant, instant.scene.valuations)
-    return held, rejected
-
-
-def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[list[Trial], list[Trial]]:
-    """All choices that hold, told apart by their motion, and those that do not, in natural order."""
-    held: list[Trial] = []
-    rejected: list[Trial] = []
-    for count, choice in enumerate(instant.choices()):
-        if count >= MOST_MODES:
-            if not held:
-                raise Undecided(f"none of the first {MOST_MODES} combinations of contact modes holds; there are more")
-            break
-        trial = instant.try_choice(choice, valuations)
-        if trial.objection:
-            rejected.append(trial)
-        elif not any(same_motion(trial, other) for other in held):
-            held.append(trial)
-    held = [t for t in held if not leaves_open(t)] or held
-    return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
-
-
-def leaves_open(trial: Trial) -> bool:
-    """Are accelerations open? `N(Q) = 0` says what is sought where Q only just touches, and nothing where it is apart:
-    of both the first is meant.
-    """
-    open_columns = {j for v in trial.outcomes[0].solved.null.values() for j, c in enumerate(v) if c}
-    return any(isinstance(key, tuple) and j in open_columns for key, j in trial.outcomes[0].assembly.columns.items())
-
-
-def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
-    """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the
-    static limit, so that the other one counts.
-    """
-    differs = False
-    for (_, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
-        if i != j:
-            differs = True
-            if modes[j].name != "stick" or modes[i].name != "slip":
-                return False
-            rows = [modes[i].sliding, *(row for skid in modes[i].facts.skids for row in _apart(skid))]
-            sliding = [row for row in rows if row is not None]
-            if not sliding or any(abs(trial.outcomes[0].assembly.row_speed(row)) > TINY for row in sliding):
-                return False
-    return differs
-
-
-def _apart(skid: Skid) -> Iterator[Row]:
-    """How fast a body moves along x and y over what it slides on."""
-    for along in (Vec(1, 0), Vec(0, 1)):
-        yield Row(skid.joint, "", relative(skid.body, skid.base, skid.point, along))
-
-
-def same_motion(a: Trial, b: Trial) -> bool:
-    """Do two choices give the same accelerations?"""
-    one, other = a.outcomes[0], b.outcomes[0]
-    for key, column in one.assembly.columns.items():
-        if isinstance(key, tuple):
-            x, y = one.solved.values[column], other.solved.values[other.assembly.columns[key]]
-            if abs(x - y) > TINY * max(abs(x), abs(y), Decimal(1)):
-                return False
-    return True
 
 
 def make_instant(

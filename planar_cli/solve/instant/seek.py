@@ -21,6 +21,7 @@ from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.clash import clash
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
 from planar_cli.solve.instant.beyond import not_bounded
+from planar_cli.solve.instant.impending import drawn_against_the_slip
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
 from planar_cli.solve.instant.stationary import stationary_branches
@@ -55,14 +56,15 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
                 break
         else:
             if not (scene.ledger.symbolic and scene.cancelling and _parts(found.trial)):
-                return found, rejected
+                return drawn_against_the_slip(instant, found, rejected, targets_of), rejected
             parted = parted or tried[-1]
         if not scene.ledger.symbolic or len(tried) == MOST_DRAWS or not _drawn_anew(instant, tried, rejected):
             break
         tried.append(scene.valuations[0])
     if parted is not None and scene.redraw(lambda v: v.values == parted.values, MANY_TRIES):
         rejected = []
-        return _seek(instant, targets_of, rejected), rejected
+        found = _seek(instant, targets_of, rejected)
+        return drawn_against_the_slip(instant, found, rejected, targets_of), rejected
     assert failed is not None
     raise failed
 

@@ -6,8 +6,8 @@ differentiated here:
     M q̈ = Q + (Jᵀ + friction) λ,        J q̈ + φ̈(q̈ = 0) = 0
 
 Loads, the file's own relations between accelerations, and sought constants with their values are taken as the worked
-solution has them. What keeps a prescribed motion going is the multiplier of its relation; where that is one of
-coordinates, it acts where the worked solution has it. Only what these equations determine is compared: accelerations of
+solution has them. What keeps a prescribed motion going is the multiplier of its relation (coordinate_drives.py: of one
+of coordinates). Only what these equations determine is compared: accelerations of
 all bodies, the net force and couple of every joint on every body, and what drives.
 """
 
@@ -31,6 +31,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.worked import PARTS, Worked
 from planar_cli.solve.multibody.agreement import ENOUGH, FEW, FULL, NOTHING, Agreement, agreeing, short
+from planar_cli.solve.multibody.coordinate_drives import CoordinateDrives
 from planar_cli.solve.multibody.drives import exerted_by
 from planar_cli.solve.multibody.poses import NearPoses, Place
 from planar_cli.solve.multibody.sparse import CONSTANT, Echelon, Line
@@ -187,13 +188,18 @@ class Multibody:
 
     def _assemble(self) -> None:
         stated = self._stated()
-        driving = exerted_by(self.drives, stated, self.count, self.push)
-        for title, line in [*self._kinetics(driving), *self._constraints(), *stated]:
+        self.driving = exerted_by(self.drives, stated, self.count, self._through)
+        for title, line in [*self._kinetics(), *self._constraints(), *stated]:
             remainder = self.echelon.add(line, lambda column: column < self.count)
             if remainder > FEW:
                 self.notes.append(f"{title}: the second road contradicts it, by {short(remainder)} of its size")
 
-    def _kinetics(self, driving: Sequence[tuple[int, Slopes]]) -> list[tuple[str, Line]]:
+    def _through(self, text: str) -> Slopes | None:
+        """What drives a coordinate by a relation of the file."""
+        relation = next(r for r, _ in self.system.statements.relations if r.text == text)
+        return CoordinateDrives(self.system.scene, self.value, self.places).of(relation)
+
+    def _kinetics(self) -> list[tuple[str, Line]]:
         """m a - Σ F = 0, I α - Σ M = 0; bodies with mass first, so that each leads with its own acceleration."""
         loads = self._loads()
         lines: dict[int, Line] = {i: {CONSTANT: -loads.get(i, ZERO)} for i in range(self.count)}
@@ -207,9 +213,9 @@ class Multibody:
             for exerted in (tie.jet.slopes, tie.friction):
                 for i, c in exerted.items():
                     lines[i][tie.column] = lines[i].get(tie.column, ZERO) - c
-        for column, exerted in driving:
+        for drive, exerted in self.driving.items():
             for i, c in exerted.items():
-                lines[i][column] = lines[i].get(column, ZERO) - c
+                lines[i][self.drives[drive]] = lines[i].get(self.drives[drive], ZERO) - c
         order = sorted(lines, key=lambda i: not lines[i][i])
         return [(titles[i], lines[i]) for i in order]
 
@@ -262,9 +268,8 @@ class Multibody:
         digits = min(digits, self._compare(self._accelerations(PARTS[2:])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[:2])))
         digits = min(digits, self._compare(self._joint_forces(PARTS[2:]), self._turned()))
-        for push, column in self.drives.items():
-            what = [(f"what drives `{push.place}`", self.worked.pushes[push.name], {column: ONE})]
-            digits = min(digits, self._compare(what, self._driven() if push.unit == "N" else self._turned()))
+        digits = min(digits, self._compare(self._driving_forces(PARTS[:2]), self._driven()))
+        digits = min(digits, self._compare(self._driving_forces(PARTS[2:]), self._turned()))
         return Agreement(velocities, digits, tuple(self.notes), self._changed())
 
     def _driven(self) -> Decimal:
@@ -307,6 +312,18 @@ class Multibody:
                 if column is not None and part in parts:
                     title = f"alpha of {name}" if part == "turn" else f"a_{part} of {name}"
                     found.append((title, value, {column: ONE}))
+        return found
+
+    def _driving_forces(self, parts: Sequence[str]) -> list[tuple[str, Decimal, Line]]:
+        """What every prescribed motion exerts on every body: its force, or its moment about the mass centre."""
+        found = []
+        for push, column in self.drives.items():
+            ours, theirs = self.push(push.actions, self.worked.pushes[push.name]), self.driving[push]
+            for place in self.places.values():
+                for part, i in zip(PARTS, place.columns, strict=True):
+                    if part in parts and i is not None and (i in ours or i in theirs):
+                        line = {column: theirs[i]} if theirs.get(i) else {}
+                        found.append((f"what drives `{push.place}`", ours.get(i, ZERO), line))
         return found
 
     def _joint_forces(self, parts: Sequence[str]) -> list[tuple[str, Decimal, Line]]:

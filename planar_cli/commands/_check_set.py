@@ -1,0 +1,257 @@
+"""`planar check --set`: a class graded against a homework set."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from planar_cli import cli
+from planar_cli.commands._output import write_files
+from planar_cli.options import WrongUsage
+from planar_cli.problem.show import visible
+from planar_cli.streams import echo
+
+if TYPE_CHECKING:
+    from planar_cli.homework.batches import Ran
+    from planar_cli.homework.class_report import ClassReport
+    from planar_cli.homework.paper import Result
+    from planar_cli.homework.ready import Homework
+    from planar_cli.homework.results import Line
+    from planar_cli.homework.set_file import HomeworkSet
+
+FORMS = ("terminal", "json", "jsonl", "csv", "markdown")
+PAPERS, RESULTS = "papers", "results"
+EACH = 200
+"""Random wrong numbers for each find, where false matches are counted."""
+
+
+def checked_set(
+    path: str, files: tuple[str, ...], form: str, jobs: int, timeout: float, options: Mapping[str, Any]
+) -> int:
+    """Grade submissions and print what came of it."""
+    from planar_cli.homework.homework import made_ready
+    from planar_cli.homework.set_file import read_set
+
+    if form not in FORMS:
+        raise WrongUsage(f"--format {form} is for problem files; with --set it is one of {', '.join(FORMS)}")
+    if options["exports"] and options["output"] is None:
+        raise WrongUsage("--export needs a folder: `-o FOLDER`")
+    homework_set = read_set(path)
+    if options["tolerances"]:
+        from planar_cli.commands._tolerances import tolerances_of
+
+        return tolerances_of(tuple(p.path for p in homework_set.problems), timeout)
+    homework = made_ready(homework_set, jobs, timeout, None, _progress(len(homework_set.problems), "problems solved"))
+    for warning in homework.warnings:
+        echo(visible(f"warning: {warning}"), err=True)
+    if options["matches"]:
+        return _false_matches(homework_set, homework)
+    if not files:
+        raise WrongUsage("name submissions: files, or a folder of them")
+    return _Class(homework_set, homework, form, options).graded(files, jobs)
+
+
+def _false_matches(homework_set: HomeworkSet, homework: Homework) -> int:
+    from planar_cli.homework.false_matches import false_matches
+
+    found = false_matches(homework.papers.values(), homework_set.rules, EACH, homework_set.seed)
+    echo(
+        f"{found.graded} random wrong numbers: {found.named} taken for one mistake ({100 * found.rate:.2f} %), "
+        f"{found.ambiguous} for several"
+    )
+    return cli.SOLVED
+
+
+def _progress(total: int, what: str) -> Any:
+    """A counter on standard error, if somebody looks at it."""
+
+    def told(done: int) -> None:
+        if sys.stderr.isatty():
+            end = "\r\033[K" if done == total else ""
+            echo(f"\r{done} of {total} {what}{end}", err=True, end="")
+
+    return told
+
+
+class _Class:
+    """The submissions of a class on their way through the workers."""
+
+    def __init__(self, homework_set: HomeworkSet, homework: Homework, form: str, options: Mapping[str, Any]) -> None:
+        from planar_cli.homework.class_report import ClassReport
+
+        self.homework_set, self.homework, self.form, self.options = homework_set, homework, form, options
+        self.report: ClassReport = ClassReport()
+        self.kept: list[Result] = []
+
+    def graded(self, files: tuple[str, ...], jobs: int) -> int:
+        """Grade all, printing as they come, then what came of the class."""
+        from planar_cli.homework.batches import grade_files, shard_of
+        from planar_cli.homework.grader import Grading
+        from planar_cli.homework.grading_made import grading_of
+
+        grading = Grading(grading_of(self.homework_set, self.homework), self.homework.digest)
+        shard = shard_of(self.options["shard"])
+        if self.form == "csv":
+            echo(",".join(HEADER))
+        with _executor(self.options["cluster"]) as executor:
+            ran = grade_files(files, grading, jobs, self.options["results"], shard, executor, self._take)
+        if self.options["results"]:
+            self._count_done_before(ran)
+        self._close(ran)
+        if ran.interrupted:
+            return 128 + ran.interrupted
+        return cli.UNDECIDED if sum(ran.ended.values()) > ran.ended.get("ok", 0) else cli.SOLVED
+
+    def _count_done_before(self, ran: Ran) -> None:
+        """With a results file the report and exports are of all that stands there."""
+        from planar_cli.homework.class_report import ClassReport
+        from planar_cli.homework.results import results
+
+        if ran.skipped:
+            self.report, self.kept = ClassReport(), []
+            for result in results([self.options["results"]]):
+                self._add(result)
+
+    def _take(self, line: Line) -> None:
+        from planar_cli.homework.results import result_of
+
+        result = result_of(line.text)
+        self._add(result)
+        if self.form == "jsonl":
+            echo(line.text if not self.options["for_student"] else _for_student(line.text))
+        elif self.form == "csv":
+            echo(rows_of(result, self.options["for_student"]), end="")
+        elif self.form == "terminal":
+            for told in _lines(result, self.options["for_student"]):
+                echo(told)
+
+    def _add(self, result: Result) -> None:
+        self.report.add(result)
+        if self.options["exports"] or self.form == "json":
+            self.kept.append(result)
+
+    def _close(self, ran: Ran) -> None:
+        """The report of the class, and the exports."""
+        for sentence in ran.twice:
+            echo(f"note: {sentence}", err=True)
+        if self.form == "json":
+            from planar_cli.homework.results import as_data
+            from planar_cli.homework.sheets import as_json
+
+            data = [as_data(r) for r in sorted(self.kept, key=lambda r: (r.student, r.source))]
+            echo(as_json({"title": self.homework.title, "results": data}), end="")
+        elif self.form == "markdown":
+            echo(_report_markdown(self.homework.title, self.report), end="")
+        elif self.form == "terminal":
+            _print_report(self.report)
+        if ran.skipped:
+            echo(f"{ran.skipped} submissions were graded before", err=True)
+        for name in self.options["exports"]:
+            self._export(name)
+
+    def _export(self, name: str) -> None:
+        from planar_cli.commands._exports import export_of
+
+        export = export_of(name, RESULTS)
+        kept = sorted(self.kept, key=lambda r: (r.student, r.source))
+        made = export.export(kept, self.homework.title)
+        write_files(made.files, os.path.join(self.options["output"], name))
+        for sentence in made.left_out:
+            echo(visible(f"{name}: {sentence}"), err=True)
+
+
+# --- print -----------------------------------------------------------------------------------------------------------
+
+HEADER = ("student", "variant", "problem", "find", "submitted", "verdict", "score", "max_score", "mistakes", "message")
+
+
+def _for_student(text: str) -> str:
+    """A line of JSON without what the key says."""
+    import json
+
+    data = json.loads(text)
+    for one in data["result"]["graded"]:
+        one["expected"] = ""
+    return json.dumps(data, ensure_ascii=True, separators=(",", ":"))
+
+
+def rows_of(result: Result, for_student: bool) -> str:
+    """The rows of one submission in a table; texts are no formulas of a spreadsheet."""
+    import csv
+    import io
+
+    from planar_cli.problem.show import spreadsheet_cell
+
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    for g in result.graded:
+        told = f"{g.message}; {g.feedback}" if g.feedback else g.message
+        cells = (result.student, result.variant, g.problem, g.find, g.submitted, g.verdict, g.score, g.max_score)
+        row = (*cells, " or ".join(g.mistakes), told)
+        writer.writerow([spreadsheet_cell(c) if isinstance(c, str) else c for c in row])
+    for sentence in result.wrong:
+        writer.writerow((spreadsheet_cell(result.student), result.variant, *[""] * 7, spreadsheet_cell(sentence)))
+    return out.getvalue()
+
+
+def _lines(result: Result, for_student: bool) -> list[str]:
+    """One submission in print: the score, and a line for all that is not right."""
+    variant = f", variant {result.variant}" if result.variant else ""
+    lines = [visible(f"{result.student}{variant}: {result.score:g} of {result.max_score:g}")]
+    for g in result.graded:
+        if g.verdict == "right" and not g.message:
+            continue
+        told = "; ".join(m for m in (g.message, g.feedback) if m)
+        if len(g.mistakes) > 1 and not for_student:
+            told += f"; it may be {' or '.join(g.mistakes)}"
+        key = "" if for_student or not g.expected else f" (key: {g.expected})"
+        lines.append(visible(f"  {g.problem}.{g.find} {g.verdict}: `{g.submitted}`{key}: {told}"))
+    return [*lines, *(visible(f"  {sentence}") for sentence in result.wrong)]
+
+
+def _print_report(report: ClassReport) -> None:
+    from planar_cli.homework.class_report import rows
+
+    echo("")
+    for row in rows(report):
+        carried = f", {row.carried} follow from an earlier one" if row.carried else ""
+        ungradable = f", {row.ungradable} ungradable" if row.ungradable else ""
+        mistakes = f"; {row.mistakes}" if row.mistakes else ""
+        name = f"{row.problem}.{row.find}"
+        echo(visible(f"{name:<28} {row.right} of {row.answers} right{ungradable}{carried}{mistakes}"))
+    for problem, find, why in report.suspicious():
+        echo(visible(f"suspicious: {problem}.{find}: {why}"))
+    mean = report.total / report.students if report.students else 0.0
+    plural = "" if report.students == 1 else "s"
+    refused = f", {report.refused} not graded" if report.refused else ""
+    echo(f"{report.students} submission{plural}{refused}; {mean:.3g} of {report.best:g} points on average")
+
+
+def _report_markdown(title: str, report: ClassReport) -> str:
+    from planar_cli.homework.class_report import rows
+    from planar_cli.homework.sheets import plain
+
+    lines = [
+        f"# {plain(title)}: the class",
+        "",
+        "| Problem | Find | Answers | Right | Ungradable | Carried | Mistakes |",
+    ]
+    lines.append("| --- | --- | --- | --- | --- | --- | --- |")
+    for r in rows(report):
+        cells = (plain(r.problem), plain(r.find), r.answers, r.right, r.ungradable, r.carried, plain(r.mistakes))
+        lines.append(f"| {' | '.join(map(str, cells))} |")
+    lines += ["", *(f"- suspicious: {plain(f'{p}.{f}: {why}')}" for p, f, why in report.suspicious()), ""]
+    return "\n".join(lines)
+
+
+def _executor(address: str | None) -> Any:
+    """A cluster to grade on, or nothing."""
+    import contextlib
+
+    if address is None:
+        return contextlib.nullcontext(None)
+    from planar_cli.homework.cluster import cluster
+
+    return cluster(address)

@@ -1,0 +1,96 @@
+"""`planar key SET.yaml`: variants drawn, sheets and key written, questions exported."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from planar_cli import cli
+from planar_cli.commands._output import write, write_files
+from planar_cli.errors import PlanarError
+from planar_cli.problem.show import visible
+from planar_cli.streams import echo
+
+if TYPE_CHECKING:
+    from planar_cli.homework.ready import Homework
+
+SUFFIX = {"markdown": "md", "html": "html", "json": "json", "csv": "csv"}
+
+
+def key_of_set(
+    path: str,
+    worked: bool,
+    both: bool,
+    output: str | None,
+    timeout: float,
+    variants: int | None,
+    seed: int | None,
+    form: str | None,
+    exports: tuple[str, ...],
+) -> int:
+    """Sheets, key and exports of a set."""
+    from planar_cli.commands._worked_pages import page_of
+    from planar_cli.homework.homework import made_ready
+    from planar_cli.homework.set_file import read_set
+
+    if exports and output is None:
+        raise PlanarError("--export needs a folder: `-o FOLDER`")
+    homework_set = read_set(path)
+    homework_set = replace(
+        homework_set,
+        variants=homework_set.variants if variants is None else variants,
+        seed=homework_set.seed if seed is None else seed,
+    )
+    page = page_of if worked or both or exports else None
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, lambda done: None)
+    for warning in homework.warnings:
+        echo(visible(f"warning: {warning}"), err=True)
+    handed_out = [k for k in homework.papers if k] or [0]
+    style = form or "markdown"
+    key = _key(homework, handed_out, style, worked or both, not worked or both)
+    if output is None:
+        write(key, None)
+        return cli.SOLVED
+    suffix = SUFFIX[style]
+    width = len(str(max(handed_out)))
+    files = {
+        f"sheet-{k:0{width}d}.{suffix}" if k else f"sheet.{suffix}": _sheet(homework, k, style) for k in handed_out
+    }
+    write_files({name: text.encode() for name, text in {**files, f"key.{suffix}": key}.items()}, output)
+    for name in exports:
+        _export(homework, name, homework_set.seed, output)
+    return cli.SOLVED
+
+
+def _sheet(homework: Homework, variant: int, form: str) -> str:
+    from planar_cli.homework import sheets
+
+    if form == "json":
+        return sheets.as_json(sheets.sheet_data(homework, variant))
+    if form == "csv":
+        return sheets.sheet_csv(homework, variant)
+    text = sheets.sheet(homework, variant)
+    return sheets.as_html(text, homework.title) if form == "html" else text
+
+
+def _key(homework: Homework, variants: list[int], form: str, worked: bool, short: bool) -> str:
+    from planar_cli.homework import sheets
+
+    if form == "json":
+        return sheets.as_json(sheets.key_data(homework, variants))
+    if form == "csv":
+        return sheets.key_csv(homework, variants)
+    text = sheets.key(homework, variants, worked, short)
+    return sheets.as_html(text, homework.title) if form == "html" else text
+
+
+def _export(homework: Homework, name: str, seed: int, output: str) -> None:
+    from planar_cli.commands._exports import export_of
+
+    export = export_of(name, "papers")
+    papers = [p for k, p in homework.papers.items() if k] or [homework.papers[0]]
+    made = export.export(papers, homework.title, seed)
+    write_files(made.files, os.path.join(output, name))
+    for sentence in made.left_out:
+        echo(visible(f"{name}: {sentence}"), err=True)

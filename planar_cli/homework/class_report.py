@@ -1,0 +1,90 @@
+"""How a class did: of each find how many were right, and which mistakes were made; what all miss is suspicious."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import field
+
+from planar_cli.homework.paper import MISSING, RIGHT, UNGRADABLE, Result
+from planar_cli.records import changing, record
+
+FEW, SUSPICIOUS = 5, 0.1
+"""With at least so many answers, a find of which a smaller part is right may itself be wrong."""
+
+
+@changing
+class FindTally:
+    """One find, over all variants."""
+
+    answers: int = 0
+    right: int = 0
+    ungradable: int = 0
+    missing: int = 0
+    carried: int = 0
+    mistakes: Counter[str] = field(default_factory=Counter)
+    by_variant: dict[int, list[int]] = field(default_factory=dict)
+    """Of each variant, how many answered and how many were right."""
+
+
+@changing
+class ClassReport:
+    """All results, added one by one."""
+
+    students: int = 0
+    total: float = 0.0
+    best: float = 0.0
+    finds: dict[tuple[str, str], FindTally] = field(default_factory=dict)
+    refused: int = 0
+
+    def add(self, result: Result) -> None:
+        """One more submission."""
+        self.students += 1
+        self.total += result.score
+        self.best = max(self.best, result.max_score)
+        self.refused += not result.graded
+        for one in result.graded:
+            tally = self.finds.setdefault((one.problem, one.find), FindTally())
+            if one.verdict == MISSING:
+                tally.missing += 1
+                continue
+            tally.answers += 1
+            tally.right += one.verdict == RIGHT
+            tally.ungradable += one.verdict == UNGRADABLE
+            tally.carried += bool(one.carried)
+            tally.mistakes.update(one.mistakes if len(one.mistakes) == 1 else ())
+            counts = tally.by_variant.setdefault(result.variant, [0, 0])
+            counts[0] += 1
+            counts[1] += one.verdict == RIGHT
+
+    def suspicious(self) -> Iterator[tuple[str, str, str]]:
+        """Finds that nearly everybody misses, with the reason in words."""
+        for (problem, find), tally in self.finds.items():
+            judged = tally.answers - tally.ungradable
+            if judged >= FEW and tally.right <= SUSPICIOUS * judged:
+                yield problem, find, f"{tally.right} of {judged} right: look whether the problem or the key is at fault"
+                continue
+            for variant, (answers, right) in sorted(tally.by_variant.items()):
+                others = judged - answers
+                if answers >= FEW and right <= SUSPICIOUS * answers and others and tally.right - right > others / 2:
+                    yield problem, find, f"variant {variant}: {right} of {answers} right, of the others most"
+
+
+@record
+class Row:
+    """One line of the table of a class."""
+
+    problem: str
+    find: str
+    answers: int
+    right: int
+    ungradable: int
+    carried: int
+    mistakes: str
+
+
+def rows(report: ClassReport) -> Iterable[Row]:
+    """The table, find by find."""
+    for (problem, find), tally in report.finds.items():
+        told = ", ".join(f"{name} {count}" for name, count in tally.mistakes.most_common(4))
+        yield Row(problem, find, tally.answers, tally.right, tally.ungradable, tally.carried, told)

@@ -1,0 +1,69 @@
+"""A table of everything that was graded, for any spreadsheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar, final
+
+from planar_cli.homework.exports._text import slug, table
+from planar_cli.homework.exports.base import Exported, ResultExport
+from planar_cli.homework.paper import Result
+
+HEADER = (
+    "student",
+    "problem",
+    "find",
+    "submitted",
+    "unit",
+    "expected",
+    "tolerance",
+    "score",
+    "max_score",
+    "status",
+    "message",
+)
+
+
+@final
+class Gradebook(ResultExport):
+    """A CSV table with one row for each find of each student.
+
+    The file
+        `student,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit` is
+        that of the key, `tolerance` relative, `status` right, wrong, ungradable or missing. A submission that cannot
+        be graded at all has one row without problem and find. Texts that a spreadsheet would run as a formula begin
+        with an apostrophe. It holds the key, so it is for the lecturer.
+
+    To import it
+        In any spreadsheet; for Excel with the byte order mark, so that it knows UTF-8.
+
+    What is lost
+        Verdicts on value, unit, sign and precision apart, and the names of mistakes, unless the message tells them.
+    """
+
+    kind: ClassVar[str] = "gradebook"
+
+    def export(self, results: Sequence[Result], title: str, excel: bool = False) -> Exported:
+        rows = [row for result in results for row in _rows(result)]
+        return Exported({f"{slug(title, '-gradebook')}.csv": table([HEADER, *rows], excel)})
+
+
+def _rows(result: Result) -> list[tuple[str | float, ...]]:
+    rows: list[tuple[str | float, ...]] = [
+        (
+            result.student,
+            g.problem,
+            g.find,
+            g.submitted,
+            g.due_unit,
+            g.expected,
+            g.tolerance or "",
+            g.score,
+            g.max_score,
+            g.verdict,
+            " ".join(filter(None, (g.message, g.feedback))),
+        )
+        for g in result.graded
+    ]
+    blank = [""] * 8
+    return rows + [(result.student, *blank, "ungradable", why) for why in result.wrong]

@@ -1,0 +1,269 @@
+"""One submission against its paper: for every find a verdict on value, unit, sign and precision, and what it scores.
+
+Nothing here needs the solver: a paper holds the numbers that are right, and those that typical mistakes give.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.homework import typed
+from planar_cli.homework.named_mistakes import named
+from planar_cli.homework.paper import (
+    MISSING,
+    RIGHT,
+    UNGRADABLE,
+    WRONG,
+    Expected,
+    Graded,
+    Paper,
+    Result,
+    Submission,
+    Task,
+)
+from planar_cli.homework.rules import Rules
+from planar_cli.homework.typed import Typed
+from planar_cli.homework.unreadable import Unreadable
+from planar_cli.units import PURE, Unit, describe, parse_unit
+
+FLOOR = 1e-3
+"""Share of tolerance times scale that is allowed on top: a true zero has no relative error."""
+SLACK = 0.51
+"""Of a unit in the last place that is asked for: half of it, and a little for what was rounded twice."""
+LONGEST_SHOWN = 80
+
+Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
+"""What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
+
+
+def grade(submission: Submission, papers: Mapping[int, Paper], rules: Rules, carry: Carry | None = None) -> Result:
+    """All finds of the paper that the student had, in its order."""
+    paper = papers.get(submission.variant)
+    if paper is None:
+        why = f"there is no variant {submission.variant}"
+        return Result(submission.student, submission.variant, (), submission.source, (*submission.wrong, why))
+    answers = {(problem, find): text for problem, find, text in submission.answers}
+    graded: list[Graded] = []
+    for task in paper.tasks:
+        own: dict[str, tuple[float, ...]] = {}
+        for expected in task.expected:
+            one, values = _graded(task, expected, answers.pop((task.problem, expected.find), None), rules)
+            if one.verdict == WRONG and carry is not None and own and values is not None:
+                one = _carried(task, expected, one, values, own, rules, carry)
+            if values is not None and one.verdict == WRONG:
+                own[expected.find] = values
+            graded.append(one)
+    wrong = (*submission.wrong, *_unknown(answers, paper))
+    return Result(submission.student, submission.variant, tuple(graded), submission.source, wrong)
+
+
+def _unknown(answers: Mapping[tuple[str, str], str], paper: Paper) -> list[str]:
+    """What was answered and not asked."""
+    problems = {t.problem for t in paper.tasks}
+    return [
+        f"there is no find '{find}' in {problem}" if problem in problems else f"there is no problem '{problem}'"
+        for problem, find in answers
+    ]
+
+
+def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:
+    """One find, and the student's numbers in the unit of the find, where there are any."""
+    blank = Graded(
+        task.problem, expected.find, shown(text or ""), MISSING, 0.0, expected.points, expected=expected.text
+    )
+    if text is None or not text.strip():
+        return replace(blank, message="there is no answer"), None
+    try:
+        answer = typed.read(text, expected.kind, rules.comma)
+        if expected.kind == "word":
+            return _of_word(blank, answer.word == expected.text, rules), None
+        if expected.kind in ("formula", "equation"):
+            return _of_word(blank, _same_formula(answer.formula, expected), rules), None
+        return _of_numbers(blank, expected, answer, rules)
+    except Unreadable as why:
+        return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {why}"), None
+
+
+def shown(text: str) -> str:
+    """What was typed, fit for print."""
+    plain = "".join(c if c.isprintable() else "\ufffd" for c in text.strip())
+    return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
+
+
+def _same_formula(text: str, expected: Expected) -> bool:
+    from planar_cli.homework.typed_formula import same_equation, same_formula
+
+    same = same_equation if expected.kind == "equation" else same_formula
+    return same(text, expected.formula, expected.letters)
+
+
+def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:
+    verdict = RIGHT if right else WRONG
+    score = blank.max_score if right else 0.0
+    return replace(blank, verdict=verdict, value=verdict, score=score, message="" if right else "this is not so")
+
+
+# --- numbers ---------------------------------------------------------------------------------------------------------
+
+
+def _of_numbers(
+    blank: Graded, expected: Expected, answer: Typed, rules: Rules
+) -> tuple[Graded, tuple[float, ...] | None]:
+    """Value, unit, sign and precision apart."""
+    unit, why = _unit_verdict(expected, answer.unit)
+    values = in_unit_of_find(expected, answer)
+    sign = _sense_verdict(expected, answer, values)
+    fits = within(expected, values, rules)
+    turned = not fits and expected.kind == "number" and within(expected, tuple(-v for v in values), rules)
+    value = RIGHT if fits or turned else WRONG
+    if turned or (fits and sign == WRONG):
+        sign = WRONG
+    elif fits:
+        sign = RIGHT
+    else:
+        sign = ""
+    precision = _precision(values, answer, expected, rules) if value == RIGHT else ""
+    one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
+    one = _scored(one, rules, why)
+    if one.verdict == WRONG and value == WRONG:
+        one = named(one, expected, values, answer)
+    return one, values
+
+
+def _unit_verdict(expected: Expected, unit: Unit | None) -> tuple[str, str]:
+    """right, wrong or missing, and what to say of it."""
+    due = parse_unit(expected.unit)
+    if unit is None:
+        # Radians are a pure number; degrees are not.
+        return (RIGHT, "") if due.dimension == PURE and not due.pi_power else (MISSING, "the unit is missing")
+    if unit.dimension != due.dimension:
+        return WRONG, f"the unit is that of {describe(unit.dimension, unit.angle)}"
+    return RIGHT, ""
+
+
+def in_unit_of_find(expected: Expected, answer: Typed) -> tuple[float, ...]:
+    """The typed numbers in the unit of the find; with the key's unit where none, or a wrong one, was typed."""
+    due = parse_unit(expected.unit)
+    factor = 1.0
+    if answer.unit is not None and answer.unit.dimension == due.dimension:
+        powers = answer.unit.pi_power - due.pi_power
+        factor = float(answer.unit.factor / due.factor) * math.pi**powers
+    if answer.polar:
+        size, angle = answer.values
+        return size * factor * math.cos(angle), size * factor * math.sin(angle)
+    values = tuple(v * factor for v in answer.values)
+    if answer.sense and expected.rotation:
+        return tuple(answer.sense * v for v in values)
+    if answer.way and expected.kind == "number" and answer.axis == expected.axis:
+        return tuple(answer.way * v for v in values)
+    return values
+
+
+def _sense_verdict(expected: Expected, answer: Typed, values: Sequence[float]) -> str:
+    """Of a sense or direction in words: Unreadable where the find has none of that kind."""
+    if expected.kind != "number":
+        return ""
+    if answer.sense and not expected.rotation:
+        raise Unreadable("a sense of rotation stands behind what does not turn")
+    if answer.way and expected.axis and answer.axis != expected.axis:
+        return WRONG
+    if answer.way and not expected.axis:
+        raise Unreadable("a direction in words stands behind what is no component along x or y; leave it out")
+    return ""
+
+
+def within(expected: Expected, values: Sequence[float], rules: Rules) -> bool:
+    """Is it right within the tolerance? A vector is judged by the size of what it is off."""
+    due = expected.values
+    if len(values) != len(due):
+        return False
+    if expected.kind == "list":
+        return all(_close(a, b, expected, rules) for a, b in zip(sorted(values), sorted(due), strict=True))
+    if expected.kind == "vector":
+        size = math.hypot(*due)
+        off = math.hypot(*(a - b for a, b in zip(values, due, strict=True)))
+        return off <= _allowed(size, expected, rules)
+    return _close(values[0], due[0], expected, rules)
+
+
+def _close(value: float, due: float, expected: Expected, rules: Rules) -> bool:
+    off = abs(value - due)
+    if expected.direction:
+        turn = 2 * math.pi / (float(parse_unit(expected.unit).factor) * math.pi ** parse_unit(expected.unit).pi_power)
+        off = abs(math.remainder(value - due, turn))
+    return off <= _allowed(abs(due), expected, rules)
+
+
+def _allowed(size: float, expected: Expected, rules: Rules) -> float:
+    relative = expected.tolerance if rules.tolerance is None else rules.tolerance
+    if rules.mode == "sigfig":
+        places = rules.figures - 1 - (math.floor(math.log10(size)) if size else 0)
+        return SLACK * 10.0**-places
+    return relative * size + FLOOR * relative * expected.scale
+
+
+def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> str:
+    """Were as many figures typed as are asked for? 3.00 may be typed as 3: a value that is exact loses nothing."""
+    coarse = [
+        f < rules.figures and abs(v - d) > 1e-9 * abs(d)
+        for f, v, d in zip(answer.figures, values, expected.values, strict=False)
+    ]
+    return WRONG if any(coarse) else RIGHT
+
+
+def _scored(one: Graded, rules: Rules, why: str) -> Graded:
+    """The verdict and the score, from the four verdicts."""
+    if one.value == WRONG:
+        message = why if one.unit == WRONG else "the value is not right"
+        return replace(one, verdict=WRONG, message=message)
+    if one.unit == MISSING and rules.no_unit is None:
+        return replace(one, verdict=UNGRADABLE, value="", sign="", message="this cannot be graded: the unit is missing")
+    credit, said = 1.0, []
+    for verdict, part, sentence in (
+        (one.unit, rules.unit if one.unit == WRONG else rules.no_unit or 0.0, why or "the unit is not right"),
+        (one.sign, rules.sign, "the sign or sense is not right"),
+        (one.precision, rules.precision, f"write {rules.figures} significant figures"),
+    ):
+        if verdict in (WRONG, MISSING):
+            credit = min(credit, part)
+            said.append(sentence)
+    fine = one.unit == RIGHT and one.sign == RIGHT and (one.precision == RIGHT or rules.precision == 1)
+    message = "; ".join(said)
+    if said and one.unit != RIGHT and one.sign == RIGHT:
+        message = f"the number is right; {message}"
+    return replace(one, verdict=RIGHT if fine else WRONG, score=credit * one.max_score, message=message)
+
+
+# --- errors carried forward ------------------------------------------------------------------------------------------
+
+
+def _carried(
+    task: Task,
+    expected: Expected,
+    one: Graded,
+    values: tuple[float, ...],
+    own: Mapping[str, tuple[float, ...]],
+    rules: Rules,
+    carry: Carry,
+) -> Graded:
+    """The verdict where the find follows rightly from wrong values of earlier ones."""
+    found = carry(task, expected, own)
+    if found is None:
+        return one
+    due, names = found
+    if within(expected, due, rules) or not within(replace(expected, values=due), values, rules):
+        # Where the earlier value changes nothing, nothing is carried.
+        return one
+    if one.unit != RIGHT:
+        return one
+    earlier = " and ".join(f"your {n}" for n in names)
+    return replace(
+        one,
+        score=rules.carried * one.max_score,
+        carried=names,
+        mistakes=(),
+        feedback="",
+        message=f"this follows rightly from {earlier}, which is not right",
+    )

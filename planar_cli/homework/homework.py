@@ -1,0 +1,177 @@
+"""A whole homework made ready: every problem of a set solved, its variants drawn, its papers as plain data."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import pickle
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
+from planar_cli.homework.carried_errors import carriable
+from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.ready import Homework, Prepared
+from planar_cli.homework.set_file import HomeworkSet, SetProblem
+from planar_cli.homework.variant_draws import Draw
+from planar_cli.homework.variants import Variants, columns, variants_of
+from planar_cli.homework.worked_problem import (
+    WorkedProblem,
+    base_expected,
+    base_numbers,
+    plainly_solved,
+    read_and_solve,
+    with_mistakes,
+)
+from planar_cli.problem.nodes import Mapping as MappingNode
+from planar_cli.problem.nodes import Scalar
+from planar_cli.problem.variations import with_first_values, with_values
+from planar_cli.solve.solved_problem import Solution
+from planar_cli.units import pretty_unit
+
+PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
+Page = Callable[[Solution], str]
+"""Writes a worked solution."""
+FEW = 0.5
+"""A lower rate of fit combinations is worth a warning."""
+
+
+def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -> Prepared:
+    """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted. PlanarError:
+    it has no solution.
+    """
+    solved = read_and_solve(problem.path, problem.name)
+    _check_points(problem, solved)
+    drawn = variants_of(solved, variants, seed)
+    base = base_expected(solved)
+    expected = [base, *(v.expected for v in drawn.taken)]
+    file_values = columns(solved, [Draw(())])
+    rows = [*with_mistakes(solved, expected[:1], file_values)]
+    if drawn.taken:
+        rows += with_mistakes(solved, expected[1:], columns(solved, [v.draw for v in drawn.taken]))
+    draws = [Draw(()), *(v.draw for v in drawn.taken)]
+    # Where there are fewer variants than were asked for, they are given out again from the first.
+    spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
+    made = [_task(problem, solved, d, _with_points(problem, e), page) for d, e in zip(draws, rows, strict=True)]
+    values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
+    return Prepared(
+        problem.name,
+        tuple(made[place] for place in spread),
+        pickle.dumps(carriable(solved, values)),
+        tuple(_warnings(problem, drawn, variants)),
+        drawn.tried,
+        len(drawn.taken),
+        tuple(sorted(drawn.rejected.items())),
+    )
+
+
+def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
+    found = []
+    if drawn.note:
+        found.append(f"{problem.name}: variants are {drawn.note}")
+    if wanted and not drawn.tried:
+        found.append(f"{problem.name}: the file has no `variants`; all students get the same numbers")
+    elif wanted > len(drawn.taken):
+        found.append(f"{problem.name}: only {len(drawn.taken)} of {wanted} variants are fit; they are given out again")
+    if drawn.tried and drawn.rate < FEW:
+        reasons = ", ".join(f"{count} because {why}" for why, count in drawn.rejected.most_common(3))
+        found.append(f"{problem.name}: only {100 * drawn.rate:.0f} % of the combinations are fit ({reasons})")
+    return found
+
+
+def _check_points(problem: SetProblem, solved: WorkedProblem) -> None:
+    names = [f.name for _, f in solved.finds]
+    wrong = [n for n in problem.points if n not in names]
+    if wrong:
+        text = f"{problem.path} has no find '{wrong[0]}'"
+        raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
+
+
+def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:
+    if problem.points:
+        return tuple(replace(e, points=problem.points.get(e.find, 0.0)) for e in expected)
+    each = 1.0 if problem.whole is None else problem.whole / max(len(expected), 1)
+    return tuple(replace(e, points=each) for e in expected)
+
+
+# --- what is handed out ----------------------------------------------------------------------------------------------
+
+
+def _task(
+    problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...], page: Page | None
+) -> Task:
+    values = {**_written_values(solved), **dict(draw.values)}
+    text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
+    given = tuple(f"{name} = {told(value)}" for name, value in values.items())
+    worked = ""
+    if page is not None:
+        worked = page(plainly_solved(solved.path, with_values(with_first_values(solved.node), dict(draw.values))))
+    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, worked)
+
+
+def _written_values(solved: WorkedProblem) -> dict[str, str]:
+    """The given names with their values as the file writes them."""
+    node = with_first_values(solved.node)
+    given = node.get("given") if isinstance(node, MappingNode) else None
+    pairs = given.pairs if isinstance(given, MappingNode) else ()
+    return {key.text: value.text for key, value in pairs if isinstance(value, Scalar)}
+
+
+def told(value: str) -> str:
+    """A value of a file in print: `2.5 m/s^2` with its unit as on a page."""
+    number, _, unit = value.partition(" ")
+    pretty = pretty_unit(unit) if unit and re.fullmatch(r"[A-Za-z0-9*/^()-]+", unit) else unit
+    return f"{number}{pretty}" if pretty == "°" else f"{number} {pretty}".strip()
+
+
+# --- the whole set ---------------------------------------------------------------------------------------------------
+
+
+def assembled(homework: HomeworkSet, problems: Sequence[Prepared]) -> Homework:
+    """The papers of all variants from the problems of a set."""
+    papers = {k: Paper(k, tuple(p.tasks[k] for p in problems)) for k in range(homework.variants + 1)}
+    right = [
+        [[e.find, e.kind, e.values, e.unit, e.text, e.points] for t in paper.tasks for e in t.expected]
+        for paper in papers.values()
+    ]
+    rules = repr(homework.rules)
+    digest = hashlib.sha256(json.dumps([right, rules]).encode()).hexdigest()[:16]
+    return Homework(
+        homework.title,
+        homework.text,
+        papers,
+        {p.name: p.carrying for p in problems},
+        digest,
+        tuple(w for p in problems for w in p.warnings),
+    )
+
+
+def made_ready(
+    homework: HomeworkSet, jobs: int, timeout: float, page: Page | None, told_done: Callable[[int], None]
+) -> Homework:
+    """A set made ready on several workers, which import `page` by its name. PlanarError: a problem of it is no good."""
+    from planar_cli.homework.supervisor import Supervisor
+
+    items = [(p, homework.variants, homework.seed, page) for p in homework.problems]
+    ended = Supervisor(_attempt, jobs, timeout, told_done).run(items)
+    found: list[Prepared] = []
+    wrong: list[Diagnostic] = []
+    for problem, end in zip(homework.problems, ended, strict=True):
+        if isinstance(end.result, Prepared):
+            found.append(end.result)
+            continue
+        diagnostics, text = end.result if isinstance(end.result, tuple) else ((), str(end.result))
+        wrong += diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}")]
+    if wrong:
+        raise FileProblem(wrong)
+    return assembled(homework, found)
+
+
+def _attempt(item: tuple[SetProblem, int, int, Page | None]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+    try:
+        return prepared(*item)
+    except (FileProblem, NoSolution) as error:
+        return error.diagnostics, str(error)
+    except PlanarError as error:
+        return (), str(error)

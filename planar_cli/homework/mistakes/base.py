@@ -1,0 +1,113 @@
+"""The contract of the shelf of mistakes.
+
+A mistake is what a student typically does wrong. A member is one file with one final class. From the equations of the
+right solution it makes models in which one thing is changed, or from the right numbers those of a slip at the end; the
+wrong answer follows by carrying the same equations out. Nothing is authored by hand for a problem.
+"""
+
+from __future__ import annotations
+
+from abc import ABC
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import field, replace
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from planar_cli.homework.paper import Expected
+from planar_cli.problem.expression import Name
+from planar_cli.problem.scene import Problem
+from planar_cli.records import record
+from planar_cli.replay.equations import Equations
+
+GEOMETRY = frozenset({"relation", "given", "drawn", "link", "loop", "single"})
+"""Kinds of equations in which no force stands."""
+COEFFICIENTS = ("mu", "mu_s", "mu_k", "friction")
+"""Keys of coefficients of friction."""
+
+
+@record
+class Model:
+    """The equations with one thing changed. `inputs`: formulas that stand in place of given numbers; `start`: where
+    unknowns with several roots are sought.
+    """
+
+    feedback: str
+    """A sentence to the student."""
+    equations: Equations
+    inputs: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    start: Mapping[sp.Symbol, float] = field(default_factory=dict)
+
+
+class Mistake(ABC):
+    """What every mistake has; the module's docstring is the contract."""
+
+    kind: ClassVar[str]
+
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        """The equations with this mistake in them, once for each thing that it can be made with."""
+        return ()
+
+    def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
+        """Wrong results that follow from the right one, with what to say."""
+        return ()
+
+
+# --- what members are made of ----------------------------------------------------------------------------------------
+
+
+def with_changed(
+    equations: Equations, change: Callable[[sp.Expr], sp.Expr], applies: Callable[[str], bool] = lambda kind: True
+) -> Equations | None:
+    """The equations with those residuals changed whose kind `applies`; None: nothing changes."""
+    steps = []
+    for step in equations.steps:
+        kinds = step.kinds or ("",) * len(step.residuals)
+        pairs = zip(step.residuals, kinds, strict=True)
+        steps.append(replace(step, residuals=tuple(change(r) if applies(k) else r for r, k in pairs)))
+    return None if tuple(steps) == equations.steps else equations.mapped(steps)
+
+
+def with_put_in(
+    equations: Equations, values: Mapping[sp.Symbol, Any], applies: Callable[[str], bool] = lambda kind: True
+) -> Equations | None:
+    """The same with symbols replaced."""
+    return with_changed(equations, lambda r: sp.sympify(r.xreplace(dict(values))), applies) if values else None
+
+
+def has_forces(kind: str) -> bool:
+    """Is an equation of this kind one of forces, moments, momenta or energies?"""
+    return kind not in GEOMETRY
+
+
+def named_in(problem: Problem, *keys: str) -> Iterator[str]:
+    """The given names that stand at some keys of joints, loads, bodies and surfaces, each once."""
+    shapes = (getattr(b, "shape", None) for b in (*problem.bodies, *problem.surfaces))
+    found: dict[str, None] = {}
+    for member in (*problem.joints, *problem.loads, *problem.bodies, *shapes):
+        for key in keys:
+            side = getattr(member, key, None)
+            if isinstance(side, Name) and side.at is None:
+                found.setdefault(side.name)
+    yield from found
+
+
+def inputs_at(equations: Equations, problem: Problem, *keys: str) -> dict[str, sp.Symbol]:
+    """The inputs that stand at some keys."""
+    return {n: equations.inputs[n] for n in named_in(problem, *keys) if n in equations.inputs}
+
+
+def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:
+    """A sum without some of its terms."""
+    terms = sp.Add.make_args(sp.expand(expr))
+    return sp.Add(*(t for t in terms if not drops(t)))
+
+
+def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Model]:
+    """The equations without a part of the accelerations, where they have it; what was left out is zero on the page."""
+    symbol = equations.inputs.get(mark)
+    if symbol is None:
+        return
+    finds = (e for a in equations.asked.values() for e in a.parts)
+    if symbol in equations.rests_on(finds):
+        yield Model(feedback, equations, {symbol: sp.S.Zero})

@@ -1,0 +1,25 @@
+"""Friction is forgotten."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar, final
+
+import sympy as sp
+
+from planar_cli.homework.mistakes.base import COEFFICIENTS, Mistake, Model, inputs_at, with_put_in
+from planar_cli.problem.scene import Problem
+from planar_cli.replay.equations import Equations
+
+
+@final
+class FrictionLeftOut(Mistake):
+    """The friction is left out."""
+
+    kind: ClassVar[str] = "friction-left-out"
+
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        found = inputs_at(equations, problem, *COEFFICIENTS)
+        changed = with_put_in(equations, dict.fromkeys(found.values(), sp.S.Zero))
+        if changed is not None:
+            yield Model("this is the result without friction", changed)

@@ -1,0 +1,23 @@
+"""Friction acts along the motion, not against it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar, final
+
+from planar_cli.homework.mistakes.base import COEFFICIENTS, Mistake, Model, has_forces, inputs_at, with_put_in
+from planar_cli.problem.scene import Problem
+from planar_cli.replay.equations import Equations
+
+
+@final
+class FrictionReversed(Mistake):
+    """The friction acts in the wrong direction."""
+
+    kind: ClassVar[str] = "friction-reversed"
+
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        found = inputs_at(equations, problem, *COEFFICIENTS)
+        changed = with_put_in(equations, {s: -s for s in found.values()}, has_forces)
+        if changed is not None:
+            yield Model("the friction acts the other way", changed)

@@ -1,0 +1,21 @@
+"""A prefix is lost: the number is off by a power of ten."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import ClassVar, final
+
+from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.paper import Expected
+
+
+@final
+class PowerOfTen(Mistake):
+    """The number is off by a power of ten."""
+
+    kind: ClassVar[str] = "power-of-ten"
+
+    def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
+        for power in (-3, -2, -1, 1, 2, 3):
+            said = "the number is off by a power of ten: look at prefixes such as k and m, and at the decimal point"
+            yield said, tuple(v * 10.0**power for v in expected.values)

@@ -1,0 +1,35 @@
+"""A body that turns is treated as a particle: its moment of inertia is forgotten."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import ClassVar, final
+
+import sympy as sp
+
+from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.problem.scene import Problem
+from planar_cli.replay.equations import Equations
+from planar_cli.units import INERTIA
+
+
+@final
+class RotationalInertiaLeftOut(Mistake):
+    """The moment of inertia of a body is left out."""
+
+    kind: ClassVar[str] = "rotational-inertia-left-out"
+
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        for symbol, title in inertias(equations):
+            changed = replace(equations, defined={**equations.defined, symbol: sp.S.Zero})
+            yield Model(f"this is the result without the {title}", changed)
+
+
+def inertias(equations: Equations) -> Iterable[tuple[sp.Symbol, str]]:
+    """The moments of inertia that are named in the equations, with their titles."""
+    inside = set().union(*(r.free_symbols for s in equations.steps for r in s.residuals), set())
+    for symbol, title in equations.titles.items():
+        unit = equations.units.get(symbol)
+        if symbol in inside and symbol in equations.defined and unit is not None and unit.dimension == INERTIA:
+            yield symbol, title

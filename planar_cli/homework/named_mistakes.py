@@ -1,0 +1,41 @@
+"""A wrong number that a typical mistake gives: the mistake is named, where just one gives it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from planar_cli.homework.paper import Expected, Graded
+from planar_cli.homework.typed import Typed
+
+FEWEST = 3
+"""A number of fewer figures fits too many mistakes to tell of any."""
+WIDEST = 2e-3
+"""However few figures were typed, a number that is further off, relatively, does not come from the mistake."""
+LAST_PLACE = 0.6
+"""Of a unit in the last place: rounded once, and a little for what was rounded before."""
+
+
+def named(one: Graded, expected: Expected, values: Sequence[float], answer: Typed) -> Graded:
+    """The verdict with the mistakes that give this number: one is told to the student, several are only listed."""
+    if not answer.figures or min(answer.figures) < FEWEST:
+        return one
+    fits = [m for m in expected.mistakes if _same(m.values, values, answer.figures)]
+    # Mistakes that come to the same number by the same words are one.
+    names = tuple(dict.fromkeys(m.name for m in fits))
+    feedback = fits[0].feedback if len(names) == 1 else ""
+    return replace(one, mistakes=names, feedback=feedback)
+
+
+def _same(due: Sequence[float], values: Sequence[float], figures: Sequence[int]) -> bool:
+    if len(due) != len(values):
+        return False
+    return all(_close(a, b, f) for a, b, f in zip(due, values, figures, strict=False))
+
+
+def _close(due: float, value: float, figures: int) -> bool:
+    if not value or not math.isfinite(due):
+        return False
+    last = 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)
+    return abs(due - value) <= max(min(LAST_PLACE * last, WIDEST * abs(value)), 1e-6 * abs(value))

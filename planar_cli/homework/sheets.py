@@ -1,0 +1,178 @@
+"""What is handed out: the sheet of a variant, and the key of all of them, as Markdown, HTML, JSON and CSV.
+
+A sheet holds nothing of the key: it is written from what is asked and given alone.
+"""
+
+from __future__ import annotations
+
+import csv
+import html
+import io
+import json
+from collections.abc import Iterable, Mapping, Sequence
+
+from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.ready import Homework
+from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.units import pretty_unit
+
+SCHEMA = 1
+MARKUP = str.maketrans({c: f"\\{c}" for c in "\\`*_{}[]<>#|~$"})
+"""Characters that mean something in Markdown."""
+STYLE = (
+    "body{font:16px/1.5 Georgia,serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#111;background:#fff}"
+    "table{border-collapse:collapse}td,th{border:1px solid #999;padding:.2rem .6rem;text-align:left}"
+    "pre{font-size:13px;overflow-x:auto}h2{margin-top:2rem}@media print{h2{break-after:avoid}}"
+)
+
+
+# --- Markdown --------------------------------------------------------------------------------------------------------
+
+
+def sheet(homework: Homework, variant: int) -> str:
+    """The sheet of a variant in Markdown."""
+    paper = homework.papers[variant]
+    lines = [f"# {plain(homework.title)}{_variant(paper)}", ""]
+    if homework.text:
+        lines += [plain(homework.text), ""]
+    for number, task in enumerate(paper.tasks, 1):
+        lines += [f"## {number}. {plain(task.title)}", ""]
+        if task.text:
+            lines += [plain(task.text), ""]
+        if task.given:
+            lines += [f"Given: {', '.join(map(plain, task.given))}", ""]
+        lines += [f"- **{plain(e.find)}**: {plain(_asked(e))}{_points(e)}" for e in task.expected] + [""]
+        lines += [f"Answers go to `{task.problem}.{task.expected[0].find}` and so on." if task.expected else "", ""]
+    return "\n".join(lines)
+
+
+def key(homework: Homework, variants: Iterable[int], worked: bool, short: bool = True) -> str:
+    """The key of some variants in Markdown: the answers, the worked solutions, or both."""
+    lines = [f"# {plain(homework.title)}: key", ""]
+    for variant in variants:
+        paper = homework.papers[variant]
+        if len(homework.papers) > 1:
+            lines += [f"## {'The files as they are' if not variant else f'Variant {variant}'}", ""]
+        lines += list(_short(paper)) if short else []
+        if worked:
+            for task in paper.tasks:
+                lines += [_below(task.worked), ""]
+    return "\n".join(lines)
+
+
+def _short(paper: Paper) -> Iterable[str]:
+    yield from ("| Problem | Find | Answer | Points |", "| --- | --- | --- | --- |")
+    for task in paper.tasks:
+        for e in task.expected:
+            yield f"| {plain(task.problem)} | {plain(e.find)} | {plain(e.text)} | {e.points:g} |"
+    yield ""
+    given = [f"- {plain(t.problem)}: {', '.join(map(plain, t.given))}" for t in paper.tasks if t.given]
+    yield from (*given, "") if paper.variant else ()
+
+
+def _below(page: str) -> str:
+    """A page with its headings two levels lower."""
+    return "\n".join(f"##{line}" if line.startswith("#") else line for line in page.splitlines())
+
+
+def _variant(paper: Paper) -> str:
+    return f", variant {paper.variant}" if paper.variant else ""
+
+
+def _asked(expected: Expected) -> str:
+    unit = pretty_unit(expected.unit)
+    two = " (two components, x and y)" if expected.kind == "vector" else ""
+    return f"{expected.asked or expected.find}{two}" + (f", in {unit}" if unit and expected.kind != "word" else "")
+
+
+def _points(expected: Expected) -> str:
+    return f" ({expected.points:g} {'point' if expected.points == 1 else 'points'})"
+
+
+def plain(text: str) -> str:
+    """Words in which nothing is markup."""
+    return " ".join(harmless(text, kept="").translate(MARKUP).split())
+
+
+# --- HTML ------------------------------------------------------------------------------------------------------------
+
+
+def as_html(markdown: str, title: str) -> str:
+    """A document of ours as one HTML page without scripts; raw HTML in it stays text."""
+    from markdown_it import MarkdownIt
+
+    body = MarkdownIt("commonmark", {"html": False}).enable("table").render(markdown)
+    policy = "default-src 'none'; style-src 'unsafe-inline'"
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{html.escape(harmless(title, kept=''))}</title><style>{STYLE}</style></head>\n"
+        f"<body>\n{body}</body></html>\n"
+    )
+
+
+# --- data ------------------------------------------------------------------------------------------------------------
+
+
+def sheet_data(homework: Homework, variant: int) -> dict[str, object]:
+    """The sheet of a variant as data."""
+    return {
+        "schema": SCHEMA,
+        "title": homework.title,
+        "variant": variant,
+        "problems": [_task_data(t, with_answers=False) for t in homework.papers[variant].tasks],
+    }
+
+
+def key_data(homework: Homework, variants: Sequence[int]) -> dict[str, object]:
+    """The key of some variants as data."""
+    return {
+        "schema": SCHEMA,
+        "title": homework.title,
+        "digest": homework.digest,
+        "variants": [
+            {"variant": k, "problems": [_task_data(t, with_answers=True) for t in homework.papers[k].tasks]}
+            for k in variants
+        ],
+    }
+
+
+def _task_data(task: Task, with_answers: bool) -> dict[str, object]:
+    finds: list[Mapping[str, object]] = []
+    for e in task.expected:
+        asked = {"find": e.find, "asked": e.asked, "kind": e.kind, "unit": e.unit, "points": e.points}
+        told = {"answer": e.text, "values": list(e.values), "tolerance": e.tolerance} if with_answers else {}
+        finds.append({**asked, **told})
+    return {"problem": task.problem, "title": task.title, "text": task.text, "given": list(task.given), "finds": finds}
+
+
+def as_json(data: Mapping[str, object]) -> str:
+    """Data as JSON, the same for the same data."""
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+
+
+def sheet_csv(homework: Homework, variant: int) -> str:
+    """The finds of a variant as a table to be filled in: it is read back as a submission."""
+    rows = [(t.problem, e.find, "", e.unit) for t in homework.papers[variant].tasks for e in t.expected]
+    return _csv(("problem", "find", "answer", "unit"), rows)
+
+
+def key_csv(homework: Homework, variants: Iterable[int]) -> str:
+    """The key of some variants as a table."""
+    rows = [
+        (k, t.problem, e.find, e.text, *(list(e.values) + [""] * (2 - len(e.values)))[:2], e.unit, e.points)
+        for k in variants
+        for t in homework.papers[k].tasks
+        for e in t.expected
+    ]
+    return _csv(("variant", "problem", "find", "answer", "value", "second_value", "unit", "points"), rows)
+
+
+def _csv(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(head)
+    for row in rows:
+        writer.writerow([spreadsheet_cell(c) if isinstance(c, str) else c for c in row])
+    return out.getvalue()

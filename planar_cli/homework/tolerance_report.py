@@ -1,0 +1,108 @@
+"""What a tolerance does to an honest student: every intermediate result of this very problem rounded to three figures.
+
+Two dangers are told of each find: that rounding on the way moves the result by more than the tolerance, and that a
+wrong model gives a result within it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sp
+
+from planar_cli.base_units import in_base
+from planar_cli.homework.paper import Expected
+from planar_cli.homework.worked_problem import Part, WorkedProblem, base_expected, models_of
+from planar_cli.records import record
+from planar_cli.replay.numbers import Numbers, Rounding
+from planar_cli.solve.solution import Found
+
+FIGURES = 3
+DRAWS = 400
+DIFFERENT = 1e-9
+"""Relative: a model gives another number."""
+
+
+@record
+class Danger:
+    """One find under a tolerance. `honest`: the largest relative error by rounding; `nearest`: the smallest relative
+    distance of a wrong model, and which.
+    """
+
+    find: str
+    tolerance: float
+    honest: float
+    nearest: float | None
+    mistake: str = ""
+
+    @property
+    def fails_honest(self) -> bool:
+        """Would somebody be marked wrong who only rounds?"""
+        return self.honest > self.tolerance
+
+    @property
+    def passes_wrong(self) -> bool:
+        """Would a wrong model be marked right?"""
+        return self.nearest is not None and self.nearest <= self.tolerance
+
+
+def tolerance_report(problem: WorkedProblem) -> tuple[list[Danger], list[str]]:
+    """A line for each number that is asked, and why others have none."""
+    expected = {e.find: e for e in base_expected(problem)}
+    found: list[Danger] = []
+    left: list[str] = []
+    for part, one in problem.finds:
+        if part.replay is None:
+            left.append(f"{one.name}: {part.why}")
+        elif one.name in part.replay.equations.asked and any(expected[one.name].values):
+            found.append(_danger(problem, part, one, expected[one.name]))
+    return found, left
+
+
+def _danger(problem: WorkedProblem, part: Part, one: Found, expected: Expected) -> Danger:
+    assert part.replay is not None
+    factor = in_base(one.unit, problem.problem.us)
+    due = np.array(expected.values)
+    run = part.replay.run(_inputs(part), rounding=_rounding())
+    rounded = [n / factor for n in run.asked(one.name)]
+    honest = float(np.nanmax(_off(rounded, due)))
+    nearest, mistake = None, ""
+    for name, model in models_of(problem):
+        if model.case != part.solution.case:
+            continue
+        wrong = [n / factor for n in model.run({}).asked(one.name)]
+        off = float(_off(wrong, due)[0])
+        if np.isfinite(off) and off > DIFFERENT and (nearest is None or off < nearest):
+            nearest, mistake = off, name
+    return Danger(one.name, expected.tolerance, honest, nearest, mistake)
+
+
+def _off(numbers: list[Numbers], due: Numbers) -> Numbers:
+    """Relative errors; those of a vector by its size."""
+    size = float(np.hypot.reduce(due))
+    gaps = [np.atleast_1d(n) - d for n, d in zip(numbers, due, strict=True)]
+    found: Numbers = np.sqrt(sum(g**2 for g in gaps)) / size
+    return found
+
+
+def _inputs(part: Part) -> dict[sp.Symbol, Numbers]:
+    """The given numbers as they are, once for each draw."""
+    assert part.replay is not None
+    equations = part.replay.equations
+    return {s: np.full(DRAWS, equations.value[s]) for s in list(equations.inputs.values())[:1]}
+
+
+def _rounding() -> Rounding:
+    """Rounding to three figures, in the first draw as it falls, in the others by anything up to half a place."""
+    rng = np.random.default_rng(1)
+
+    def rounded(numbers: Numbers) -> Numbers:
+        numbers = np.array(np.broadcast_to(numbers, DRAWS), dtype=float)
+        with np.errstate(all="ignore"):
+            places = np.floor(np.log10(np.abs(numbers)))
+        unit = np.where(np.isfinite(places), 10.0 ** (places - FIGURES + 1), 0.0)
+        safe = np.where(unit > 0, unit, 1.0)
+        out = numbers + (rng.random(numbers.size) - 0.5) * unit
+        out[0] = (np.round(numbers[0] / safe[0]) * safe[0]) if unit[0] > 0 else numbers[0]
+        return out
+
+    return rounded

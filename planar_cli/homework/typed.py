@@ -1,0 +1,267 @@
+"""What a student typed, read: one finite number or a pair with its unit, a direction in words, a word, or a formula.
+
+    12.5 N    1.25*10^1 N    12,5 N (where a comma is a decimal point)    25/2 N    5*sqrt(2) m/s
+    6.2 rad/s cw    9.81 m/s^2 down    10 N at 30 deg    [3, -4] m/s    3i - 4j m/s    yes    m*g*sin(beta)
+
+Whatever cannot be read raises Unreadable with a sentence to the student. Nothing typed is ever executed.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import lru_cache
+
+from planar_cli.homework.unreadable import Unreadable
+from planar_cli.records import record
+from planar_cli.units import Unit, UnitError, parse_unit
+
+LONGEST = 500
+"""More characters are no answer."""
+LARGEST = 1e50
+
+_SIGNS = str.maketrans(
+    {"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "²": "^2", "³": "^3", "µ": "u", "\u00a0": " "}
+)
+_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+_PLAIN = re.compile(rf"({_NUMBER})(?:\s*(?:\*|x)\s*10\s*\^\s*\(?([+-]?[0-9]{{1,3}})\)?)?\s*([^0-9\s(\[<].*)?")
+_RATIO = re.compile(rf"({_NUMBER})\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*([A-Za-z].*)?")
+_PAIR = re.compile(rf"[\[(<]\s*({_NUMBER})\s*([^,;\])>]*)[,;]\s*({_NUMBER})\s*([^,;\])>]*)[\])>]\s*(.*)")
+_BRACKET = re.compile(r"[\[(<]([^\])>]*)[\])>]\s*(.*)")
+_IJ = re.compile(rf"\(?\s*({_NUMBER})\s*\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*\*?\s*j\s*\)?\s*(.*)")
+_POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
+
+_NAMED = re.compile(r"^(?:[A-Za-z][A-Za-z0-9_]*\s*)?=\s*")
+"""What may stand before an answer: `a = 3 m/s^2`."""
+_BEHIND = re.compile(r"(.*[0-9)i.])\s+([A-Za-z][A-Za-z0-9*/^() -]*)")
+"""Arithmetic, and a unit behind it."""
+
+_SENSES = {
+    **dict.fromkeys(("ccw", "counterclockwise", "counter-clockwise", "anticlockwise", "anti-clockwise", "↺"), 1),
+    **dict.fromkeys(("cw", "clockwise", "↻"), -1),
+}
+_WAYS = {
+    **dict.fromkeys(("right", "rightward", "rightwards", "to the right", "→"), ("x", 1)),
+    **dict.fromkeys(("left", "leftward", "leftwards", "to the left", "←"), ("x", -1)),
+    **dict.fromkeys(("up", "upward", "upwards", "↑"), ("y", 1)),
+    **dict.fromkeys(("down", "downward", "downwards", "↓"), ("y", -1)),
+}
+_WORDS = {
+    **dict.fromkeys(("yes", "true", "y", "t"), "true"),
+    **dict.fromkeys(("no", "false", "n", "f"), "false"),
+    **dict.fromkeys(("slip", "slips", "slides", "sliding", "slipping"), "slip"),
+    **dict.fromkeys(("stick", "sticks", "rolls", "rolling", "does not slip", "no slip"), "stick"),
+    **dict.fromkeys(("apart", "lifts off", "leaves", "loses contact"), "apart"),
+    **dict.fromkeys(("tip", "tips", "tipping", "tips over"), "tip"),
+    **dict.fromkeys(("taut", "tight"), "taut"),
+    **dict.fromkeys(("slack", "loose"), "slack"),
+}
+_SPELT = {
+    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
+    **dict.fromkeys(("foot", "feet"), "ft"),
+    **dict.fromkeys(("inch", "inches"), "in"),
+    **dict.fromkeys(("second", "seconds", "sec", "secs"), "s"),
+    **dict.fromkeys(("minute", "minutes"), "min"),
+    **dict.fromkeys(("hour", "hours", "hr"), "h"),
+    **dict.fromkeys(("newton", "newtons"), "N"),
+    **dict.fromkeys(("joule", "joules"), "J"),
+    **dict.fromkeys(("watt", "watts"), "W"),
+    **dict.fromkeys(("kilogram", "kilograms", "kgs"), "kg"),
+    **dict.fromkeys(("radian", "radians", "rads"), "rad"),
+    **dict.fromkeys(("degree", "degrees", "°"), "deg"),
+    **dict.fromkeys(("lbs",), "lbf"),
+    **dict.fromkeys(("rev", "revolution", "revolutions"), "rev"),
+    **dict.fromkeys(("Nm",), "N*m"),
+    **dict.fromkeys(("kNm",), "kN*m"),
+    **dict.fromkeys(("Ns",), "N*s"),
+    **dict.fromkeys(("fps",), "ft/s"),
+}
+
+
+@record
+class Typed:
+    """One answer as typed. `unit`: None where none was; `figures`: significant figures of each number as written.
+
+    `sense`: 1 counterclockwise, -1 clockwise, 0 not said. `axis`, `way`: of a direction in words, "" and 0 if none.
+    `polar`: magnitude and direction, the direction in radians. Of `word` and `formula` one at most is there.
+    """
+
+    values: tuple[float, ...] = ()
+    unit: Unit | None = None
+    figures: tuple[int, ...] = ()
+    sense: int = 0
+    axis: str = ""
+    way: int = 0
+    polar: bool = False
+    word: str = ""
+    formula: str = ""
+
+
+def read(text: str, kind: str, comma: bool = False) -> Typed:
+    """An answer to a find of a kind. `comma`: 12,5 is twelve and a half. Raises Unreadable."""
+    plain = text.translate(_SIGNS).strip()
+    if kind != "equation":
+        plain = _NAMED.sub("", plain, count=1)
+    if not plain:
+        raise Unreadable("nothing was typed")
+    if len(plain) > LONGEST:
+        raise Unreadable(f"an answer is at most {LONGEST} characters long")
+    if not all(c.isprintable() for c in plain):
+        raise Unreadable("there is a character that cannot be seen")
+    if kind == "word":
+        return _word(plain)
+    if kind in ("formula", "equation"):
+        return Typed(formula=plain)
+    if re.search(r"±|\+/-|\+-", plain):
+        raise Unreadable("one number is asked, not an interval")
+    if comma:
+        plain = re.sub(r"(?<=[0-9]),(?=[0-9])", ".", plain)
+    if kind == "list":
+        return _list(plain)
+    return _vector(plain) if kind == "vector" else _number(plain)
+
+
+def _word(text: str) -> Typed:
+    word = _WORDS.get(" ".join(text.lower().rstrip(".!").split()))
+    if word is None:
+        raise Unreadable(f"'{text[:40]}' is none of the words that may stand here, such as yes or no, slips or sticks")
+    return Typed(word=word)
+
+
+# --- numbers ---------------------------------------------------------------------------------------------------------
+
+
+def _number(text: str) -> Typed:
+    if re.search(r"[0-9],[0-9]", text):
+        raise Unreadable("a comma in a number can mean two things; write 1200 or 1.2")
+    plain, sense, axis, way = _without_direction(text)
+    value, unit, figures = _quantity(plain)
+    if sense and value < 0:
+        raise Unreadable("a minus sign and a sense of rotation say it twice; write one of them")
+    if way and value < 0:
+        raise Unreadable("a minus sign and a direction in words say it twice; write one of them")
+    return Typed((value,), unit, (figures,), sense, axis, way)
+
+
+def _without_direction(text: str) -> tuple[str, int, str, int]:
+    """The text before a sense of rotation or a direction in words, and those."""
+    low = text.lower().rstrip(".")
+    for words, sense in sorted(_SENSES.items(), key=lambda item: -len(item[0])):
+        if low.endswith(words) and _ends_before(low, words):
+            return text[: len(low) - len(words)].rstrip(" ,"), sense, "", 0
+    for words, (axis, way) in sorted(_WAYS.items(), key=lambda item: -len(item[0])):
+        if low.endswith(words) and _ends_before(low, words):
+            return text[: len(low) - len(words)].rstrip(" ,"), 0, axis, way
+    return text, 0, "", 0
+
+
+def _ends_before(text: str, ending: str) -> bool:
+    """Is an ending a word of its own?"""
+    before = text[: len(text) - len(ending)]
+    return bool(before) and not (before[-1].isalpha() and ending[0].isalpha()) and not before.endswith("-")
+
+
+def _quantity(text: str) -> tuple[float, Unit | None, int]:
+    """A number with its unit, and its significant figures."""
+    ratio = _RATIO.fullmatch(text)
+    if ratio is not None and float(ratio[2]):
+        figures = 15
+        return _finite(float(ratio[1]) / float(ratio[2])), _unit(ratio[3]), figures
+    plain = _PLAIN.fullmatch(text)
+    if plain is not None and not (plain[3] or "").startswith(("*", "/", "+", "-", "^")):
+        value = float(plain[1]) * 10.0 ** int(plain[2] or 0)
+        return _finite(value), _unit(plain[3]), significant(plain[1])
+    return _computed(text)
+
+
+def _computed(text: str) -> tuple[float, Unit | None, int]:
+    """Arithmetic without names, `5*sqrt(2) m/s`, by the parser of problem files."""
+    from planar_cli.homework.typed_formula import constant
+
+    behind = _BEHIND.fullmatch(text)
+    if behind is not None:
+        return _finite(constant(behind[1])), _unit(behind[2]), 15
+    return _finite(constant(text)), None, 15
+
+
+def _finite(value: float) -> float:
+    if not math.isfinite(value) or abs(value) > LARGEST:
+        raise Unreadable("the number is not finite, or too large")
+    return value
+
+
+def significant(number: str) -> int:
+    """Significant figures of a written number; of 1200 as few as two are certain, and four are counted."""
+    digits = re.split("[eE]", number.lstrip("+-"))[0]
+    if "." in digits:
+        return max(len(digits.replace(".", "").lstrip("0")), 1)
+    return max(len(digits.lstrip("0")), 1)
+
+
+@lru_cache(maxsize=4096)
+def unit_of(text: str) -> Unit:
+    """A unit as students write it: `N m`, `N-m`, `ft-lb`, `rad/sec`, `m/s/s`, `meters per second`."""
+    plain = re.sub(r"\s+per\s+", "/", text.strip().rstrip("."))
+    plain = re.sub(r"\s*([*/^])\s*", r"\1", plain).replace("**", "^")
+    plain = re.sub(r"(?<=[A-Za-z0-9])[ -](?=[A-Za-z])", "*", plain)
+    plain = re.sub(r"\^\(([0-9])\)", r"^\1", plain)
+    plain = re.sub(r"\b(?:ft\*lbs?|lbs?\*ft)\b", "lbf*ft", plain)
+    plain = re.sub(r"[A-Za-z°]+", lambda m: _SPELT.get(m[0], _SPELT.get(m[0].lower(), m[0])), plain)
+    plain = re.sub(r"\b(m|s|ft|in|mm|cm|km)([23])\b", r"\1^\2", plain)
+    try:
+        return parse_unit(plain)
+    except UnitError as error:
+        hint = f" ({error.hint})" if error.hint else ""
+        raise Unreadable(f"the unit '{text.strip()[:40]}' is not known{hint}") from None
+
+
+def _unit(text: str | None) -> Unit | None:
+    plain = (text or "").strip().strip("[]()").strip()
+    return unit_of(plain) if plain else None
+
+
+# --- pairs and lists -------------------------------------------------------------------------------------------------
+
+
+def _vector(text: str) -> Typed:
+    pair = _PAIR.fullmatch(text)
+    if pair is not None:
+        first, second, behind = _unit(pair[2]), _unit(pair[4]), _unit(pair[5])
+        units = [u for u in (first, second, behind) if u is not None]
+        if any(u.text != units[0].text for u in units[1:]):
+            raise Unreadable("the two components have different units")
+        figures = significant(pair[1]), significant(pair[3])
+        return Typed((_finite(float(pair[1])), _finite(float(pair[3]))), units[0] if units else None, figures)
+    unit_vectors = _IJ.fullmatch(text)
+    if unit_vectors is not None:
+        x, y = float(unit_vectors[1]), float(unit_vectors[2] + unit_vectors[3])
+        figures = significant(unit_vectors[1]), significant(unit_vectors[3])
+        return Typed((_finite(x), _finite(y)), _unit(unit_vectors[4]), figures)
+    polar = _POLAR.fullmatch(text)
+    if polar is not None:
+        size, unit, figures_of_size = _quantity(polar[1])
+        degrees = 1.0 if polar[3] == "rad" else math.pi / 180
+        if size < 0:
+            raise Unreadable("a magnitude is not negative")
+        figures = figures_of_size, significant(polar[2])
+        return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True)
+    plain, _, axis, way = _without_direction(text)
+    if way:
+        size, unit, figures_of_size = _quantity(plain)
+        if size < 0:
+            raise Unreadable("a minus sign and a direction in words say it twice; write one of them")
+        values = (way * size, 0.0) if axis == "x" else (0.0, way * size)
+        return Typed(values, unit, (figures_of_size, figures_of_size))
+    raise Unreadable("two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`")
+
+
+def _list(text: str) -> Typed:
+    plain, behind = text, ""
+    bracket = _BRACKET.fullmatch(text)
+    if bracket is not None:
+        plain, behind = bracket[1], bracket[2]
+    entries = [_quantity(entry.strip()) for entry in re.split("[,;]", plain)]
+    units = [u for u in (*(unit for _, unit, _ in entries), _unit(behind)) if u is not None]
+    if any(u.text != units[0].text for u in units[1:]):
+        raise Unreadable("the numbers have different units")
+    return Typed(tuple(v for v, _, _ in entries), units[0] if units else None, tuple(f for _, _, f in entries))

@@ -1,0 +1,144 @@
+"""Formulas that a student typed: read by the guarded parser of problem files, valued in machine numbers, compared."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from planar_cli.base_units import in_base
+from planar_cli.errors import Mark
+from planar_cli.homework.unreadable import Unreadable
+from planar_cli.problem.evaluation import ARITHMETIC, evaluated
+from planar_cli.problem.expression import Binary, Function, Name, Number, Quantity, Scaled, Side
+from planar_cli.problem.parser import ParseError, parse_side
+from planar_cli.problem.walk import walk
+from planar_cli.units import PURE, parse_unit
+
+DRAWS, NEEDED = 24, 6
+"""So many places are drawn; at so many both formulas must have a value."""
+SAME = 1e-9
+"""Two formulas that are identical differ by rounding alone, in parts of the larger."""
+HERE = Mark("<answer>", 1, 1)
+
+FUNCTIONS: Mapping[str, Callable[[float], float]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "sqrt": math.sqrt,
+    "exp": math.exp,
+    "log": math.log,
+    "abs": abs,
+}
+
+
+class _Numbers:
+    """Machine numbers of a formula in which some names have values."""
+
+    def __init__(self, values: Mapping[str, float]) -> None:
+        self.values = values
+
+    def number(self, number: Number) -> float:
+        factor = 1.0 if number.unit is None else in_base(parse_unit(number.unit), us=False)
+        return float(number.value) * factor * (number.sense or 1)
+
+    def scaled(self, side: Scaled) -> float:
+        found: float = evaluated(side.operand, self)
+        return found * in_base(parse_unit(side.unit), us=False) * (side.sense or 1)
+
+    def named(self, name: Name) -> float:
+        if name.name == "pi":
+            return math.pi
+        if name.name not in self.values:
+            raise Unreadable(f"'{name.name}' is none of the letters of the problem")
+        return self.values[name.name]
+
+    def combined(self, side: Binary) -> float:
+        left, right = evaluated(side.left, self), evaluated(side.right, self)
+        try:
+            found = ARITHMETIC[side.operator](left, right)
+        except (ZeroDivisionError, OverflowError, ValueError):
+            return math.nan
+        return math.nan if isinstance(found, complex) else float(found)
+
+    def called(self, function: Function) -> float:
+        try:
+            return FUNCTIONS[function.name](evaluated(function.argument, self))
+        except (ValueError, OverflowError):
+            return math.nan
+
+    def asked(self, quantity: Quantity) -> Any:
+        raise Unreadable(f"`{quantity.word}(…)` is a quantity of the problem, not a part of an answer")
+
+    def at(self, state: str, side: Side) -> Any:
+        raise Unreadable("no `@` stands in an answer")
+
+
+def parsed(text: str) -> Side:
+    """A formula. Unreadable: it is none."""
+    try:
+        return parse_side(text.replace("**", "^"), HERE)
+    except ParseError as error:
+        raise Unreadable(f"{error.diagnostic.message}, at character {error.diagnostic.mark.column}") from None
+    except (RecursionError, MemoryError):
+        raise Unreadable("it is too long") from None
+
+
+def constant(text: str) -> float:
+    """A number that is written as arithmetic, `5*sqrt(2)`. Unreadable: it is none."""
+    side = parsed(text)
+    if any(isinstance(n, Number | Scaled) and n.unit is not None for n in walk(side)):
+        raise Unreadable("one unit stands behind the number")
+    if any(isinstance(n, Name) and n.name != "pi" for n in walk(side)):
+        raise Unreadable("a number with its unit is asked, such as `12.5 N`")
+    found: float = evaluated(side, _Numbers({}))
+    return found
+
+
+def same_formula(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> bool:
+    """Are two formulas of some letters identical? They are compared at places that are the same in every run.
+
+    Unreadable: what was typed is no formula of these letters.
+    """
+    mine, theirs = parsed(typed), parsed(right)
+    rng = random.Random(1)
+    met = 0
+    for _ in range(DRAWS):
+        values = {name: _drawn(unit, rng) for name, unit in letters}
+        a, b = evaluated(mine, _Numbers(values)), evaluated(theirs, _Numbers(values))
+        if not (math.isfinite(a) and math.isfinite(b)):
+            continue
+        met += 1
+        if abs(a - b) > SAME * max(abs(a), abs(b)):
+            return False
+    if met < NEEDED:
+        raise Unreadable("the formula has no value at most places")
+    return True
+
+
+def same_equation(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> bool:
+    """Is an equation of a curve the right one, but for a factor? Unreadable: it is no equation in these letters."""
+    if typed.count("=") != 1:
+        raise Unreadable("an equation is asked, such as `y = 2*x^2`")
+    mine, theirs = (tuple(map(parsed, text.split("="))) for text in (typed, right))
+    rng, ratios = random.Random(1), []
+    for _ in range(DRAWS):
+        values = {name: _drawn(unit, rng) for name, unit in letters}
+        (a, b), (c, d) = ([evaluated(side, _Numbers(values)) for side in sides] for sides in (mine, theirs))
+        if math.isfinite(a - b) and math.isfinite(c - d) and c != d:
+            ratios.append((a - b) / (c - d))
+    if len(ratios) < NEEDED:
+        raise Unreadable("the equation has no value at most places")
+    return bool(ratios[0]) and all(abs(r - ratios[0]) <= SAME * abs(ratios[0]) for r in ratios)
+
+
+def _drawn(unit: str, rng: random.Random) -> float:
+    """A value of a letter: of an angle a sharp one, of all else a positive number of size one."""
+    made = parse_unit(unit)
+    if made.angle and made.dimension == PURE:
+        return math.pi * (0.08 + 0.36 * rng.random())
+    return 0.5 + 1.5 * rng.random()

@@ -1,0 +1,371 @@
+"""One problem file solved for a homework: what is right, for the file itself and for any values of its given names,
+and what typical mistakes give; all from its equations, which are solved once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from planar_cli.base_units import in_base
+from planar_cli.equation.parts_of_accelerations import marked
+from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
+from planar_cli.homework.asked_words import asked_words
+from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.paper import Expected, Mistaken
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.nodes import Node, read_file
+from planar_cli.problem.parser import parse_side
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.structure import problem_of
+from planar_cli.problem.variations import number_of, with_first_values, with_values
+from planar_cli.records import changing, record
+from planar_cli.registry import members
+from planar_cli.replay.equations import Equations
+from planar_cli.replay.numbers import Numbers, Replay, Run
+from planar_cli.replay.written import NotWritten, equations_of, is_mode, is_number
+from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.run import solve_problem
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution, Solution
+from planar_cli.units import Unit, pretty_unit
+
+TURNING = ("omega", "alpha", "theta", "H", "moment", "I")
+"""Quantities that count positive counterclockwise."""
+APART = 3.0
+"""A mistake tells something where it is off by so many tolerances."""
+
+
+@record
+class Part:
+    """One part with its equations, ready to be carried out; None: they are not all written, `why`."""
+
+    solution: PartSolution
+    problem: Problem
+    replay: Replay | None
+    why: str = ""
+
+
+@changing
+class WorkedProblem:
+    """A file with its solution. `name`: in the set; `node`: its tree, from which variants are made."""
+
+    name: str
+    path: str
+    node: Node
+    problem: Problem
+    solution: Solution
+    parts: tuple[Part, ...]
+
+    @property
+    def is_written(self) -> bool:
+        """Do all answers follow from equations that can be carried out anew? Modes stay while the tests hold."""
+        return all(p.replay is not None and (is_number(f) or is_mode(f)) for p, f in self.finds)
+
+    @property
+    def finds(self) -> tuple[tuple[Part, Found], ...]:
+        """Every find, with its part, in the order of the file."""
+        return tuple((p, f) for p in self.parts for f in p.solution.found)
+
+
+def read_and_solve(path: str, name: str) -> WorkedProblem:
+    """A problem file. PlanarError: it cannot be read or has no solution."""
+    _, node, wrong = read_file(path)
+    if node is None or wrong:
+        raise FileProblem(wrong)
+    return worked(path, name, node)
+
+
+def worked(path: str, name: str, node: Node) -> WorkedProblem:
+    """The same from its tree."""
+    problem, wrong = problem_of(path, node, [])
+    if problem is None or wrong:
+        raise FileProblem(wrong)
+    solution = _solved(problem)
+    parts = tuple(_part(p, _of_part(solution.problem, p)) for p in solution.parts)
+    return WorkedProblem(name, path, node, problem, solution, parts)
+
+
+def plainly_solved(path: str, node: Node) -> Solution:
+    """The solution of a tree as `planar solve` has it."""
+    problem, wrong = problem_of(path, node, [])
+    if problem is None or wrong:
+        raise FileProblem(wrong)
+    return solve_problem(problem, problem.method)
+
+
+def _solved(problem: Problem) -> Solution:
+    """The solution with the parts of accelerations marked in its equations, where it can be had so."""
+    if problem.symbols or any(c.problem.symbols for c in problem.cases):
+        return solve_problem(problem, problem.method)
+    try:
+        with marked():
+            return solve_problem(problem, problem.method)
+    except (PlanarError, Disagreement):
+        return solve_problem(problem, problem.method)
+
+
+def with_numbers(problem: WorkedProblem, values: Mapping[str, str]) -> WorkedProblem:
+    """The file with other values of given names, solved anew."""
+    return worked(problem.path, problem.name, with_values(with_first_values(problem.node), values))
+
+
+def _of_part(problem: Problem, part: PartSolution) -> Problem:
+    return next((c.problem for c in problem.cases if c.name == part.case), problem)
+
+
+def _part(part: PartSolution, problem: Problem) -> Part:
+    try:
+        return Part(part, problem, Replay(equations_of(part)))
+    except NotWritten as why:
+        return Part(part, problem, None, str(why))
+
+
+# --- numbers of many variants ----------------------------------------------------------------------------------------
+
+
+def base_numbers(problem: Problem, values: Mapping[str, str]) -> dict[str, float]:
+    """Values as a file writes them, in the base units of the problem."""
+    found = {}
+    for name, text in values.items():
+        number = number_of(parse_side(text, Mark("<variant>", 1, 1)))
+        if number is not None:
+            value, unit = number
+            found[name] = float(value) * in_base(unit, problem.us)
+    return found
+
+
+class Carried:
+    """All parts of a problem carried out for many variants. `values`: numbers of given names, one for each variant."""
+
+    def __init__(
+        self, worked_problem: WorkedProblem, values: Mapping[str, Numbers], model: ModelOf | None = None
+    ) -> None:
+        self.problem, self.model = worked_problem, model
+        self.runs: dict[str, Run] = {}
+        self._earlier: dict[str, Numbers] = {}
+        for part in worked_problem.parts:
+            if part.replay is not None:
+                self.runs[part.solution.case] = self._run(part, part.replay, values)
+                for found in part.solution.found:
+                    if found.name not in part.replay.equations.asked:
+                        continue
+                    name = f"{part.solution.case}.{found.name}"
+                    self._earlier[name] = self.runs[part.solution.case].asked(found.name)[0]
+
+    def _run(self, part: Part, replay: Replay, values: Mapping[str, Numbers]) -> Run:
+        inputs = replay.equations.inputs
+        known = {inputs[n]: v for n, v in {**values, **self._earlier}.items() if n in inputs}
+        if self.model is None or self.model.case != part.solution.case:
+            return replay.run(known)
+        return self.model.run(known)
+
+    def asked(self, part: Part, found: Found) -> tuple[Numbers, ...]:
+        """A find in its unit, one array for each component."""
+        factor = 1.0 / in_base(found.unit, self.problem.problem.us)
+        return tuple(v * factor for v in self.runs[part.solution.case].asked(found.name))
+
+
+class ModelOf:
+    """A model with a mistake in one part."""
+
+    def __init__(self, case: str, model: Model, replay: Replay) -> None:
+        self.case, self.model = case, model
+        self.replay = replay if model.equations is replay.equations else Replay(model.equations)
+
+    def run(self, known: Mapping[sp.Symbol, Numbers]) -> Run:
+        """The equations of the model for numbers of the given names."""
+        base = self.replay.equations.value
+        inputs = dict(known)
+        for symbol, formula in self.model.inputs.items():
+            numbers = {s: known.get(s, np.array([base[s]])) for s in formula.free_symbols}
+            names = sorted(formula.free_symbols, key=lambda s: s.name)
+            call = sp.lambdify([sp.Symbol(f"q{i}") for i in range(len(names))], _renamed(formula, names), "numpy")
+            inputs[symbol] = np.asarray(call(*(numbers[s] for s in names)), dtype=float)
+        return self.replay.run(inputs, start=self.model.start)
+
+
+def _renamed(formula: sp.Expr, names: Sequence[sp.Symbol]) -> sp.Expr:
+    renamed: sp.Expr = formula.xreplace({s: sp.Symbol(f"q{i}") for i, s in enumerate(names)})
+    return renamed
+
+
+def models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
+    """Every model of every mistake of the shelf, by the name of the mistake."""
+    found: list[tuple[str, ModelOf]] = []
+    for name, kind in members("homework.mistakes").items():
+        mistake: Mistake = kind()
+        for part in problem.parts:
+            if part.replay is not None:
+                case = part.solution.case
+                made = mistake.models(part.replay.equations, part.problem)
+                found += [(name, ModelOf(case, m, part.replay)) for m in made]
+    return found
+
+
+# --- what is expected ------------------------------------------------------------------------------------------------
+
+
+def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[float, ...], scale: float) -> Expected:
+    """One find with its numbers in its unit."""
+    what = found.find.found.what if found.find is not None else None
+    last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
+    direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
+    rotation = not direction and (found.unit.angle or (isinstance(what, Quantity) and what.word in TURNING))
+    return Expected(
+        found.name,
+        asked_words(found.find),
+        _kind(found),
+        values,
+        found.unit.text,
+        _text(found, values, rotation),
+        tolerance_of(problem.problem, found.name),
+        scale,
+        rotation and len(values) == 1,
+        direction,
+        last if last in ("x", "y") else "",
+    )
+
+
+def _kind(found: Found) -> str:
+    if found.word:
+        return "word"
+    if found.values is None:
+        return "equation" if found.kind == "curve" else "formula"
+    return found.kind if found.kind in ("vector", "list") else "number"
+
+
+def _text(found: Found, values: Sequence[float], rotation: bool) -> str:
+    """As a key tells it: four figures, the unit, the sense of a rotation."""
+    if found.word:
+        return found.word
+    unit = pretty_unit(found.unit.text)
+    behind = unit if unit == "°" else f" {unit}" if unit else ""
+    if len(values) == 1 and rotation and values[0]:
+        return f"{shown(abs(values[0]))}{behind} {'counterclockwise' if values[0] > 0 else 'clockwise'}"
+    numbers = ", ".join(shown(v) for v in values)
+    return f"[{numbers}]{behind}" if len(values) > 1 else f"{numbers}{behind}"
+
+
+def shown(value: float, figures: int = 4) -> str:
+    """A number with so many significant figures, without an exponent where it is of ordinary size."""
+    if not value or not math.isfinite(value):
+        return "0" if not value else str(value)
+    if not 1e-4 <= abs(value) < 1e7:
+        return f"{value:.{figures - 1}e}"
+    places = max(figures - 1 - math.floor(math.log10(abs(value))), 0)
+    text = f"{value:.{places}f}"
+    exact = f"{value:.10g}"
+    return exact if len(exact) < len(text) and "e" not in exact else text
+
+
+def tolerance_of(problem: Problem, find: str) -> float:
+    """Relative: of this answer, else of the file, else one per cent."""
+    own = next((a.tolerance for a in problem.answers if a.name == find), None)
+    for side in (own, problem.tolerance):
+        number = None if side is None else number_of(side)
+        if number is not None:
+            return float(number[0] * number[1].factor)
+    return 0.01
+
+
+def scale_of(part: Part, unit: Unit, us: bool) -> float:
+    """The largest given quantity of a dimension, in a unit; one of that unit where there is none."""
+    sizes = []
+    if part.replay is not None:
+        equations: Equations = part.replay.equations
+        for symbol in equations.inputs.values():
+            other = equations.units.get(symbol)
+            if other is not None and other.dimension == unit.dimension:
+                sizes.append(abs(equations.value[symbol]) / in_base(unit, us))
+    return max(sizes, default=0.0) or 1.0
+
+
+def base_expected(problem: WorkedProblem) -> tuple[Expected, ...]:
+    """All finds of the file as it is, with what mistakes give."""
+    found: list[Expected] = []
+    us = problem.problem.us
+    for part, one in problem.finds:
+        values = tuple(float(v) / in_base(one.unit, us) for v in one.values or ())
+        made = expected_of(problem, part, one, values, scale_of(part, one.unit, us))
+        found.append(_with_formula(made, part, one) if made.kind in ("formula", "equation") else made)
+    return tuple(found)
+
+
+def _with_formula(made: Expected, part: Part, one: Found) -> Expected:
+    """A formula, as a problem file writes it, with its letters."""
+    expr = sp.sympify((one.expressions or (sp.S.Zero,))[0])
+    if len(one.expressions or ()) != 1:
+        raise Undecided(f"{one.name} is no single formula; a homework asks for its components one by one")
+    ledger = _ledger(part)
+    letters = tuple((s.name, _unit_text(ledger, s)) for s in sorted(expr.free_symbols, key=lambda s: s.name))
+    if isinstance(expr, sp.Eq):
+        text = f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}".replace("**", "^")
+        return replace(made, formula=text, letters=tuple((n, "1") for n, _ in letters), text=text)
+    text = sp.sstr(expr).replace("**", "^")
+    return replace(made, formula=text, letters=letters, text=text)
+
+
+def _ledger(part: Part) -> Any:
+    solution = part.solution
+    if solution.motion is not None:
+        return solution.motion.ledger
+    return solution.instants[-1].instant.scene.ledger if solution.instants else None
+
+
+def _unit_text(ledger: Any, symbol: sp.Symbol) -> str:
+    unit = ledger.units.get(symbol) if ledger is not None else None
+    return unit.text if unit is not None else "1"
+
+
+def with_mistakes(
+    problem: WorkedProblem, expected: Iterable[Sequence[Expected]], values: Mapping[str, Numbers]
+) -> list[tuple[Expected, ...]]:
+    """The finds of each variant with what every mistake gives there. `values`: as of `Carried`."""
+    papers = [list(one) for one in expected]
+    found: list[list[list[Mistaken]]] = [[[] for _ in one] for one in papers]
+    index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
+    for name, model in models_of(problem):
+        try:
+            run = Carried(problem, values, model)
+            for part, one in problem.finds:
+                if part.replay is None or one.name not in part.replay.equations.asked:
+                    continue
+                numbers = run.asked(part, one)
+                for k, paper in enumerate(papers):
+                    mistaken = tuple(float(n[k if n.size > 1 else 0]) for n in numbers)
+                    _add(found[k][index[one.name]], paper[index[one.name]], name, model.model.feedback, mistaken)
+        except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
+            # A model that cannot be carried out tells of no mistake.
+            continue
+    for name, kind in members("homework.mistakes").items():
+        mistake: Mistake = kind()
+        for k, paper in enumerate(papers):
+            for i, one_expected in enumerate(paper):
+                if one_expected.kind in ("number", "vector"):
+                    for feedback, slip in mistake.slips(one_expected):
+                        _add(found[k][i], one_expected, name, feedback, slip)
+    return [
+        tuple(replace(e, mistakes=tuple(m)) for e, m in zip(paper, mistakes, strict=True))
+        for paper, mistakes in zip(papers, found, strict=True)
+    ]
+
+
+def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
+    """A mistake, where it gives a number that is clearly another one than the right one."""
+    if len(values) != len(right.values) or not all(map(math.isfinite, values)):
+        return
+    off = math.hypot(*(a - b for a, b in zip(values, right.values, strict=True)))
+    size = math.hypot(*right.values)
+    reversed_too = math.hypot(*(a + b for a, b in zip(values, right.values, strict=True)))
+    least = APART * right.tolerance * size
+    if off <= least or (len(values) == 1 and reversed_too <= least) or not any(values):
+        return
+    mistaken = Mistaken(name, feedback, values)
+    if mistaken not in found:
+        found.append(mistaken)

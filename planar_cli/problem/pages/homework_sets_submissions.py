@@ -1,0 +1,65 @@
+"""Homework: sets of problems, variants, sheets and keys, and submissions graded against them.
+
+The set
+
+A set is a file that lists problem files:
+
+    problems:
+      - slope.yaml                                     a path, as seen from the set file
+      - {file: gears.yaml, name: gears, points: 4}     points of a problem, shared by its finds
+      - {file: rod.yaml, points: {alpha: 3, A_x: 1}}   or of each find; else each counts 1
+    text: Hand in by Friday.
+    variants: {number: 30, seed: 7}
+    students: [s101, s102]                             the first has variant 1, the second variant 2, …
+    tolerance: 0.01                                    relative; else that of each file, else one per cent
+    sigfig: 3                                          within 0.51 of the last of three figures, not a tolerance
+    figures: 3                                         so many figures are asked for; fewer are told
+    credit: {unit: 0.5, no_unit: 0, sign: 0, precision: 0.9, carried: 1}
+    decimal_comma: true                                12,5 is twelve and a half
+
+Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is given for the right number with a
+wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign or sense, with too few figures,
+and for what follows rightly from a wrong earlier value of the student's own (1 unless said otherwise).
+
+Variants
+
+Values of given names stand in the problem file, under `variants` or in `given` itself, where the first is that of the
+file (planar explain variants). A combination is taken only where the physics stays what it is: the same case (roll or
+slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake
+still clearly wrong. In `text`, `{m}` stands for the value of m.
+
+    planar key set.yaml                          the key, on the terminal
+    planar key set.yaml -o out --format html     a sheet for each variant, and the key of all
+    planar key set.yaml -o out --both            the key with the worked solutions too
+    planar key set.yaml -o out --export moodle   questions for a course system
+
+The formats are markdown, html, json and csv. The same seed gives the same files, byte for byte. A sheet as CSV can be
+filled in and handed in as it is.
+
+Submissions
+
+    student: s101
+    variant: 3
+    answers:
+      slope: {a: 3.21 m/s^2, N: 17.0 N}
+      gears.omega: 6.19 rad/s cw
+
+as YAML or JSON, one file a student; or as CSV with the columns `problem,find,answer` (and `unit`), for a whole class
+with `student` before them (and `variant`), or with a column `slope.a` for each find. Without `student` the name of the
+file is the student, without `variant` the set's list tells it, else the files are meant as they are.
+
+What is typed: `12.5 N`, `1.25*10^1 N`, `5*sqrt(2) m/s`, `6.2 rad/s cw`, `9.81 m/s^2 down`, `[3, -4] m/s`,
+`5 m/s at -53 deg`, `3i - 4j m/s`, `yes`, `slips`, `m*g*sin(beta)`. Any unit of the right dimension will do, a sense of
+rotation in place of a sign, an angle up to whole turns, a formula in any form that is identical.
+
+    planar check --set set.yaml submissions/                       every student, and the class
+    planar check --set set.yaml submissions/ --export gradebook -o out
+    planar check --set set.yaml submissions/ --results done.jsonl  goes on there when it is run again
+    planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, or pass a wrong model?
+    planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
+
+Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. A wrong
+number that just one typical mistake gives is told so; `planar explain` lists the mistakes, and the exports. With
+`--student` nothing of the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts
+together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`).
+"""

@@ -1,0 +1,93 @@
+"""What a page tells in several lines though one holds it: both components of a vector that are letters of the solution,
+a place that stays what it is from state to state, and what is assumed of motions of which nothing else is told.
+
+F_O = [O_x, O_y] = [-61.72, -5.900] N
+At 3, 4:   φ_4 = φ_3 = φ_2 = -90°     nothing moves during a blow
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Note, Text, Value, line
+from planar_cli.report.words import components
+
+MOTION, ASSUME = "MOTION", "Assume"
+AT = re.compile(r"At ([\w, ]+):")
+
+
+def in_one_line(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of a part."""
+    return with_vectors(with_places_carried_on(blocks))
+
+
+def with_vectors(blocks: Sequence[Block]) -> list[Block]:
+    """Components that are letters, `F_O, x = O_x` and `F_O, y = O_y`, as one vector."""
+    found: list[Block] = []
+    for block in blocks:
+        vector = _vector(found[-1], block) if found else None
+        if vector is None:
+            found.append(block)
+        else:
+            found[-1] = vector
+    return found
+
+
+def _vector(one: Block, other: Block) -> Equation | None:
+    """Both as one equation; None: they are no components of one vector, or no letters."""
+    if not isinstance(one, Equation) or not isinstance(other, Equation):
+        return None
+    match (one.sides, other.sides):
+        case (
+            ((Name() as name, Text(", x")), Math() as x, *_, Value() as first),
+            ((Name() as same, Text(", y")), Math() as y, *_, Value() as second),
+        ) if name == same and first.unit == second.unit and _is_bare(one) and _is_bare(other):
+            if not all(part.expr.is_Symbol or (-part.expr).is_Symbol for part in (x, y)):
+                return None
+            numbers = components(first.number, second.number, first.unit, max(first.figures, second.figures))
+            return Equation((line(name), line("[", x, ", ", y, "]"), numbers))
+    return None
+
+
+def _is_bare(equation: Equation) -> bool:
+    return equation.number is None and not equation.lead and not equation.note
+
+
+def with_places_carried_on(blocks: Sequence[Block]) -> list[Block]:
+    """`At 3: x_3 = x_2` right after `At 2: x_2 = x_1` in one line."""
+    found: list[Block] = []
+    for block in blocks:
+        carried = _carried(found[-1], block) if found else None
+        if carried is None:
+            found.append(block)
+        else:
+            found[-1] = carried
+    return found
+
+
+def _carried(one: Block, other: Block) -> Equation | None:
+    """Both as one chain; None: the second does not follow from the first alone."""
+    if not isinstance(one, Equation) or not isinstance(other, Equation) or not _at(one) or not _at(other):
+        return None
+    if len(other.sides) != 3 or len(one.sides) < 3 or other.sides[1] != one.sides[0] or not one.note:
+        return None
+    if other.sides[2] != one.sides[-1] or other.note != one.note:
+        return None
+    return replace(one, sides=(other.sides[0], *one.sides), lead=line(f"At {_at(one)}, {_at(other)}:"))
+
+
+def _at(equation: Equation) -> str:
+    """The state at which a place is told; "" of any other equation."""
+    match equation.lead:
+        case (Text(text),) if equation.number is None and (found := AT.fullmatch(text)):
+            return found[1]
+    return ""
+
+
+def of_motion(blocks: Sequence[Block], stretch: str) -> list[Block]:
+    """The blocks of one motion under its heading; of one that only assumes something, its `stretch` with that."""
+    if all(isinstance(b, Note) and b.kind == ASSUME for b in blocks):
+        return [replace(b, line=line(f"{stretch}: ", *b.line)) for b in blocks if isinstance(b, Note)]
+    return [Heading(MOTION, stretch), *blocks]

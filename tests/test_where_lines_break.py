@@ -1,0 +1,43 @@
+"""A line that is too long breaks between its data or before an outer operator, never inside brackets or a term."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import pytest
+import sympy as sp
+
+from planar_cli.formats._layout import fill, spans
+from planar_cli.report.blocks import Inline, Line, Math, Name, Value, line
+
+R, H, M, N = sp.symbols("R r m n", positive=True)
+
+
+def rows(told: Line | tuple[Inline, ...], width: int) -> list[str]:
+    return ["".join(s.text for s in row) for row in fill((), spans(told), 0, width)]
+
+
+@pytest.mark.parametrize(("width", "shown"), [
+    (20, ["C(0, 0), G(0, R),", "T(0, R + r); at rest"]),
+    (33, ["C(0, 0), G(0, R), T(0, R + r); at", "rest"]),
+])  # fmt: skip
+def test_a_place_stays_together(width: int, shown: list[str]) -> None:
+    place = line("C(0, 0), G(0, ", Math(R), "), T(0, ", Math(R), " + ", Math(H), "); at rest")
+    assert rows(place, width) == shown
+
+
+def test_words_break_before_an_operator_and_a_datum_not_at_all() -> None:
+    speed = line("at rest, ", Name("omega_AB"), " = ", Value(Decimal(4), "rad/s"))
+    assert rows(speed, 16) == ["at rest,", "ω_AB = 4 rad/s"]
+    assert rows(line("U = 100 + 200 + 300 J"), 13) == ["U = 100 + 200", "+ 300 J"]
+
+
+def test_words_in_brackets_are_words() -> None:
+    assert rows(line("no work (normal to the motion)"), 16) == ["no work (normal", "to the motion)"]
+
+
+def test_a_product_goes_to_the_next_row_with_its_sign() -> None:
+    total = sp.Add(sp.Mul(2, M, N), sp.Mul(3, R, H, evaluate=False), evaluate=False)
+    shown = rows((Math(total, {M: "1.25", N: "0.5", R: "4.75", H: "0.5"}),), 24)
+    assert len(shown) == 2
+    assert shown[1].startswith(("+ ", "- "))
