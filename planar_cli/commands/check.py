@@ -56,7 +56,7 @@ COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad fil
 @option("-o", "--output", metavar="FOLDER", help="Where exports are written.")
 @option("--student", "for_student", is_flag=True, help="With --set: nothing of the key is printed.")
 @option("--shard", metavar="K/N", default="1/1", help="With --set: only the Kth of N parts of the submissions.")
-@option("--cluster", metavar="ADDRESS", help="With --set: grade on a dask cluster, `tcp://host:8786` or `local`.")
+@option("--cluster", metavar="ADDRESS", help="With --set: grade on a dask cluster: `tcp://host:8786`.")
 @option("--tolerance-report", "tolerances", is_flag=True, help="What rounding on the way does to each find.")
 @option("--false-matches", "matches", is_flag=True, help="With --set: how often a random wrong number is diagnosed.")
 @option("--jobs", type=IntRange(1), help="Worker processes; as many as there are cores.")

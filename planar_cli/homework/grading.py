@@ -71,7 +71,15 @@ def _unknown(answers: Mapping[tuple[str, str], str], paper: Paper) -> list[str]:
 def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:
     """One find, and the student's numbers in the unit of the find, where there are any."""
     blank = Graded(
-        task.problem, expected.find, shown(text or ""), MISSING, 0.0, expected.points, expected=expected.text
+        task.problem,
+        expected.find,
+        shown(text or ""),
+        MISSING,
+        0.0,
+        expected.points,
+        expected=expected.text,
+        due_unit=expected.unit,
+        tolerance=expected.tolerance if rules.tolerance is None else rules.tolerance,
     )
     if text is None or not text.strip():
         return replace(blank, message="there is no answer"), None

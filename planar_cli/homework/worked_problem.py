@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -203,8 +204,10 @@ def models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
         for part in problem.parts:
             if part.replay is not None:
                 case = part.solution.case
-                made = mistake.models(part.replay.equations, part.problem)
-                found += [(name, ModelOf(case, m, part.replay)) for m in made]
+                for model in mistake.models(part.replay.equations, part.problem):
+                    # A model of which a formula has no value, as 1/g without the weight, tells of no mistake.
+                    with suppress(NotWritten):
+                        found.append((name, ModelOf(case, model, part.replay)))
     return found
 
 

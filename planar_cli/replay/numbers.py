@@ -11,7 +11,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from planar_cli.replay.equations import Equations, Step
-from planar_cli.replay.written import opened
+from planar_cli.replay.written import NotWritten, opened
 
 Numbers = NDArray[np.float64]
 Rounding = Callable[[Numbers], Numbers]
@@ -26,6 +26,8 @@ def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> Callable[.
 
     Only symbols of ours get into the text that is compiled: no name of a file does.
     """
+    if any(e.has(sp.zoo, sp.nan, sp.oo) for e in exprs):
+        raise NotWritten("a formula has no value")
     loose = set().union(*(e.free_symbols for e in exprs), set()) - set(names)
     assert not loose, f"{loose} have no numbers"
     ours = {s: sp.Symbol(f"q{i}", real=True) for i, s in enumerate(names)}
@@ -51,7 +53,9 @@ class _Solver:
         """The unknowns, one row each, from a start; NaN where none are found."""
         found, size, count = start.astype(float), len(self.unknowns), start.shape[1]
         for _ in range(1 if self.linear else ROUNDS):
-            numbers = np.array([np.broadcast_to(x, count) for x in self._call(*known, *found)], dtype=float)
+            with np.errstate(all="ignore"):
+                called = self._call(*known, *found)
+            numbers = np.array([np.broadcast_to(x, count) for x in called], dtype=float)
             slopes = numbers[size:].reshape(size, size, count).transpose(2, 0, 1)
             step = _solved(slopes, numbers[:size].T).T
             found = found - step

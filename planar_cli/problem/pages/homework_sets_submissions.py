@@ -17,9 +17,10 @@ A set is a file that lists problem files:
     credit: {unit: 0.5, no_unit: 0, sign: 0, precision: 0.9, carried: 1}
     decimal_comma: true                                12,5 is twelve and a half
 
-Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is given for the right number with a
-wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign or sense, with too few figures,
-and for what follows rightly from a wrong earlier value of the student's own (1 unless said otherwise).
+Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is
+given for the right number with a wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign
+or sense, with too few figures, and for what follows rightly from a wrong earlier value of the student's own (1 unless
+said otherwise).
 
 Variants
 
