@@ -96,7 +96,9 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
 
 def shown(text: str) -> str:
     """What was typed, fit for print."""
-    plain = "".join(c if c.isprintable() else "\ufffd" for c in text.strip())
+    plain = text.strip()
+    if not plain.isprintable():
+        plain = "".join(c if c.isprintable() else "\ufffd" for c in plain)
     return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
 
 
@@ -133,6 +135,12 @@ def _of_numbers(
     else:
         sign = ""
     precision = _precision(values, answer, expected, rules) if value == RIGHT else ""
+    if value == unit == sign == precision == RIGHT:
+        # Most answers: nothing is to be said of them.
+        score = blank.max_score
+        return replace(
+            blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision
+        ), values
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
     one = _scored(one, rules, why)
     if one.verdict == WRONG and value == WRONG:
@@ -155,7 +163,7 @@ def in_unit_of_find(expected: Expected, answer: Typed) -> tuple[float, ...]:
     """The typed numbers in the unit of the find; with the key's unit where none, or a wrong one, was typed."""
     due = parse_unit(expected.unit)
     factor = 1.0
-    if answer.unit is not None and answer.unit.dimension == due.dimension:
+    if answer.unit is not None and answer.unit is not due and answer.unit.dimension == due.dimension:
         powers = answer.unit.pi_power - due.pi_power
         factor = float(answer.unit.factor / due.factor) * math.pi**powers
     if answer.polar:

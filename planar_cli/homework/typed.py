@@ -107,7 +107,7 @@ def read(text: str, kind: str, comma: bool = False) -> Typed:
         raise Unreadable("nothing was typed")
     if len(plain) > LONGEST:
         raise Unreadable(f"an answer is at most {LONGEST} characters long")
-    if not all(c.isprintable() for c in plain):
+    if not plain.isprintable():
         raise Unreadable("there is a character that cannot be seen")
     if kind == "word":
         return _word(plain)
