@@ -21,7 +21,7 @@ from planar_cli.homework.batches import Ran, grade_files, in_shard, shard_of
 from planar_cli.homework.grader import Grading
 from planar_cli.homework.results import Line, result_of, results
 
-GRADING = Grading(grader, "key", timeout=0.5)
+GRADING = Grading(grader, "key", timeout=1.0)
 ENDS = {
     "5 N": "ok",
     "6 N": "ok",
@@ -71,7 +71,7 @@ def test_each_submission_ends_as_it_must(tmp_path: Path, monkeypatch: pytest.Mon
     assert ran == Ran(11, 0, {"crashed": 3, "memory": 1, "ok": 5, "timeout": 2}, ())
     told = {line["result"]["student"]: line for line in lines(tmp_path / "r")}
     by_answer = {a: told[s] for s, a in handed.items()}
-    assert by_answer["hang"]["result"]["wrong"] == ["ungradable (timeout): not decided within 0.5 s"]
+    assert by_answer["hang"]["result"]["wrong"] == ["ungradable (timeout): not decided within 1 s"]
     assert by_answer["exit"]["result"]["wrong"] == ["ungradable (crashed): the process ended with code 7"]
     assert by_answer["raise"]["result"]["wrong"] == ["ungradable (crashed): grading it failed"]
     # To the lecturer alone.
@@ -88,6 +88,23 @@ def test_a_table_of_a_class_is_parted(tmp_path: Path) -> None:
     grade_files([str(table)], GRADING, 2, str(tmp_path / "r"), take=heard.append)
     found = sorted((line.part, line.parts, line.student, line.ended) for line in heard)
     assert found == [(i, 6, f"s{i}", ENDS[a]) for i, a in enumerate(answers)]
+
+
+def test_who_cannot_be_graded_even_without_answers(tmp_path: Path) -> None:
+    (tmp_path / "always.yaml").write_text("answers: {p.a: 5 N}\n")
+    (tmp_path / "c.csv").write_text("student,p.a\ns1,5 N\nalways,5 N\ns2,6 N\n")
+    heard: list[Line] = []
+    grade_files([str(tmp_path)], GRADING, 1, str(tmp_path / "r"), take=heard.append)
+    found = sorted((line.student, line.ended, line.part, line.parts) for line in heard)
+    assert found == [
+        ("always", "crashed", 0, 1),
+        ("c #2", "crashed", 1, 3),
+        ("s1", "ok", 0, 3),
+        ("s2", "ok", 2, 3),
+    ]
+    why = "ungradable (crashed): the process ended with code 4"
+    assert [r.wrong for r in results([str(tmp_path / "r")]) if not r.graded] == [(why,), (why,)]
+    assert grade_files([str(tmp_path)], GRADING, 1, str(tmp_path / "r")) == Ran(0, 4, {}, ())
 
 
 def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
@@ -125,6 +142,13 @@ def test_two_submissions_of_one_student_are_told(tmp_path: Path) -> None:
     ran = grade_files([str(tmp_path / "a.yaml"), str(tmp_path / "b.csv")], GRADING, 1)
     assert ran.graded == 3
     assert ran.twice == (f"s1 handed in 2 times: {tmp_path}/a.yaml, {tmp_path}/b.csv; all are graded",)
+
+
+def test_results_in_the_folder_of_the_submissions_are_none(tmp_path: Path) -> None:
+    hand_in(tmp_path, ["5 N"])
+    for _ in range(2):
+        ran = grade_files([str(tmp_path)], GRADING, 1, str(tmp_path / "r.json"))
+        assert ran.graded + ran.skipped == 1
 
 
 def test_shards_share_the_files(tmp_path: Path) -> None:

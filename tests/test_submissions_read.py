@@ -11,6 +11,7 @@ import pytest
 from planar_cli.errors import PlanarError
 from planar_cli.homework.paper import Submission
 from planar_cli.homework.submissions import contents, submission_files, submissions
+from planar_cli.homework.submitted import with_unit
 
 
 def read(folder: Path, name: str, text: str | bytes) -> tuple[Submission, ...]:
@@ -82,6 +83,33 @@ def test_one_submission_in_every_form(tmp_path: Path, name: str, text: str) -> N
 def test_an_answer_is_one_text_as_typed(tmp_path: Path, answer: str, typed: str) -> None:
     # In a flow mapping a comma would end the answer.
     assert one(tmp_path, "s.yaml", f"answers:\n  p:\n    a: {answer}\n").answers == (("p", "a", typed),)
+
+
+@pytest.mark.parametrize(
+    ("answer", "unit", "typed"),
+    [
+        ("3.2", "m/s^2", "3.2 m/s^2"),
+        ("3.2 kN", "N", "3.2 kN"),
+        ("3.2 N", "N", "3.2 N"),
+        ("6.2 cw", "rad/s", "6.2 rad/s cw"),
+        ("6.2 to the left", "m/s", "6.2 m/s to the left"),
+        ("10 at 30 deg", "N", "10 N at 30 deg"),
+        ("[3, -4]", "m/s", "[3, -4] m/s"),
+        ("[3 m/s, -4 m/s]", "m/s", "[3 m/s, -4 m/s]"),
+        ("1.2*10^3", "N", "1.2*10^3 N"),
+        ("1.2e3", "N", "1.2e3 N"),
+        ("5*sqrt(2)", "N", "5*sqrt(2) N"),
+        ("30°", "deg", "30°"),
+        ("0.25", "1", "0.25"),
+        ("yes", "1", "yes"),
+        ("yes", "N", "yes"),
+        ("m*g*sin(beta)", "N", "m*g*sin(beta)"),
+        ("2*m*g", "N", "2*m*g"),
+        ("3.2", "", "3.2"),
+    ],
+)
+def test_a_unit_beside_an_answer(answer: str, unit: str, typed: str) -> None:
+    assert with_unit(answer, unit) == typed
 
 
 @pytest.mark.parametrize("answer", ["1.50", "-2", "1e-3", "1E999", "123456789012345678901234567890"])

@@ -15,6 +15,7 @@ import pickle
 import re
 import signal
 import threading
+import zlib
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
@@ -70,7 +71,9 @@ def grade_files(
     index = written.index if written is not None else Index()
     before: list[int] = []
     ended: Counter[str] = Counter()
-    pieces = _undone((p for p in submission_files(names) if in_shard(p, shard)), index, grading.key, before.append)
+    own = os.path.abspath(results) if results is not None else ""
+    files = (p for p in submission_files(names) if in_shard(p, shard) and os.path.abspath(p) != own)
+    pieces = _undone(files, index, grading.key, before.append)
     batches = batches_of(pieces)
     lines = graded_here(grading, batches, jobs) if executor is None else graded_by(executor, batches, grading)
     interrupted = 0
@@ -220,8 +223,8 @@ def _once_more(lost: Piece, heard: Heard) -> Piece:
 
 # --- a cluster -------------------------------------------------------------------------------------------------------
 
-_KEPT: list[tuple[bytes, Supervisor]] = []
-"""Workers that wait for the next batch in a process of a cluster, with what they grade by."""
+_KEPT: list[tuple[bytes, str, Supervisor]] = []
+"""Workers that wait for the next batch in a process of a cluster, behind what they grade by and the digest of it."""
 _LOCK = threading.Lock()
 
 
@@ -232,12 +235,13 @@ def graded_by(
 
     Raises Undecided where the executor loses a batch twice: what has come until then is right.
     """
-    pickled = pickle.dumps(grading)
+    # Papers of many variants are much alike, and are sent along with each batch.
+    packed = zlib.compress(pickle.dumps(grading))
     waiting = iter(batches)
     running: dict[Future[list[Line]], tuple[Batch, bool]] = {}
     try:
         for batch in itertools.islice(waiting, ahead):
-            running[executor.submit(graded_batch, pickled, batch)] = batch, False
+            running[executor.submit(graded_batch, packed, batch)] = batch, False
         while running:
             finished = wait(running, return_when=FIRST_COMPLETED).done
             for future in [f for f in running if f in finished]:
@@ -246,35 +250,39 @@ def graded_by(
                 if error is not None and tried:
                     raise Undecided(f"the cluster lost a batch twice: {visible(str(error) or type(error).__name__)}")
                 if error is not None:
-                    running[executor.submit(graded_batch, pickled, batch)] = batch, True
+                    running[executor.submit(graded_batch, packed, batch)] = batch, True
                     continue
                 yield from future.result()
                 for following in itertools.islice(waiting, 1):
-                    running[executor.submit(graded_batch, pickled, following)] = following, False
+                    running[executor.submit(graded_batch, packed, following)] = following, False
     finally:
         for future in running:
             future.cancel()
 
 
-def graded_batch(pickled: bytes, batch: Batch) -> list[Line]:
+def graded_batch(packed: bytes, batch: Batch) -> list[Line]:
     """The lines of one batch, by a worker of this process that is kept for the next."""
-    grading: Grading = pickle.loads(pickled)
-    supervisor = _kept(pickled) or _supervisor(grading, 1)
+    key, supervisor = _kept(packed) or _new(packed)
     try:
-        lines = list(_lines(supervisor, (batch,), grading.key))
+        lines = list(_lines(supervisor, (batch,), key))
     except BaseException:
         supervisor.close()
         raise
     with _LOCK:
-        _KEPT.append((pickled, supervisor))
+        _KEPT.append((packed, key, supervisor))
     return lines
 
 
-def _kept(pickled: bytes) -> Supervisor | None:
+def _new(packed: bytes) -> tuple[str, Supervisor]:
+    grading: Grading = pickle.loads(zlib.decompress(packed))
+    return grading.key, _supervisor(grading, 1)
+
+
+def _kept(packed: bytes) -> tuple[str, Supervisor] | None:
     with _LOCK:
-        others = [s for name, s in _KEPT if name != pickled]
-        ours = [s for name, s in _KEPT if name == pickled]
-        _KEPT[:] = [(pickled, s) for s in ours[:-1]]
-    for supervisor in others:
+        ours = [kept for kept in _KEPT if kept[0] == packed]
+        others = [kept for kept in _KEPT if kept[0] != packed]
+        _KEPT[:] = ours[:-1]
+    for _, _, supervisor in others:
         supervisor.close()
-    return ours[-1] if ours else None
+    return ours[-1][1:] if ours else None

@@ -1,4 +1,4 @@
-"""A cluster of dask that runs already: its tasks grade batches, each on a worker of its own that can be killed."""
+"""A cluster of dask: its tasks grade batches, each on a worker of its own that can be killed."""
 
 from __future__ import annotations
 
@@ -11,20 +11,27 @@ from typing import Any
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
 
+LOCAL = "local"
 LONGEST_WAIT = 10.0
 """Seconds for the scheduler to answer."""
 
 
 @contextmanager
 def cluster(address: str) -> Iterator[Executor]:
-    """The executor of the scheduler at an address, `tcp://host:8786`. Raises PlanarError where there is none."""
+    """The executor of the scheduler at an address, `tcp://host:8786`, or of a cluster of this machine for `local`.
+
+    Raises PlanarError where there is none.
+    """
     try:
         # By name: whoever has no cluster need not have it.
         distributed: Any = importlib.import_module("distributed")
     except ImportError:
         raise PlanarError("a cluster needs the extra `cluster`: pip install 'planar-cli[cluster]'") from None
     try:
-        client = distributed.Client(address, timeout=LONGEST_WAIT)
+        # Of its own it starts as many processes as there are cores.
+        own: dict[str, Any] = {"dashboard_address": ":0", "threads_per_worker": 1}
+        given: dict[str, Any] = {"address": address, "timeout": LONGEST_WAIT}
+        client = distributed.Client(**(own if address == LOCAL else given))
     except (OSError, ValueError) as error:
         raise PlanarError(visible(f"there is no scheduler at {address}: {error}")) from None
     with client:

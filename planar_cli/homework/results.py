@@ -21,7 +21,7 @@ from planar_cli.records import changing, record
 
 VERSION = 1
 MOST_TOLD = 20
-GRADED = tuple(f.name for f in fields(Graded))
+GRADED = tuple((f.name, f.default) for f in fields(Graded))
 
 
 @record
@@ -60,12 +60,15 @@ def line_of(result: Result, place: tuple[int, int], digests: tuple[str, str], en
 
 
 def as_data(result: Result) -> dict[str, Any]:
-    """A result as JSON holds it."""
+    """A result as JSON holds it; of each find only what says something."""
     return {
         "student": result.student,
         "variant": result.variant,
         "wrong": list(result.wrong),
-        "graded": [{name: getattr(one, name) for name in GRADED} for one in result.graded],
+        "graded": [
+            {name: value for name, default in GRADED if (value := getattr(one, name)) != default}
+            for one in result.graded
+        ],
     }
 
 
@@ -78,7 +81,8 @@ def result_of(text: str | bytes) -> Result:
 
 
 def _graded(data: Mapping[str, Any]) -> Graded:
-    known: dict[str, Any] = {n: tuple(v) if isinstance(v, list) else v for n, v in data.items() if n in GRADED}
+    known: dict[str, Any] = {n: data[n] for n, _ in GRADED if n in data}
+    known = {n: tuple(v) if isinstance(v, list) else v for n, v in known.items()}
     return Graded(**known)
 
 
@@ -188,8 +192,11 @@ class ResultsFile:
     def write(self, line: Line) -> None:
         """Add a line, in one piece: whoever is killed leaves whole lines."""
         data = line.text.encode("ascii") + b"\n"
-        while data:
-            data = data[os.write(self._descriptor, data) :]
+        try:
+            while data:
+                data = data[os.write(self._descriptor, data) :]
+        except OSError as error:
+            raise PlanarError(f"the results cannot be written to {visible(self.name)}: {error.strerror}") from None
         self.index.enter(line)
 
     def close(self) -> None:

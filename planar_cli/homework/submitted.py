@@ -6,7 +6,8 @@
       incline: {a: 3.2 m/s^2, N: {value: 12.5, unit: N}}
       crank.v: {x: 3, y: -4, unit: m/s}
 
-An answer is one text; a list or mapping is written out as one: `12.5 N`, `[3, -4] m/s`, `10 N at 30 deg`.
+An answer is one text; a list or mapping is written out as one: `12.5 N`, `[3, -4] m/s`, `10 N at 30 deg`. Its own
+unit goes before one that stands beside it, as on a sheet where that was printed.
 """
 
 from __future__ import annotations
@@ -25,6 +26,15 @@ MOST_ANSWERS = 2000
 MOST_COMPONENTS = 50
 MOST_TOLD = 20
 NOT_IN_A_COMPONENT = re.compile(r"[,;\[\]()<>]")
+NO_UNITS = ("", "1", "-", "–")
+ARITHMETIC = set("e E x pi sqrt sin cos tan asin acos atan exp log ln".split())
+"""Words of a number that is worked out; any other word of an answer is a unit, a direction or a letter."""
+WORD = re.compile(r"[^\W\d_]+|°")
+DIRECTED = re.compile(
+    r"(.*[0-9.)\]>])\s*"
+    r"((?:cw|ccw|(?:counter-?|anti-?)?clockwise|up|down|left|right|to the|at)\b.*|[@∠↺↻→←↑↓].*)",
+    re.IGNORECASE,
+)
 HOW = "write `12.5 N`, `{value: 12.5, unit: N}`, `[3, 4] m/s` or `{x: 3, y: 4, unit: m/s}`"
 
 
@@ -132,7 +142,7 @@ def _answer(handed: Handed, problem: str, find: str, node: Node) -> None:
     text = typed(node)
     if text is None:
         handed.complain(node.mark, f"`{problem}.{find}` is no answer that can be read", HOW)
-    elif not all(c.isprintable() or c in "\n\t" for c in text):
+    elif not text.isprintable() and not all(c.isprintable() or c in "\n\t" for c in text):
         handed.complain(node.mark, f"`{problem}.{find}` has a character that cannot be seen", "type the answer anew")
     else:
         handed.answer(problem, find, text, node.mark)
@@ -160,14 +170,27 @@ def _written_out(parts: dict[str, Node]) -> str | None:
     unit = parts.pop("unit", None)
     if unit is not None and not isinstance(unit, Scalar):
         return None
-    behind = "" if unit is None or is_null(unit) else f" {unit.text.strip()}"
+    behind = "" if unit is None or is_null(unit) else unit.text.strip()
     match parts:
         case {"value": (Scalar() | Sequence()) as value} if len(parts) == 1:
             text = typed(value)
-            return f"{text}{behind}" if text else text
+            return with_unit(text, behind) if text else text
         case {"x": Scalar() as x, "y": Scalar() as y} if len(parts) == 2:
             text = _components((x, y))
-            return text and f"{text}{behind}"
+            return text and with_unit(text, behind)
         case {"magnitude": Scalar() as size, "angle": Scalar() as angle} if len(parts) == 2:
-            return f"{size.text.strip()}{behind} at {angle.text.strip()}"
+            return f"{with_unit(size.text.strip(), behind)} at {angle.text.strip()}"
     return None
+
+
+def with_unit(answer: str, unit: str) -> str:
+    """An answer with the unit that stands beside it, unless it has its own, or is a word or formula.
+
+    `6.2 cw` and `rad/s` become `6.2 rad/s cw`; the `1` of a pure number is none.
+    """
+    if unit in NO_UNITS:
+        return answer
+    directed = DIRECTED.fullmatch(answer)
+    number, direction = (directed[1], f" {directed[2]}") if directed is not None else (answer, "")
+    bare = any(c.isdigit() for c in number) and all(word in ARITHMETIC for word in WORD.findall(number))
+    return f"{number} {unit}{direction}" if bare else answer

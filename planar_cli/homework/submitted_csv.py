@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 
 from planar_cli.errors import Mark
 from planar_cli.homework.paper import Submission
-from planar_cli.homework.submitted import MOST_TOLD, Handed, student_of_file
+from planar_cli.homework.submitted import MOST_TOLD, Handed, student_of_file, with_unit
 from planar_cli.problem.show import lines_of, visible
 from planar_cli.records import record
 
@@ -188,7 +188,7 @@ def _enter_long(handed: Handed, row: _Row, table: _Table, varies: bool) -> None:
     if answer and not all(place):
         handed.complain(table.place(row.line), "the line does not say what it answers")
     elif answer:
-        _enter(handed, place, f"{answer} {unit}".strip(), table, (row, "answer"))
+        _enter(handed, place, with_unit(answer, unit), table, (row, "answer"))
 
 
 def _enter_wide(handed: Handed, row: _Row, table: _Table) -> None:

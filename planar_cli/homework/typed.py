@@ -46,6 +46,7 @@ _WAYS = {
     **dict.fromkeys(("up", "upward", "upwards", "↑"), ("y", 1)),
     **dict.fromkeys(("down", "downward", "downwards", "↓"), ("y", -1)),
 }
+_ENDINGS = tuple(sorted((*_SENSES, *_WAYS), key=lambda words: -len(words)))
 _WORDS = {
     **dict.fromkeys(("yes", "true", "y", "t"), "true"),
     **dict.fromkeys(("no", "false", "n", "f"), "false"),
@@ -146,12 +147,12 @@ def _number(text: str) -> Typed:
 def _without_direction(text: str) -> tuple[str, int, str, int]:
     """The text before a sense of rotation or a direction in words, and those."""
     low = text.lower().rstrip(".")
-    for words, sense in sorted(_SENSES.items(), key=lambda item: -len(item[0])):
-        if low.endswith(words) and _ends_before(low, words):
-            return text[: len(low) - len(words)].rstrip(" ,"), sense, "", 0
-    for words, (axis, way) in sorted(_WAYS.items(), key=lambda item: -len(item[0])):
-        if low.endswith(words) and _ends_before(low, words):
-            return text[: len(low) - len(words)].rstrip(" ,"), 0, axis, way
+    # Few answers end with any of them.
+    if low.endswith(_ENDINGS):
+        for words in _ENDINGS:
+            if low.endswith(words) and _ends_before(low, words):
+                axis, way = _WAYS.get(words, ("", 0))
+                return text[: len(low) - len(words)].rstrip(" ,"), _SENSES.get(words, 0), axis, way
     return text, 0, "", 0
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from planar_cli.base_units import in_base
@@ -20,6 +21,8 @@ DRAWS, NEEDED = 24, 6
 """So many places are drawn; at so many both formulas must have a value."""
 SAME = 1e-9
 """Two formulas that are identical differ by rounding alone, in parts of the larger."""
+MANY, RIGHT = 4096, 256
+"""So many typed formulas, and right ones, are remembered."""
 HERE = Mark("<answer>", 1, 1)
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
@@ -99,17 +102,16 @@ def constant(text: str) -> float:
     return found
 
 
-def same_formula(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> bool:
+@lru_cache(MANY)
+def same_formula(typed: str, right: str, letters: tuple[tuple[str, str], ...]) -> bool:
     """Are two formulas of some letters identical? They are compared at places that are the same in every run.
 
-    Unreadable: what was typed is no formula of these letters.
+    Unreadable: what was typed is no formula of these letters. In a class the same few are typed again and again.
     """
-    mine, theirs = parsed(typed), parsed(right)
-    rng = random.Random(1)
+    mine = parsed(typed)
     met = 0
-    for _ in range(DRAWS):
-        values = {name: _drawn(unit, rng) for name, unit in letters}
-        a, b = evaluated(mine, _Numbers(values)), evaluated(theirs, _Numbers(values))
+    for values, b in _values(right, letters):
+        a = evaluated(mine, _Numbers(values))
         if not (math.isfinite(a) and math.isfinite(b)):
             continue
         met += 1
@@ -120,7 +122,16 @@ def same_formula(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> 
     return True
 
 
-def same_equation(typed: str, right: str, letters: Sequence[tuple[str, str]]) -> bool:
+@lru_cache(RIGHT)
+def _values(right: str, letters: tuple[tuple[str, str], ...]) -> tuple[tuple[dict[str, float], float], ...]:
+    """Values of the letters, and what a formula comes to with them."""
+    side, rng = parsed(right), random.Random(1)
+    drawn = [{name: _drawn(unit, rng) for name, unit in letters} for _ in range(DRAWS)]
+    return tuple((values, evaluated(side, _Numbers(values))) for values in drawn)
+
+
+@lru_cache(MANY)
+def same_equation(typed: str, right: str, letters: tuple[tuple[str, str], ...]) -> bool:
     """Is an equation of a curve the right one, but for a factor? Unreadable: it is no equation in these letters."""
     if typed.count("=") != 1:
         raise Unreadable("an equation is asked, such as `y = 2*x^2`")

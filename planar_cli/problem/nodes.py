@@ -241,15 +241,15 @@ class _Builder:
 
     def handle(self, event: yaml.Event) -> None:
         match event:
+            case yaml.ScalarEvent():
+                self._refuse_labels(event)
+                self._add(self._scalar(event))
             case yaml.DocumentStartEvent():
                 self._document(event)
             case yaml.AliasEvent():
                 hint = "write the value again, or give it a name under `given`; a product is `2*k`"
                 self.complain(self.mark(event), "PL105", f"`*{_short(str(event.anchor))}` refers to an anchor", hint)
                 self._add(None)
-            case yaml.ScalarEvent():
-                self._refuse_labels(event)
-                self._add(self._scalar(event))
             case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
                 self._refuse_labels(event)
                 mapping = isinstance(event, yaml.MappingStartEvent)
