@@ -19,7 +19,8 @@ LAST_PLACE = 0.6
 
 def named(one: Graded, expected: Expected, values: Sequence[float], answer: Typed) -> Graded:
     """The verdict with the mistakes that give this number: one is told to the student, several are only listed."""
-    if not answer.figures or min(answer.figures) < FEWEST:
+    told = [f for f, v in zip(answer.figures, values, strict=False) if v]
+    if not told or min(told) < FEWEST:
         return one
     fits = [m for m in expected.mistakes if _same(m.values, values, answer.figures)]
     # Mistakes that come to the same number by the same words are one.
@@ -31,11 +32,15 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
 def _same(due: Sequence[float], values: Sequence[float], figures: Sequence[int]) -> bool:
     if len(due) != len(values):
         return False
-    return all(_close(a, b, f) for a, b, f in zip(due, values, figures, strict=False))
+    size = math.hypot(*values)
+    return bool(size) and all(_close(a, b, f, size) for a, b, f in zip(due, values, figures, strict=False))
 
 
-def _close(due: float, value: float, figures: int) -> bool:
-    if not value or not math.isfinite(due):
+def _close(due: float, value: float, figures: int, size: float) -> bool:
+    """Is a number as typed that which is due? Beside another component a zero has no figures of its own."""
+    if not math.isfinite(due):
         return False
+    if not value:
+        return abs(due) <= WIDEST * size
     last = 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)
     return abs(due - value) <= max(min(LAST_PLACE * last, WIDEST * abs(value)), 1e-6 * abs(value))

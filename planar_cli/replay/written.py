@@ -115,9 +115,13 @@ class _Instants(_Writer):
 
     def _take(self, solution: InstantSolution) -> None:
         ledger = solution.instant.scene.ledger
-        if ledger.letters:
+        if solution.instant.scene.problem.symbols:
             raise NotWritten("letters without numbers remain")
         self.know(ledger, solution.value)
+        for letter in ledger.letters:
+            # A mass that may be any: the answers are the same with the one that was drawn.
+            self.inputs[letter.name] = letter
+            self.valuations.append(solution.instant.scene.valuations[0])
         for line in solution.lines:
             self.defined[line.symbol] = line.expression
         for stage in solution.stages:
@@ -181,9 +185,10 @@ class _Motion(_Writer):
 
     def equations(self) -> Equations:
         motion, route = self.motion, self.motion.route
-        if motion.symbolic or motion.passing:
+        if motion.problem.symbols or motion.passing:
             raise NotWritten("letters without numbers remain")
         self.know(motion.ledger, motion.value)
+        self.inputs.update({letter.name: letter for letter in motion.ledger.letters if letter in motion.value.values})
         for named in (route.plain, route.formulas, motion.named):
             for symbol, expr in named.items():
                 self.defined.setdefault(symbol, sp.sympify(expr))

@@ -15,8 +15,9 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from planar_cli.homework.paper import Expected
-from planar_cli.problem.expression import Name
+from planar_cli.problem.expression import Binary, Name, Negate
 from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
 
@@ -87,8 +88,9 @@ def named_in(problem: Problem, *keys: str) -> Iterator[str]:
     for member in (*problem.joints, *problem.loads, *problem.bodies, *shapes):
         for key in keys:
             side = getattr(member, key, None)
-            if isinstance(side, Name) and side.at is None:
-                found.setdefault(side.name)
+            for part in walk(side) if isinstance(side, Name | Negate | Binary) else ():
+                if isinstance(part, Name) and part.at is None:
+                    found.setdefault(part.name)
     yield from found
 
 

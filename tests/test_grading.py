@@ -1,0 +1,112 @@
+"""Verdicts on value, unit, sign and precision, each by itself; what they score; mistakes by their numbers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from planar_cli.homework.grading import grade
+from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Submission, Task
+from planar_cli.homework.rules import Rules
+
+FORCE = Expected("F", "", "number", (12.74,), "N", "12.74 N", 0.01, 100.0, axis="x")
+TURN = Expected("w", "", "number", (-6.186,), "rad/s", "6.186 rad/s clockwise", 0.01, 1.0, rotation=True)
+ANGLE = Expected("p", "", "number", (170.0,), "deg", "170°", 0.01, 1.0, direction=True)
+VELOCITY = Expected("v", "", "vector", (3.0, -4.0), "m/s", "[3, -4] m/s", 0.01, 1.0)
+WORD = Expected("s", "", "word", (), "1", "slip", 0.01, 1.0)
+
+
+def graded(expected: Expected, text: str, rules: Rules = Rules()) -> Graded:  # noqa: B008
+    paper = Paper(0, (Task("p", "", "", (), (expected,)),))
+    (one,) = grade(Submission("s", 0, (("p", expected.find, text),)), {0: paper}, rules).graded
+    return one
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "verdict", "value", "unit", "sign"),
+    [
+        (FORCE, "12.7 N", "right", "right", "right", "right"),
+        (FORCE, "0.01274 kN", "right", "right", "right", "right"),
+        (FORCE, "12.74 N right", "right", "right", "right", "right"),
+        (FORCE, "12.74 N left", "wrong", "right", "right", "wrong"),
+        (FORCE, "-12.74 N", "wrong", "right", "right", "wrong"),
+        (FORCE, "12.74", "ungradable", "", "missing", ""),
+        (FORCE, "12.74 kg", "wrong", "right", "wrong", "right"),
+        (FORCE, "13.5 N", "wrong", "wrong", "right", ""),
+        (FORCE, "12.74 N up", "wrong", "right", "right", "wrong"),
+        (FORCE, "12.74 N cw", "ungradable", "", "", ""),
+        (FORCE, "hm", "ungradable", "", "", ""),
+        (FORCE, "", "missing", "", "", ""),
+        (TURN, "6.19 rad/s cw", "right", "right", "right", "right"),
+        (TURN, "-6.19 rad/s", "right", "right", "right", "right"),
+        (TURN, "59.07 rpm cw", "right", "right", "right", "right"),
+        (TURN, "6.19 rad/s ccw", "wrong", "right", "right", "wrong"),
+        (ANGLE, "-190 deg", "right", "right", "right", "right"),
+        (ANGLE, "2.967 rad", "right", "right", "right", "right"),
+        (VELOCITY, "[3, -4] m/s", "right", "right", "right", "right"),
+        (VELOCITY, "5 m/s at -53.13 deg", "right", "right", "right", "right"),
+        (VELOCITY, "[3, 4] m/s", "wrong", "wrong", "right", ""),
+        (WORD, "it slides", "ungradable", "", "", ""),
+        (WORD, "slides", "right", "right", "", ""),
+        (WORD, "sticks", "wrong", "wrong", "", ""),
+    ],
+)
+def test_verdicts(expected: Expected, text: str, verdict: str, value: str, unit: str, sign: str) -> None:
+    one = graded(expected, text)
+    assert (one.verdict, one.value, one.unit, one.sign) == (verdict, value, unit, sign)
+
+
+def test_few_figures_are_told_and_cost_only_on_request() -> None:
+    coarse = replace(FORCE, values=(13.05,))
+    assert graded(coarse, "13 N").verdict == "right"
+    assert graded(coarse, "13 N").precision == "wrong"
+    strict = graded(coarse, "13 N", Rules(precision=0.8))
+    assert (strict.verdict, strict.score) == ("wrong", 0.8)
+    exact = replace(FORCE, values=(13.0,))
+    assert graded(exact, "13 N", Rules(precision=0.8)).verdict == "right"
+
+
+@pytest.mark.parametrize(
+    ("text", "right"), [("12.7 N", True), ("12.8 N", False), ("12.69 N", True), ("12.68 N", False)]
+)
+def test_by_significant_figures(text: str, right: bool) -> None:
+    assert (graded(FORCE, text, Rules(mode="sigfig", figures=3)).value == "right") == right
+
+
+def test_credit_for_part_of_it() -> None:
+    rules = Rules(unit=0.5, no_unit=0.25, sign=0.4)
+    assert graded(FORCE, "12.74 kg", rules).score == 0.5
+    assert graded(FORCE, "12.74", rules).score == 0.25
+    assert graded(FORCE, "-12.74 N", rules).score == 0.4
+
+
+def test_a_true_zero_is_measured_by_the_problem() -> None:
+    nothing = replace(FORCE, values=(0.0,), text="0")
+    assert graded(nothing, "0.0005 N").verdict == "right"
+    assert graded(nothing, "1 N").verdict == "wrong"
+
+
+def test_one_mistake_is_named_several_are_not() -> None:
+    first, second = (
+        Mistaken("friction-left-out", "this is the result without friction", (15.0,)),
+        Mistaken("b", "c", (15.002,)),
+    )
+    one = graded(replace(FORCE, mistakes=(first,)), "15.0 N")
+    assert (one.mistakes, one.feedback) == (("friction-left-out",), "this is the result without friction")
+    two = graded(replace(FORCE, mistakes=(first, second)), "15.0 N")
+    assert (two.mistakes, two.feedback) == (("friction-left-out", "b"), "")
+    assert graded(replace(FORCE, mistakes=(first,)), "15 N").mistakes == ()
+    assert graded(replace(FORCE, mistakes=(first,)), "15.1 N").mistakes == ()
+
+
+def test_what_was_not_asked_is_told() -> None:
+    paper = Paper(0, (Task("p", "", "", (), (FORCE,)),))
+    result = grade(Submission("s", 0, (("p", "G", "1"), ("q", "F", "1"))), {0: paper}, Rules())
+    assert result.wrong == ("there is no find 'G' in p", "there is no problem 'q'")
+    assert grade(Submission("s", 4, ()), {0: paper}, Rules()).wrong == ("there is no variant 4",)
+
+
+def test_feedback_gives_nothing_of_the_key_away() -> None:
+    for text in ("13.5 N", "-12.74 N", "12.74 kg", "12.74", "hm"):
+        assert "12.7" not in graded(FORCE, text).message

@@ -1,0 +1,152 @@
+"""What students type: numbers with units, senses, pairs, lists, words, formulas; and what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from planar_cli.homework.typed import read, significant
+from planar_cli.homework.typed_formula import same_equation, same_formula
+from planar_cli.homework.unreadable import Unreadable
+
+LETTERS = (("m", "kg"), ("g", "m/s^2"), ("beta", "deg"), ("mu", "1"))
+RIGHT = "m*g*(sin(beta) - mu*cos(beta))"
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "unit"),
+    [
+        ("12.5 N", 12.5, "N"),
+        ("= 12.5 N", 12.5, "N"),
+        ("F = 12.5 N", 12.5, "N"),
+        ("1.25*10^1 N", 12.5, "N"),
+        ("1.25 x 10^1 N", 12.5, "N"),
+        ("1.25e1N", 12.5, "N"),
+        ("25/2 N", 12.5, "N"),
+        ("5*sqrt(2) m/s", 5 * math.sqrt(2), "m/s"),
+        ("2*pi rad/s", 2 * math.pi, "rad/s"),
+        ("−3.20 m/s²", -3.2, "m/s^2"),
+        ("45°", 45, "deg"),
+        ("12 N·m", 12, "N*m"),
+        ("12 N-m", 12, "N*m"),
+        ("12 Nm", 12, "N*m"),
+        ("12 ft-lb", 12, "lbf*ft"),
+        ("12 lbs", 12, "lbf"),
+        ("3 meters per second", 3, "m/s"),
+        ("3 rad/sec", 3, "rad/s"),
+        ("7", 7, None),
+    ],
+)
+def test_numbers_with_units(text: str, value: float, unit: str | None) -> None:
+    typed = read(text, "number")
+    assert typed.values == (pytest.approx(value),)
+    assert (typed.unit.text if typed.unit else None) == unit
+
+
+@pytest.mark.parametrize(
+    ("text", "sense", "axis", "way"),
+    [
+        ("6.2 rad/s cw", -1, "", 0),
+        ("6.2 rad/s counterclockwise", 1, "", 0),
+        ("9.81 m/s^2 down", 0, "y", -1),
+        ("3 m/s to the right", 0, "x", 1),
+        ("3 m/s", 0, "", 0),
+    ],
+)
+def test_senses_and_directions(text: str, sense: int, axis: str, way: int) -> None:
+    typed = read(text, "number")
+    assert (typed.sense, typed.axis, typed.way) == (sense, axis, way)
+
+
+@pytest.mark.parametrize(
+    ("text", "values", "polar"),
+    [
+        ("[3, -4] m/s", (3, -4), False),
+        ("(3 m/s, -4 m/s)", (3, -4), False),
+        ("3i - 4j m/s", (3, -4), False),
+        ("<3, -4>", (3, -4), False),
+        ("5 m/s at -53 deg", (5, -math.radians(53)), True),
+        ("10 N @ 30°", (10, math.radians(30)), True),
+        ("9.81 m/s^2 down", (0, -9.81), False),
+    ],
+)
+def test_pairs(text: str, values: tuple[float, float], polar: bool) -> None:
+    typed = read(text, "vector")
+    assert typed.values == pytest.approx(values)
+    assert typed.polar == polar
+
+
+def test_lists_and_words() -> None:
+    assert read("[1.2 s, 3.4 s, 5 s]", "list").values == (1.2, 3.4, 5)
+    assert read("1.2, 3.4 s", "list").values == (1.2, 3.4)
+    assert read("Yes.", "word").word == "true"
+    assert read("slides", "word").word == "slip"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("", "number"),
+        ("nan", "number"),
+        ("inf", "number"),
+        ("1e999", "number"),
+        ("12.7 ± 1000", "number"),
+        ("3 +/- 1000 N", "number"),
+        ("1,200 N", "number"),
+        ("9**9**9**9", "number"),
+        ("__import__('os').system('x')", "number"),
+        ("0*m + 3", "number"),
+        ("12 furlong", "number"),
+        ("-5 rad/s ccw", "number"),
+        ("-5 m/s left", "number"),
+        ("5 m/s", "vector"),
+        ("-5 m/s at 30 deg", "vector"),
+        ("[1 m, 2 s]", "vector"),
+        ("perhaps", "word"),
+        ("3 N\x1b[31m", "number"),
+        ("x" * 600, "number"),
+    ],
+)
+def test_what_is_no_answer_is_told_so(text: str, kind: str) -> None:
+    with pytest.raises(Unreadable) as told:
+        read(text, kind)
+    assert str(told.value)
+
+
+def test_a_comma_is_a_decimal_point_only_where_the_set_says_so() -> None:
+    assert read("12,5 N", "number", comma=True).values == (12.5,)
+    with pytest.raises(Unreadable):
+        read("12,5 N", "number")
+
+
+@pytest.mark.parametrize(("number", "figures"), [("0.0120", 3), ("120", 3), ("1.20e3", 3), ("5", 1), ("-0.5", 1)])
+def test_significant_figures(number: str, figures: int) -> None:
+    assert significant(number) == figures
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("m*g*sin(beta) - mu*m*g*cos(beta)", True),
+        ("g*m*(sin(beta)^2 + cos(beta)^2)*(sin(beta) - mu*cos(beta))", True),
+        ("m*g*cos(beta)", False),
+        ("m*g*(sin(beta) - 0.3*cos(beta))", False),
+    ],
+)
+def test_formulas_are_compared_by_identity(text: str, same: bool) -> None:
+    assert same_formula(text, RIGHT, LETTERS) == same
+
+
+@pytest.mark.parametrize("text", ["x*m", "m g", "v(P)", "m @ 2", "sqrt(-m)", "m*(", "9**9**9**9"])
+def test_what_is_no_formula_of_these_letters(text: str) -> None:
+    with pytest.raises(Unreadable):
+        same_formula(text, RIGHT, LETTERS)
+
+
+def test_an_equation_of_a_curve_may_have_any_factor() -> None:
+    letters = (("x", "m"), ("y", "m"))
+    assert same_equation("2*y^2 = 450 - 2*x^2", "x^2 + y^2 = 225", letters)
+    assert not same_equation("x^2 - y^2 = 225", "x^2 + y^2 = 225", letters)
+    with pytest.raises(Unreadable):
+        same_equation("x^2", "x^2 + y^2 = 225", letters)
