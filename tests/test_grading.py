@@ -107,6 +107,15 @@ def test_what_was_not_asked_is_told() -> None:
     assert grade(Submission("s", 4, ()), {0: paper}, Rules()).wrong == ("there is no variant 4",)
 
 
+def test_what_could_not_be_read_is_ungradable_not_blank() -> None:
+    paper = Paper(0, (Task("p", "", "", (), (FORCE, WORD)),))
+    unread = Submission("s", 0, (), "s.yaml", ("s.yaml:1:4: the file is not UTF-8 text",))
+    found = [(g.verdict, g.score, g.max_score, g.message) for g in grade(unread, {0: paper}, Rules()).graded]
+    assert found == [("ungradable", 0.0, 1.0, "this cannot be graded: s.yaml:1:4: the file is not UTF-8 text")] * 2
+    blank = grade(replace(unread, wrong=()), {0: paper}, Rules())
+    assert [g.verdict for g in blank.graded] == ["missing", "missing"]
+
+
 def test_feedback_gives_nothing_of_the_key_away() -> None:
     for text in ("13.5 N", "-12.74 N", "12.74 kg", "12.74", "hm"):
         assert "12.7" not in graded(FORCE, text).message

@@ -55,6 +55,10 @@ def grade(submission: Submission, papers: Mapping[int, Paper], rules: Rules, car
             if values is not None and one.verdict == WRONG:
                 own[expected.find] = values
             graded.append(one)
+    if submission.wrong and not submission.answers:
+        # Nothing of it could be read, or it was given up: that is not to leave all blank.
+        message = f"this cannot be graded: {submission.wrong[0]}"
+        graded = [replace(one, verdict=UNGRADABLE, message=message) for one in graded]
     wrong = (*submission.wrong, *_unknown(answers, paper))
     return Result(submission.student, submission.variant, tuple(graded), submission.source, wrong)
 
