@@ -41,3 +41,10 @@ def test_a_product_goes_to_the_next_row_with_its_sign() -> None:
     shown = rows((Math(total, {M: "1.25", N: "0.5", R: "4.75", H: "0.5"}),), 24)
     assert len(shown) == 2
     assert shown[1].startswith(("+ ", "- "))
+
+
+def test_a_root_that_is_wider_than_the_rest_of_its_row_begins_one() -> None:
+    terms = sp.Add(*(sp.Mul(x, y, evaluate=False) for x, y in ((M, N), (R, H))), evaluate=False)
+    texts = dict.fromkeys((M, N, R, H), "123.4567")
+    told = line("a long name of it = ", Math(sp.sqrt(terms), texts))
+    assert [row[:3] for row in rows(told, 40)][1] == "= √"
