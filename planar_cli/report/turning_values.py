@@ -40,7 +40,7 @@ def _was_there(found: MotionTrace, r: Result, root: Root) -> bool:
     """Is a root the value of the same letter in another state?"""
     general = found.general.get(r.unknown)
     others = (found.value.known(s) for s, own in found.general.items() if own == general and s != r.unknown)
-    return any(n is not None and abs(n - root.value) <= SAME * max(abs(n), 1) for n in others)
+    return any(n is not None and abs(n - root.value) <= SAME * max(abs(n), Decimal(1)) for n in others)
 
 
 def of_the_same_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
