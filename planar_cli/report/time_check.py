@@ -18,7 +18,9 @@ SHORT = 10
 
 
 def time_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """In letters, or in numbers where these would hide units; empty where the page goes over the place at that time itself, or it is long."""
+    """In letters, or in numbers where these would hide units; empty where the page goes over the place at that time
+    itself, or it is long.
+    """
     relations = [e for leg in motion.route.steps for e in leg.relations]
     for e in relations:
         gone = any((o.since, o.stop, o.kind, o.law) == (e.since, e.stop, "q(t)", e.law) for o in relations)
@@ -52,8 +54,8 @@ def _told(e: Relation, motion: MotionTrace, phrases: Phrases) -> Line:
     if not numeric.has_numbers(formula + place):
         return ()
     value = numeric.shown(place)
-    sides = (phrases.math(formula), *numeric.substituted(formula, value), value)
-    return line(Math(place), *(piece for side in sides for piece in (" = ", side)))
+    put = numeric.substituted(formula, value)
+    return line(Math(place), " = ", phrases.math(formula), *(p for m in put for p in line(" = ", m)), " = ", value)
 
 
 def _closed(expr: sp.Expr, motion: MotionTrace) -> sp.Expr:
