@@ -57,6 +57,7 @@ from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
@@ -186,7 +187,8 @@ def _student_checks(
     """
     phrases, settled = speaks
     heard = [instant for instant in part.instants if not instant.quiet]
-    checks = [check_blocks(instant, phrases_of(instant, figures), part.motion is None) for instant in heard]
+    decides = any(f.find is not None and asks_mode(f.find) for f in part.found)
+    checks = [check_blocks(instant, phrases_of(instant, figures), part.motion is None, decides) for instant in heard]
     blocks: list[Block] = []
     for b in (*(b for one in checks for b in one.tests), *(b for one in checks for b in one.own)):
         blocks += [b] if b not in blocks else []

@@ -22,6 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.words import listed, names_of
+from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.instant.conditions import conditions, conditions_beside
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
@@ -83,7 +84,10 @@ class Finisher:
             maker.families = self.instant.families(
                 self.principle, self.system, base, self.trial.choice, self.coordinates
             )
-        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
+        # Where the first assumption fails, that is the answer to which one holds.
+        decides = any(map(asks_mode, finds)) and self._has_forces() and not any(self.trial.choice)
+        tested = decides or self._asks_forces(exprs)
+        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if tested else set())
         self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
         acceleration = maker.accelerations(targets) if targets else None
