@@ -185,6 +185,8 @@ def fill(head: Sequence[Span], content: Sequence[Span], hang: int, width: int) -
     rows: list[list[Span]] = [list(head)]
     used = row_cells(head)
     start = used
+    if used + row_cells(content) <= width:
+        return [settled([*head, *content])]
     room = max(width - hang, 8)
     for chunk in _fitting(_chunks(content, " "), room):
         size = row_cells(chunk.spans)
