@@ -27,6 +27,7 @@ from planar_cli.solve.instant.conditions import conditions, conditions_beside
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.instant.translating import translating
 from planar_cli.solve.instant.truth import holds
 from planar_cli.solve.instant.verify import Disagreement, verify
 from planar_cli.solve.solution import Found, InstantSolution
@@ -224,11 +225,12 @@ class Finisher:
             used += [w.residual for b in acceleration.blocks for w in b.equations] + [
                 x.expression for x in acceleration.lines
             ]
-        targets = needed([*used, *self._named_in(used)], moving)
+        still = translating(self.trial, used) - self.letters if moving else set()
+        targets = needed([*used, *self._named_in(used)], moving) | still
         stages: list[Stage] = []
         if targets:
-            known = {s: v for s, v in velocities.values.items() if not v}
-            plain = maker.value.without(moving)
+            known = {s: v for s, v in velocities.values.items() if not v and s not in still}
+            plain = maker.value.without(moving | still)
             maker_of_velocities = StageMaker(self.system, plain, self.symbolic, letters=self.letters)
             stages.append(maker_of_velocities.velocities(targets, known))
         if acceleration is not None:
