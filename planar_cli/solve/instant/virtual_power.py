@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN
+from planar_cli.equation.exact import CERTAIN, ZERO
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.system import System
@@ -63,7 +63,7 @@ def _rates(offers: Offers, u: sp.Symbol, moving: list[sp.Symbol]) -> dict[sp.Sym
     if set(moving) != set(known):
         return None
     sums = [[value(c * known[x]) for x, c in f.items()] for f in every]
-    kept = all(abs(sum(parts)) <= CERTAIN * 10**6 * sum(map(abs, parts)) for parts in sums)
+    kept = all(abs(sum(parts, ZERO)) <= CERTAIN * 10**6 * sum(map(abs, parts), ZERO) for parts in sums)
     return known if kept else None
 
 
