@@ -6,7 +6,7 @@ import re
 
 import pytest
 from conftest import ROOT
-from worked import worked
+from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -186,3 +186,9 @@ def test_a_rope_without_tension_is_not_assumed_to_be_taut() -> None:
     assert "Assume      the rope upper is taut\n" in slow
     assert "Assume      the rope lower is taut\n" in fast
     assert "Assume      the rope upper is taut; the rope lower is taut\n" in between
+
+
+def test_why_moments_are_taken_about_a_constructed_point_in_the_only_equation() -> None:
+    """The line of m a_C and I α have their moments cancel there."""
+    page = page_of_file("rod-that-jams")
+    assert page.count("moments about K at (1.167 m, 0.8660 m), chosen so that a_C, α do not enter:") == 2
