@@ -6,7 +6,7 @@ import re
 
 import pytest
 from conftest import ROOT
-from worked import page_of_file, worked
+from worked import worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -190,5 +190,5 @@ def test_a_rope_without_tension_is_not_assumed_to_be_taut() -> None:
 
 def test_why_moments_are_taken_about_a_constructed_point_in_the_only_equation() -> None:
     """The line of m a_C and I α have their moments cancel there."""
-    page = page_of_file("rod-that-jams")
+    page = _page("hard/rod-that-jams")
     assert page.count("moments about K at (1.167 m, 0.8660 m), chosen so that a_C, α do not enter:") == 2
