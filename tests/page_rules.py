@@ -230,7 +230,8 @@ def answers(page: Page) -> list[Told]:
             letter, equal, rest = text.partition(" = ")
             if not equal or len(letter.split()) > 1 or not symbols(letter):
                 letter, rest = name, text
-            signed = re.sub(rf"^{NUMBER}[^,]*, that is ", "", rest)
+            head, _, turned = rest.partition(", that is ")
+            signed = turned if turned and value_of(head) else rest
             if value_of(SENSE.sub("", signed)) is None and symbols(SENSE.sub("", signed)):
                 signed = SENSE.sub("", signed)
             found.append(Told(name, letter.lstrip("-"), signed, part, value_of(signed)))
@@ -250,6 +251,9 @@ def _factors(old: str, new: str) -> list[float]:
     sizes |= {"mph": 0.44704, "km/h": 1 / 3.6, "lbf": 4.4482216, "kW": 1e3, "kN": 1e3, "min": 60.0, "h": 3600.0}
     sizes |= {
         "°": 0.017453292519943295,
+        "mi": 1609.344,
+        "in/s": 0.0254,
+        "in/s²": 0.0254,
         "mm/s": 1e-3,
         "mm/s²": 1e-3,
         "ft/s": 0.3048,
@@ -277,7 +281,16 @@ def standing(page: Page, answer: Told) -> str:
         if r.part > answer.part or len(r.sides) < 2 or r.lead == "given:":
             continue
         best = min(best, _grade(r, answer), key=GRADES.index)
-    return best
+    return "full" if best == "none" and _by_components(page, answer) else best
+
+
+def _by_components(page: Page, answer: Told) -> bool:
+    """Is a vector in letters told by a line for each of its components, ẋ_P and ẏ_P?"""
+    vector = re.match(r"\[(.+), ([^,]+)\]", answer.text)
+    if answer.value is not None or vector is None:
+        return False
+    told = {r.sides[-1] for r in page.of("equation") if r.part <= answer.part and len(r.sides) > 1}
+    return all(part in told | {"0"} for part in vector.groups()) and bool(symbols(answer.text))
 
 
 GRADES = ("full", "other", "short", "bare", "none")
@@ -286,13 +299,15 @@ GRADES = ("full", "other", "short", "bare", "none")
 def _grade(r: Row, answer: Told) -> str:
     left = r.left
     own = left in (answer.name, answer.letter, f"{answer.name}, x", f"{answer.name}, y") or base(left) == answer.name
+    if along := re.fullmatch(r"(\S+) · [eu]′?", left):
+        left, own = along[1], along[1] == answer.letter
     if answer.value is None:
         if answer.text.startswith("["):
             return ("full" if len(r.sides) > 2 else "short") if own else "none"
         if r.sides[-1] == answer.text or answer.text in r.sides:
             return "full" if own else "other"
         return "none"
-    values = [v for side in r.sides[1:] if (v := value_of(side))]
+    values = [v for side in r.sides[1:] if (v := value_of(side) or _along_an_axis(side))]
     if not any(_same(answer.value, v) for v in values):
         return "none"
     if re.match(r"-?[\d(√]", left) or " " in left:
@@ -303,6 +318,14 @@ def _grade(r: Row, answer: Told) -> str:
     if formula and (numbers or single):
         return "full" if own else "other"
     return "short" if formula or numbers else "bare"
+
+
+def _along_an_axis(side: str) -> tuple[float, str] | None:
+    """The size of a vector in numbers that has one component alone."""
+    vector = re.fullmatch(rf"\[({NUMBER}), ({NUMBER})\]( \S+)?", side)
+    if vector is None or "0" not in vector.groups()[:2]:
+        return None
+    return value_of(f"{vector[1] if vector[2] == '0' else vector[2]}{vector[3] or ''}")
 
 
 def unknowns_bare(page: Page) -> Iterator[str]:

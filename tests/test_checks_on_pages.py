@@ -55,3 +55,13 @@ def test_the_same_assumption_is_not_told_to_fail() -> None:
 def test_energies_that_were_solved_together_with_other_equations_are_put_in() -> None:
     told = page_of_file("satellite-perigee-apogee")
     assert "work and energy: T_A + U = 2.631×10¹⁰ - 1.039×10¹⁰ = 1.592×10¹⁰ J = T_B" in told
+
+
+def test_a_check_whose_letters_would_hide_units_has_numbers() -> None:
+    page = page_of_file("ex-1-11")
+    assert "- 1/2 g t_parallel² = 7.0711 · 1.2614 - 1/2 · 9.81 · 1.2614² = 1.115 m" in page
+    assert "10.9375" not in page
+
+
+def test_a_place_that_the_file_gives_has_its_number_beside_a_mass_that_cancels() -> None:
+    assert "rise = y_B,2 - y_B,1 = 2.379 - 2.6 = -0.2210 m" in page_of_file("bolt-that-drops-in-a-lift")

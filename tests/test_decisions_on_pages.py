@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import re
+from decimal import Decimal
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
 from printed import read_number
-from worked import worked
+from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.instant.distribution import point_within
 
 NUMBER = r"(-?[\d.]+(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)"
 COMPARED = re.compile(rf"= {NUMBER} [\w·/²]+ ([<>≤≥])(?: [^=<>≤≥:]* =)? {NUMBER} [\w·/²]+")
@@ -62,3 +66,52 @@ def test_what_is_compared_is_so(name: str) -> None:
         assert difference < 0 if sign == "<" else difference > 0 if sign == ">" else True
         assert sign != "≤" or difference <= 1e-9
         assert sign != "≥" or difference >= -1e-9
+
+
+STAYS = """
+title: Block left on a slope
+plane: vertical
+given: {m: 2 kg, beta: 20 deg, mu: 0.5}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu}
+instant: [at rest]
+find: {stays: mode(A) = stick}
+answers: {stays: true}
+"""
+
+
+def test_that_it_stays_rests_on_a_comparison(tmp_path: Path) -> None:
+    """Nothing else is asked; friction and its limit are found all the same."""
+    path = tmp_path / "stays.yaml"
+    path.write_text(STAYS, encoding="utf-8")
+    page = Terminal(width=110).render(narrate(solve_and_compare(read(str(path)))[0]))
+    assert "|F_A| = 6.710 N ≤ μ N_A = 9.218 N" in page
+
+
+def test_friction_that_is_not_unique_is_compared_in_one_distribution() -> None:
+    """W sin β/cos β = 176.3 N below the wedge if there is none above it."""
+    page = page_of_file("wedge-driven-under-a-block")
+    assert "as with |F_F| = 176.3 N ≤ μ N_F = 204 N, |F_S| = 0 N ≤ μ N_S = 203.1 N" in page
+
+
+@pytest.mark.parametrize(
+    ("bounds", "free"),
+    [
+        ([(-3, {0: 1}), (5, {0: -1})], [0]),
+        ([(-1, {0: 1}), (-1, {1: 1}), (3, {0: -1, 1: -1})], [0, 1]),
+        ([(-1, {0: 1})], [0]),
+        ([(-1, {0: -1})], [0]),
+    ],
+)
+def test_a_distribution_fulfils_all_bounds(bounds: list[tuple[int, dict[int, int]]], free: list[int]) -> None:
+    exact = [(Decimal(value), {k: Decimal(s) for k, s in slopes.items()}) for value, slopes in bounds]
+    found = point_within(exact, free)
+    assert found is not None
+    assert all(value + sum(s * found[k] for k, s in slopes.items()) >= 0 for value, slopes in exact)
+
+
+def test_there_is_no_distribution_where_bounds_exclude_each_other() -> None:
+    assert point_within([(Decimal(-3), {0: Decimal(1)}), (Decimal(2), {0: Decimal(-1)})], [0]) is None

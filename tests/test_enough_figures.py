@@ -17,7 +17,7 @@ from worked import name_of, page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Equation, Math, Value
-from planar_cli.report.enough_figures import MOST, enough_figures, figures_of
+from planar_cli.report.enough_figures import MOST, enough_figures, figures_each, figures_of
 from planar_cli.report.narrate import narrate
 from planar_cli.report.numbers import significant
 from planar_cli.report.rounding import rounded
@@ -86,6 +86,28 @@ def test_as_many_figures_as_the_result_needs(expr: sp.Expr, numbers: tuple[str, 
     value = dict(zip((A, B), map(Decimal, numbers), strict=False))
     assert enough_figures(expr, rounded, value, (), 4) == figures
     assert figures is None or figures <= MOST
+
+
+@pytest.mark.parametrize(
+    ("expr", "numbers", "figures"),
+    [
+        (1000 * A + B, ("1.23456789", "9.87654321"), (5, 4)),
+        (A * B, ("9.4349312", "5.0743412"), (4, 5)),
+        (A - B / 1000, ("5.00123456", "5.1234567"), (4, 4)),
+        (A - B, ("5.00123456", "5.00012345"), (8, 8)),
+        (A * (B - 1), ("3.1415926", "1.0012345"), (5, 7)),
+        (A + 2 * B, ("1.2345678", "1.2345678"), (5, 5)),
+    ],
+    ids=str,
+)
+def test_more_figures_only_of_what_needs_them(
+    expr: sp.Expr, numbers: tuple[str, ...], figures: tuple[int, int]
+) -> None:
+    """What stands alone beside a small difference keeps its four; equal numbers are told alike."""
+    value = dict(zip((A, B), map(Decimal, numbers), strict=True))
+    found = figures_each(expr, rounded, value, (), 4)
+    assert found is not None
+    assert (found.each[A], found.each[B]) == figures
 
 
 @pytest.mark.parametrize(("number", "text"), [("12.125", "12.125"), ("2.4525", "2.4525"), ("12.1251", "12.13")])

@@ -464,3 +464,18 @@ def test_blocks_and_plain_text_load_neither_sympy_nor_rich() -> None:
         "Terminal().render(d); Markdown().render(d); sys.exit(any(m in sys.modules for m in ('sympy', 'rich')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_degrees_among_letters_are_mathematics() -> None:
+    side = doc.line("180° - ", doc.Math(symbols("beta")))
+    page = Markdown().render(doc.Document("", (doc.Equation((doc.line(doc.Name("theta_1")), side)),)))
+    assert r"\theta_{1} = 180^{\circ} - \beta" in page
+    assert r"\text" not in page
+
+
+def test_an_aside_that_begins_with_a_number_needs_no_brackets() -> None:
+    pages = [
+        Markdown().render(doc.Document("", (doc.Heading("STEP 3", "Solving", x),))) for x in ("(1), (2)", "at rest")
+    ]
+    assert pages[0].rstrip().endswith("\n\n(1), (2)")
+    assert pages[1].rstrip().endswith("\n\n(at rest)")

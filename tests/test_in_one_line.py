@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Equation, Heading, Math, Name, Note, Value, line
+from planar_cli.report.blocks import Equation, Heading, Math, Name, Note, Paragraph, Value, line
 from planar_cli.report.in_one_line import in_one_line, of_motion
 
 x, y = sp.symbols("O_x O_y")
@@ -47,3 +47,36 @@ def test_a_motion_that_only_assumes() -> None:
     assert of_motion([ASSUME, step], "from 1 to 2") == [Heading("MOTION", "from 1 to 2"), ASSUME, step]
     page = page_of_file("bungee-jump")
     assert "Assume from 1 to taut: the spring cord is free from taut to low: the spring cord pulls STEP 1" in page
+
+
+@pytest.mark.parametrize(
+    ("stem", "heading"),
+    [
+        ("bungee-jump", "From 1 to taut, constant acceleration, y of P:"),
+        ("ex-1-06", "From thrown to half, constant acceleration, y of ball:"),
+    ],
+)
+def test_one_heading_over_equations_in_a_row(stem: str, heading: str) -> None:
+    assert page_of_file(stem).count(heading) == 1
+
+
+def test_a_heading_returns_after_another() -> None:
+    heading, other = (Paragraph(line(f"From 1 to {n}, constant acceleration, x:")) for n in (2, 3))
+    law = Equation((Math(x), Math(y)), 1)
+    blocks = [heading, law, other, law, heading, law]
+    assert in_one_line(blocks) == blocks
+    remark = Paragraph(line("the positive root, as x grows"))
+    assert in_one_line([heading, law, remark, heading, law]) == [heading, law, remark, law]
+
+
+@pytest.mark.parametrize("stem", ["bungee-jump", "ball-leaving-a-dome", "train-between-stations"])
+def test_constant_acceleration_is_a_principle_beside_others(stem: str) -> None:
+    page = page_of_file(stem)
+    assert "constant acceleration" in page
+    assert "Constant acceleration." in page.partition("STEP 1")[0]
+
+
+def test_relative_motion_is_named_once() -> None:
+    page = page_of_file("thrown-and-dropped")
+    assert page.count("Relative motion") == 1
+    assert "With the same acceleration the relative velocity is constant." in page

@@ -35,4 +35,4 @@ def test_a_slanting_damper_shows_the_rate_of_its_length_before_its_force() -> No
 
 def test_a_spring_without_a_name_is_called_by_its_ends() -> None:
     page = page_of_file("flat-faced-follower-about-to-lift")
-    assert "pull of the spring from T to H: F_T = k (-2 e - d)" in page
+    assert "push of the spring from T to H: F_T = k (2 e + d)" in page

@@ -73,3 +73,10 @@ def test_a_speed_that_counts_against_an_axis_is_said_to() -> None:
     """Asked along -90°, the acceleration of the end that slides down a wall counts downward."""
     page = _page("textbook/ex-4-16")
     assert "a_A is counted downward." in page
+
+
+def test_a_case_counts_as_the_file_did_where_its_own_sense_is_open() -> None:
+    """Where the push acts is sought; that the ball turns clockwise was told before."""
+    page = _page("rigid-bodies/ball-pushed-without-friction")
+    assert "↺" not in page
+    assert "↻ ΣM_G: F (h - R) = I_G α" in page.split("CASE")[1]

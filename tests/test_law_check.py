@@ -63,7 +63,7 @@ def test_simpsons_rule() -> None:
     ("stem", "words", "numbers"),
     [
         ("block-fading-force", "changes uniformly: mean acceleration times the time", "(4 + 0)/2 · 5 = 10 m/s"),
-        ("ex-4-12", "mean angular acceleration times the time", "(0 + 6.1856)/2 · 5 = 15.46 rad/s"),
+        ("ex-4-12", "mean angular acceleration times the time", "(0 + 6.186)/2 · 5 = 15.46 rad/s"),
         (
             "crate-on-a-floor-that-gets-rougher",
             "mean acceleration times the way",

@@ -44,3 +44,19 @@ def test_what_is_as_before_has_a_name() -> None:
     case = page_of_file("wheel-over-a-kerb").partition("CASE")[2]
     assert "As before: I_G = 0.45 kg·m², I_K = 1.35 kg·m², θ_3 = -0.6435 rad. From 2 to 3" in case
     assert "As before." not in case
+
+
+def test_a_kinetic_energy_is_worked_out_once() -> None:
+    page = page_of_file("ball-on-a-cord-that-goes-slack")
+    assert page.count("T_1 = 1/2 m ") == 1
+    assert page.count("T_1 = 6.4 J as above") == 2
+
+
+def test_a_height_that_was_found_is_not_found_again() -> None:
+    assert page_of_file("bob-whose-cord-catches-on-a-nail").count("y_P,2 = l sin φ_P,2 = 2 sin(-90°) = -2 m") == 1
+
+
+def test_what_turns_about_a_fixed_point_needs_no_place_of_its_mass_centre() -> None:
+    page = page_of_file("plate-let-go-at-a-corner")
+    assert "T_lowest = 1/2 I_A ω_lowest² = 0.4533 ω_lowest² in J" in page
+    assert page.count("y_G,lowest = ") == 1

@@ -171,3 +171,24 @@ def test_a_distance_in_polar_coordinates_is_not_negative() -> None:
 )
 def test_a_reason_names_what_the_scene_has(stem: str, told: str) -> None:
     assert told in _page(stem)
+
+
+@pytest.mark.parametrize("stem", ["particles/sphere-on-two-wires-in-a-circle", "friction/car-on-a-banked-curve"])
+def test_what_goes_round_is_at_rest_in_its_plane(stem: str) -> None:
+    """Its speed is no zero velocity."""
+    page = " ".join(_page(stem).split())
+    assert "at rest in the plane of the drawing, which goes round" in page
+    assert "all velocities are zero" not in page
+
+
+def test_a_rope_without_tension_is_not_assumed_to_be_taut() -> None:
+    slow, fast, between = _page("particles/sphere-on-two-wires-in-a-circle").split("CASE")[1:]
+    assert "Assume      the rope upper is taut\n" in slow
+    assert "Assume      the rope lower is taut\n" in fast
+    assert "Assume      the rope upper is taut; the rope lower is taut\n" in between
+
+
+def test_why_moments_are_taken_about_a_constructed_point_in_the_only_equation() -> None:
+    """The line of m a_C and I α have their moments cancel there."""
+    page = _page("hard/rod-that-jams")
+    assert page.count("moments about K at (1.167 m, 0.8660 m), chosen so that a_C, α do not enter:") == 2

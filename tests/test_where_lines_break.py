@@ -8,7 +8,8 @@ import pytest
 import sympy as sp
 
 from planar_cli.formats._layout import fill, spans
-from planar_cli.report.blocks import Inline, Line, Math, Name, Value, line
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.blocks import Document, Equation, Inline, Line, Math, Name, Value, line
 
 R, H, M, N = sp.symbols("R r m n", positive=True)
 
@@ -41,3 +42,26 @@ def test_a_product_goes_to_the_next_row_with_its_sign() -> None:
     shown = rows((Math(total, {M: "1.25", N: "0.5", R: "4.75", H: "0.5"}),), 24)
     assert len(shown) == 2
     assert shown[1].startswith(("+ ", "- "))
+
+
+def test_a_root_that_is_wider_than_the_rest_of_its_row_begins_one() -> None:
+    terms = sp.Add(*(sp.Mul(x, y, evaluate=False) for x, y in ((M, N), (R, H))), evaluate=False)
+    texts = dict.fromkeys((M, N, R, H), "123.4567")
+    told = line("a long name of it = ", Math(sp.sqrt(terms), texts))
+    assert [row[:3] for row in rows(told, 40)][1] == "= √"
+
+
+def test_what_fits_a_row_stands_in_one() -> None:
+    """A product wider than the room behind a far sign breaks nothing while the row has room for it."""
+    told = (Math(sp.Mul(M, N, sp.sin(R * H), evaluate=False)),)
+    shown = "".join(s.text for s in spans(told))
+    assert len(fill((), spans(told), len(shown) - 3, len(shown))) == 1
+
+
+def test_a_long_left_side_goes_on_at_the_margin() -> None:
+    """Behind its sign there is no room: what is left of it does not stand in a column at the right."""
+    terms = sp.Add(*(sp.Mul(x, y, sp.sin(x + y), evaluate=False) for x, y in ((M, N), (R, H), (M, H))), evaluate=False)
+    told = Document("", (Equation((Math(terms), Math(sp.S.Zero)), None, line("(2) in numbers:"), line("in J")),))
+    for width in range(40, 100):
+        rows_of_page = Terminal(width).render(told).splitlines()
+        assert all(len(row) - len(row.lstrip()) <= width - 12 for row in rows_of_page), width

@@ -47,7 +47,8 @@ def with_known_turns(
         _sign(scene, sp.sympify((w.point - pivot.point).cross(w.force) if w.force is not None else 0) + w.couple)
         for w in all_wrenches(scene, motion, scene.valuations[0])
     }
-    if turning - {0} == {-1}:
+    # Where the sense rests on what is sought, it counts as it did in the part of the file that was told before.
+    if turning - {0} == {-1} or (None in turning and body in scene.problem.clockwise):
         builder.clockwise = frozenset((body,))
     return builder
 

@@ -176,7 +176,7 @@ def all_wrenches(
         found += _growing(scene, motion, body)
     for skid in skids:
         found += _skid(skid, setting, found)
-    return tuple(_named(w, scene) for w in found)
+    return tuple(_named(w, scene, setting) for w in found)
 
 
 def _growing(scene: Scene, motion: Motion, body: str) -> list[Wrench]:
@@ -187,16 +187,21 @@ def _growing(scene: Scene, motion: Motion, body: str) -> list[Wrench]:
     return [] if couple == 0 else [Wrench("", "stream", body, scene.center(body), None, couple, couple)]
 
 
-def _named(wrench: Wrench, scene: Scene) -> Wrench:
-    """A long magnitude gets a letter and a line of its own, F_s = k (l - l_0), so that equations stay short."""
+def _named(wrench: Wrench, scene: Scene, setting: Moving) -> Wrench:
+    """A long magnitude gets a letter and a line of its own, F_s = k (l - l_0), so that equations stay short; that of
+    a spring which is compressed at the one instant is its push, F_s = k (l_0 - l).
+    """
     magnitude = sp.sympify(wrench.magnitude)
     pieced = magnitude.has(sp.Piecewise)
     if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
     kind = kind_of(wrench) or Load
     own = next((x for x in scene.problem.loads if (x.kind, x.name) == (wrench.kind, wrench.name)), None)
-    title = kind.line.format(wrench.name, called=kind.phrase(wrench.name) if own is None else own.called)
     ledger = scene.ledger
+    pushes = bool(kind.pushing) and not magnitude.free_symbols & set(ledger.letters) and setting.sign(magnitude) < 0
+    words = kind.pushing if pushes else kind.line
+    title = words.format(wrench.name, called=kind.phrase(wrench.name) if own is None else own.called)
+    magnitude = -magnitude if pushes else magnitude
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:
         symbol = ledger.define(f"{kind.letter}_{wrench.name}", magnitude, "N", title)
@@ -204,8 +209,8 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
         # SymPy divides every piece, also those that are zero.
         force = Vec(*(p.xreplace({magnitude: symbol}) for p in (wrench.force.x, wrench.force.y)))
     else:
-        force = wrench.force / magnitude * symbol
-    return replace(wrench, force=force, magnitude=symbol)
+        force = wrench.force / wrench.magnitude * (-symbol if pushes else symbol)
+    return replace(wrench, force=force, magnitude=-symbol if pushes else symbol)
 
 
 def open_direction(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid]) -> str:

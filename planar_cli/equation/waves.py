@@ -74,3 +74,11 @@ def wave_put_in(pool: Sequence[sp.Expr], value: Valuation) -> Iterator[tuple[sp.
                 continue
             formula = -put.xreplace({letter: sp.S.Zero}) / slope
             yield simplified(gone.xreplace({wave: formula})), second
+
+
+def without_waves(expr: sp.Expr) -> sp.Expr:
+    """An expression whose sines and cosines cancel, without them; another one as it is."""
+    if not expr.has(*WAVES) or longer(expr, 2 * LONGEST):
+        return expr
+    found = simplified(expr)
+    return expr if found.has(*WAVES) else found

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Relation, Text, Value
@@ -19,6 +20,7 @@ from planar_cli.report.numbers import quantity
 FIRM = "\N{NO-BREAK SPACE}"
 BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS = "\ue000", "\ue001", "\ue002"
 """Outside brackets before + - =, and between two factors or before a stroke; inside brackets before an operator."""
+LITTLE = 1 / 3
 VECTOR = (Text("["), Text(", "), Text("]"))
 """What stands around the components of a vector."""
 _INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS), " "))
@@ -150,8 +152,10 @@ def _firm(formula: str) -> str:
 
 def _space(formula: str, place: int, depth: int) -> str:
     """A space of a formula, by what stands around it."""
-    if re.match(r"[-+=/·] ", formula[place + 1 : place + 3]):
-        return IN_BRACKETS if depth else BETWEEN_FACTORS if formula[place + 1] in "/·" else BEFORE_OPERATOR
+    if re.match(r"[-+=] ", formula[place + 1 : place + 3]):
+        return IN_BRACKETS if depth else BEFORE_OPERATOR
+    if re.match(r"[/·] ", formula[place + 1 : place + 3]):
+        return FIRM if depth else BETWEEN_FACTORS
     behind_a_sign = re.search(r"(^|[-+=/·,≤≥<>→]|sin[²³]?|cos[²³]?|tan[²³]?)$", formula[:place])
     return FIRM if depth or behind_a_sign else BETWEEN_FACTORS
 
@@ -167,10 +171,13 @@ def indent(columns: int) -> list[Span]:
 
 @record
 class _Chunk:
-    """What must stay together, and how many spaces stand before it."""
+    """What must stay together, and how many spaces stand before it. `begins`: it is the first part of what is wider
+    than a row and breaks at no outer operator; it begins a row unless little stands on the last one.
+    """
 
     gap: int
     spans: tuple[Span, ...]
+    begins: bool = False
 
 
 def fill(head: Sequence[Span], content: Sequence[Span], hang: int, width: int) -> list[Row]:
@@ -178,11 +185,13 @@ def fill(head: Sequence[Span], content: Sequence[Span], hang: int, width: int) -
     rows: list[list[Span]] = [list(head)]
     used = row_cells(head)
     start = used
+    if used + row_cells(content) <= width:
+        return [settled([*head, *content])]
     room = max(width - hang, 8)
     for chunk in _fitting(_chunks(content, " "), room):
         size = row_cells(chunk.spans)
         gap = chunk.gap if used > start else 0
-        if used > start and used + gap + size > width:
+        if used > start and (used + gap + size > width or (chunk.begins and used - start > LITTLE * room)):
             rows.append(indent(hang))
             used = start = hang
             gap = 0
@@ -212,12 +221,16 @@ def _fitting(chunks: list[_Chunk], room: int) -> list[_Chunk]:
     """Chunks that are wider than the room, cut where they give way first, at last anywhere."""
     for space in (BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, FIRM):
         chunks = [part for c in chunks for part in (_cut(c, space) if row_cells(c.spans) > room else [c])]
+        chunks = chunks if space != BEFORE_OPERATOR else [replace(c, begins=row_cells(c.spans) > room) for c in chunks]
     return [part for c in chunks for part in _sliced(c, room)]
 
 
 def _cut(chunk: _Chunk, space: str) -> list[_Chunk]:
     parts = _chunks(chunk.spans, space)
-    return [_Chunk(chunk.gap + p.gap if i == 0 else p.gap, p.spans) for i, p in enumerate(parts)]
+    return [
+        _Chunk(chunk.gap + p.gap, p.spans, chunk.begins) if i == 0 else _Chunk(p.gap, p.spans)
+        for i, p in enumerate(parts)
+    ]
 
 
 def _sliced(chunk: _Chunk, room: int) -> list[_Chunk]:
@@ -234,4 +247,4 @@ def _sliced(chunk: _Chunk, room: int) -> list[_Chunk]:
                 used = 0
             slices[-1].append(Span(character, span.style))
             used += size
-    return [_Chunk(chunk.gap if i == 0 else 0, tuple(s)) for i, s in enumerate(slices)]
+    return [_Chunk(chunk.gap, tuple(s), chunk.begins) if i == 0 else _Chunk(0, tuple(s)) for i, s in enumerate(slices)]

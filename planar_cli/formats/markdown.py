@@ -74,7 +74,7 @@ class Markdown(Format[str]):
             aside = escaped(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
             # The table below has it at its head.
             aside = "" if heading.aside == DIAGRAMS else aside
-            pieces += [f"({aside})"] if aside else []
+            pieces += [aside if aside.startswith("(") else f"({aside})"] if aside else []
         return pieces
 
     def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:

@@ -38,7 +38,7 @@ _NUMBER = 4
 _NOTE_COLUMN = 56
 _GAP, _UNIT = 3, 16
 """What stands before an aside at least; an aside of no more columns is a unit, which stays beside its equation."""
-_LABEL = 9
+_LABEL, _ROOM = 9, 12
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
@@ -121,7 +121,9 @@ class Terminal(Format[Row]):
         left, *others = [side_spans(s) for s in equation.sides]
         head += indent(columns.left - row_cells(left)) if others else []
         sign = row_cells(head) + row_cells(left) + 1
-        below = others and (sign <= self.width // 2 or all(row_cells(s) + 2 <= self.width - sign for s in others))
+        room = self.width - sign
+        short = room >= _ROOM and all(row_cells(s) + 2 <= room for s in others)
+        below = others and (sign <= self.width // 2 or short)
         hang = sign if below else min(columns.start + _BODY, self.width // 2)
         whole = row_cells(head) + row_cells(left) + sum(row_cells(side) + 3 for side in others)
         if row_cells(head) > self.width // 2 and whole > self.width:

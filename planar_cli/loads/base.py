@@ -47,6 +47,8 @@ class Load(Entry, ABC):
     """How it stands among the effects of a scene; None: by its kind."""
     line: ClassVar[str] = "magnitude of {}"
     """The words beside a magnitude that has a line of its own; {} is the load's name, {called} how it is called."""
+    pushing: ClassVar[str] = ""
+    """The same of one that may also push, where it does; empty of one that does not."""
     letter: ClassVar[str] = "F"
     """The letter of such a magnitude."""
     working: ClassVar[str] = ""

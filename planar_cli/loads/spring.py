@@ -50,6 +50,7 @@ class Spring(Load):
     kind: ClassVar[str] = "spring"
     effect: ClassVar[Effect] = Effect("spring force", "springs", rank=4)
     line: ClassVar[str] = "pull of {called}"
+    pushing: ClassVar[str] = "push of {called}"
     quantities: ClassVar[tuple[str, ...]] = ("tension",)
     pulls: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (

@@ -382,7 +382,7 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
             )
         elif len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
-        elif len(between) == 2 and scope.carrier(between[0]) == scope.carrier(between[1]):
+        elif len(between) == 2 and all(between) and scope.carrier(between[0]) == scope.carrier(between[1]):
             text = f"{between[0]} and {between[1]} are one body, and {what} is between two"
             yield Diagnostic(joint.mark, "PL455", text, "name two different partners")
         stops = ["" if stop.way in ("over", "under") else stop.name for stop in scope.stops(joint)]

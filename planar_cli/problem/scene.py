@@ -342,8 +342,6 @@ class Case:
 class Problem:
     """A whole problem file. `plane`: vertical, horizontal, or None. `us`: it is in US customary units;
     all formulas are in ft, slug, s then.
-
-    `struck`: in what acts during one span, the bodies that blows of the whole file strike.
     """
 
     file: str
@@ -381,6 +379,8 @@ class Problem:
     """Coordinates that the file leaves open, put somewhere, as the answers are the same wherever they are."""
     bounded: tuple[tuple[str, str], ...] = ()
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
+    clockwise: tuple[str, ...] = ()
+    """Of a case: the bodies whose rotation counts clockwise in what was told before of the same file."""
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:
         """Does what acts `during` a span act as the motion begins, though not before it alone?"""

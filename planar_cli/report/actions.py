@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.report.blocks import Line, Math, Name, Value, line
@@ -17,6 +18,8 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
 
+MOST_NAMED = 3
+"""Of more unknowns it is not told that they do not enter."""
 LONGEST = 60
 """A coordinate of more operations is left as it is."""
 
@@ -65,7 +68,7 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
     if through:
         one, other = (force_named(system, s) for s in through[:2])
         parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
-    elif gone := _left_out(w, stage):
+    elif gone := _left_out(w, stage) or _of_the_diagram(system, w, stage):
         listed = [piece for s in gone for piece in (", ", Math(s))][1:]
         parts += [", chosen so that ", *listed, " do not enter:" if len(gone) > 1 else " does not enter:"]
     else:
@@ -78,6 +81,14 @@ def _left_out(w: Written, stage: Stage) -> list[sp.Symbol]:
     others = [x for block in stage.blocks for x in block.equations if x.bodies == w.bodies and x.number != w.number]
     inside = set().union(*(x.residual.free_symbols for x in others)) & set(stage.algebra.unknowns)
     return by_name(inside - w.residual.free_symbols)
+
+
+def _of_the_diagram(system: System, w: Written, stage: Stage) -> list[sp.Symbol]:
+    """The unknowns in the diagram of its bodies that an equation has not, where it is their only one."""
+    drawn = [sp.Add(*parts) for parts in zip(*(body_residuals(system, b) for b in w.bodies), strict=True)]
+    inside = set().union(*(e.free_symbols for e in drawn)) & set(stage.algebra.unknowns)
+    gone = by_name(inside - w.residual.free_symbols)
+    return gone if len(gone) <= MOST_NAMED else []
 
 
 def _length(phrases: Phrases, expr: sp.Expr) -> Math | Value:

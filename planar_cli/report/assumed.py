@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import Any
 
+from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.checks import against_limit, bounded_in
@@ -37,14 +39,31 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
 
 
 def _words(trial: Trial) -> list[str]:
-    return list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
+    return list(dict.fromkeys(m.words for m in _assumed(trial)))
+
+
+def _assumed(trial: Trial) -> list[Mode]:
+    """The modes that are assumed. That a rope is taut is none where the file says that its tension is zero: it is about
+    to slacken.
+    """
+    system = trial.system
+    slack = {q.things[0] for q in _zero(system.statements.relations) if q.word == "tension" and len(q.things) == 1}
+    return [m for n, m in system.modes.items() if m.words and system.aliases.get(n, n) not in slack]
+
+
+def _zero(relations: Iterable[tuple[Relation, bool]]) -> Iterator[Quantity]:
+    """What the file says is zero."""
+    for relation, _ in relations:
+        left, right = relation.left, relation.right
+        if relation.operator == "=" and isinstance(left, Quantity) and isinstance(right, Number) and right.value == 0:
+            yield left
 
 
 def _placed(trial: Trial) -> list[str]:
     """The words with the side on which a particle presses, where its place leaves that open: ball at P stays in
     contact, inside loop. Where it only just touches there is no such side.
     """
-    modes = [m for m in trial.system.modes.values() if m.words]
+    modes = _assumed(trial)
     return list(dict.fromkeys(f"{m.words}, {m.where}" if m.where and _presses(trial, m) else m.words for m in modes))
 
 

@@ -8,6 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.problem.turning_planes import goes_round
 from planar_cli.report.numeric import vanishing
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
@@ -20,7 +21,10 @@ def said_at_rest(instant: InstantSolution, last: Stage | None, system: System) -
         nothing -= {u for u in block.unknowns if any(w.source == "closure" for w in block.equations)}
     moving = any(v for t in trial.velocities[:1] for v in t.values.values())
     rests = instant.instant.at_rest and not moving and bool(trial.velocities)
-    return "at rest: all velocities are zero" if rests and speeds_matter(system, nothing) else ""
+    if not rests or not speeds_matter(system, nothing):
+        return ""
+    round_ = goes_round(instant.instant.scene.problem)
+    return "at rest in this plane, which goes round" if round_ else "at rest: all velocities are zero"
 
 
 def balance(system: System, stage: Stage) -> str:

@@ -56,7 +56,7 @@ class BetweenTelling:
     """Is its solution a long formula?"""
     told: set[str] = field(default_factory=set)
     stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
-    """Those of springs that were told."""
+    """Stretches of springs, heights and kinetic energies that were told."""
     made: set[sp.Symbol] = field(default_factory=set)
     """What momenta are made of, and impulses, that were told."""
     counted: set[int] = field(default_factory=set)

@@ -4,6 +4,7 @@ one line on the independent road. What only the program needs to say stands behi
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -19,6 +20,7 @@ from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
 from planar_cli.report.letter_check import letter_check
 from planar_cli.report.presses import formula_of_press
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import CAVEATS, Found, InstantSolution
@@ -42,8 +44,10 @@ class Checks:
     """By another equation, as a person would."""
 
 
-def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> Checks:
-    """The checks of one instant that a person can follow, each a phrase. `single`: it is no part of a motion."""
+def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool, decides: bool) -> Checks:
+    """The checks of one instant that a person can follow, each a phrase. `single`: it is no part of a motion;
+    `decides`: it is asked in which mode a joint is.
+    """
     if not instant.checks.get("lines"):
         return Checks()
     bodies = instant.trial.system.scene.bodies.values()
@@ -55,7 +59,8 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> Ch
     presses, limits = (
         (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure and forces else ([], [])
     )
-    told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
+    held = _possible(instant, phrases) if decides and heavy and sure else ()
+    told = [*presses, *limits, held, *(line(text) for text in instant.checks.get("told", ()))]
     own: list[Line] = []
     if single and sure and not limits:
         own.append(chosen_check(OF_INSTANTS, instant, phrases))
@@ -126,6 +131,19 @@ def program_blocks(part: PartSolution) -> list[Check]:
 
         found += read_off_checks(part.followed)
     return found
+
+
+def _possible(instant: InstantSolution, phrases: Phrases) -> Line:
+    """Where friction is not unique, one distribution of it with which nothing slips: all of its comparisons."""
+    trial = instant.trial
+    outcome = possible(trial.system, trial.outcomes[0])
+    if outcome is None:
+        return ()
+    beside = replace(trial, outcomes=(outcome,))
+    tests = {name: t for m in trial.system.modes.values() for t in m.tests if (name := bounded_in(trial.system, t))}
+    compared = [told for t in tests.values() if (told := against_limit(beside, t, phrases))]
+    listed = (piece for i, told in enumerate(compared) for piece in (", ", *told)[i == 0 :])
+    return line("friction is not unique, but it can hold, as with ", *listed) if compared else ()
 
 
 def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:

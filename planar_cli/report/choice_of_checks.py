@@ -22,9 +22,7 @@ from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.first_second import first_second
 from planar_cli.report.harmonic_check import harmonic_check
 from planar_cli.report.inertia_check import inertia_check
-from planar_cli.report.kinetic_check import kinetic_check
 from planar_cli.report.law_check import law_check, mean_check, simpson_check
-from planar_cli.report.limit_check import limit_check
 from planar_cli.report.meeting_check import meeting_check
 from planar_cli.report.oscillation_check import oscillation_check
 from planar_cli.report.passing import passing_check
@@ -45,11 +43,11 @@ OF_INSTANTS: tuple[Candidate, ...] = (
     another_equation, system_sum, power_check, another_point, velocity_check, polar_check, first_second,
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
-    blow_check, energy_check, meeting_check, law_check, simpson_check, kinetic_check, root_check,
+    blow_check, energy_check, meeting_check, law_check, simpson_check, root_check,
     passing_check, time_check, oscillation_check, harmonic_check, mean_check,
 )  # fmt: skip
 OF_PARTS: tuple[Candidate, ...] = (
-    tale_check, track_check, inertia_check, round_check, cosine_check, limit_check,
+    tale_check, track_check, inertia_check, round_check, cosine_check,
 )  # fmt: skip
 
 

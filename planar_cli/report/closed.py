@@ -130,12 +130,18 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
 
 
 def _by_definitions(sides: Sequence[Inline | Line], closed: sp.Expr, phrases: Phrases) -> bool:
-    """Is the formula of a line the closed one but for letters that only name something, as I_G does m k_G²?"""
+    """Is the formula of a line the closed one but for letters that only name something, as I_G does m k_G²? The
+    fractions of 1/12 m l² go into those of the closed one, which says more.
+    """
     formula = sides[1].expr if len(sides) > 2 and isinstance(sides[1], Math) else None
     named = phrases.ledger.definitions
     if formula is None or formula.is_number or not formula.free_symbols & named.keys():
         return False
-    return identically_zero(formula.xreplace({s: named[s] for s in formula.free_symbols if s in named}) - closed)
+    inside = {s: named[s] for s in formula.free_symbols if s in named}
+    terms = [t for e in inside.values() for t in sp.Add.make_args(sp.expand(e))]
+    if any(abs(t.as_coeff_Mul()[0]) != 1 for t in terms):
+        return False
+    return identically_zero(formula.xreplace(inside) - closed)
 
 
 def _names(answer: Found, part: PartSolution) -> Collection[str]:

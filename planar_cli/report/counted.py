@@ -106,5 +106,14 @@ def clockwise_too(w: Written, turn: int) -> Written:
     """A sum of moments in the sense in which its rotations count."""
     if turn > 0:
         return w
-    left, right = (sp.Add(*(-t for t in sp.Add.make_args(side))) for side in (w.left, w.right))
+    left, right = (sp.Add(*(_opposite(t) for t in sp.Add.make_args(side))) for side in (w.left, w.right))
     return replace(w, left=left, right=right)
+
+
+def _opposite(term: sp.Expr) -> sp.Expr:
+    """A term with the other sign: F (h - R) instead of -F (R - h)."""
+    factors = sp.Mul.make_args(term)
+    arm = next((f for f in factors if f.is_Add and not term.could_extract_minus_sign()), None)
+    if arm is None or len(arm.args) != 2 or not any(t.could_extract_minus_sign() for t in arm.args):
+        return -term
+    return sp.Mul(*(sp.Add(*(-t for t in arm.args)) if f == arm else f for f in factors))

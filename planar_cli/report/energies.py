@@ -56,7 +56,7 @@ class EnergyTelling(EnergyPieces):
         """T at the beginning and at the end, and what every source brings."""
         b = self.balance
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
-        yield self._line(line(Name(first)), *self._chain(self._put(b.before)))
+        yield self._once(first, self._put(b.before))
         self._note("before", self._put(b.before))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
         bodies = told_of_each(amounts)
@@ -77,6 +77,14 @@ class EnergyTelling(EnergyPieces):
             if i in told:
                 yield from self._brought(words, put, springs > 1, told[i])
 
+    def _once(self, name: str, put: sp.Expr) -> Equation:
+        """A kinetic energy with its formula and numbers; where these stand above, its value."""
+        sides, own = self._chain(put), (sp.Symbol(name, real=True), put)
+        if own in self.told and len(sides) > 2:
+            return Equation((line(Name(name)), sides[-1]), None, (), line("as above"))
+        self.told.add(own)
+        return self._line(line(Name(name)), *sides)
+
     def _note(self, words: str, put: sp.Expr) -> None:
         """An energy by letters that have their lines, unless heights or stretches of its own are told."""
         about = self._about_axis(put)
@@ -88,7 +96,9 @@ class EnergyTelling(EnergyPieces):
         """T of one body at the end: from the speed of its mass centre and of turning, in a line before."""
         made = next((m for m in self.balance.parts.moving if m.body == body), None) if self.balance.parts else None
         speeds = [] if made is None else list(self._speeds(made))
-        if made is None or not speeds or (len(speeds) == 1 and self._short(put) and not self._by_others(speeds[0][2])):
+        turning = any(has_root(e) for _, _, e in speeds) and self._about_axis(put) is not None
+        at_sight = len(speeds) == 1 and self._short(put) and not self._by_others(speeds[0][2])
+        if made is None or not speeds or at_sight or turning:
             yield self._line(lead, *self._chain(put))
             return
         told = [(Math(own), *self._speed(expr, kind, made)) for kind, own, expr in speeds if own != expr]

@@ -47,7 +47,7 @@ class EnergyPieces:
     phrases: Phrases
     plain: Mapping[sp.Symbol, sp.Expr]
     told: set[tuple[sp.Symbol, sp.Expr]]
-    """The stretches that were told before."""
+    """Stretches, heights and kinetic energies that were told before."""
     geometry: Collection[sp.Expr]
     """What vanishes by relations that stand before, of which the unknowns are found together with this balance."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)

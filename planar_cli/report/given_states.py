@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.turning_planes import goes_round
 from planar_cli.problem.walk import walk
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, line
@@ -40,7 +41,8 @@ def _told(statement: object, problem: Problem, figures: int, first: bool) -> Ite
     unknown = {s.name for s in problem.unknowns}
     match statement:
         case AtRest():
-            yield line(f"{statement.body} at rest" if statement.body else "at rest")
+            where = " in the plane of the drawing, which goes round" if goes_round(problem) else ""
+            yield line(f"{statement.body} at rest{where}" if statement.body else f"at rest{where}")
         case Equilibrium() if problem.motion and statement.body is None:
             # What is driven moves on; what nothing drives stays where it is beside it.
             yield line("in relative equilibrium")

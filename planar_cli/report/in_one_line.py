@@ -1,5 +1,6 @@
 """What a page tells in several lines though one holds it: both components of a vector that are letters of the solution,
-a place that stays what it is from state to state, and what is assumed of motions of which nothing else is told.
+a place that stays what it is from state to state, what is assumed of motions of which nothing else is told, and the
+heading over equations of one stretch.
 
 F_O = [O_x, O_y] = [-61.72, -5.900] N
 At 3, 4:   φ_4 = φ_3 = φ_2 = -90°     nothing moves during a blow
@@ -8,19 +9,41 @@ At 3, 4:   φ_4 = φ_3 = φ_2 = -90°     nothing moves during a blow
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Note, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Note, Paragraph, Text, Value, line
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
+STRETCH = re.compile(r"(From|At) ")
 AT = re.compile(r"At ([\w, ]+):")
 
 
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    return with_vectors(with_places_carried_on(blocks))
+    return with_vectors(with_places_carried_on(list(under_one_heading(blocks))))
+
+
+def under_one_heading(blocks: Iterable[Block]) -> Iterator[Block]:
+    """`From 1 to 2, constant acceleration, x:` once over equations that follow each other."""
+    over: Block | None = None
+    for block in blocks:
+        if isinstance(block, Paragraph) and _heads(block):
+            if block == over and STRETCH.match(_words(block)):
+                continue
+            over = block
+        elif not isinstance(block, Paragraph | Equation):
+            over = None
+        yield block
+
+
+def _heads(paragraph: Paragraph) -> bool:
+    return _words(paragraph).endswith(":")
+
+
+def _words(paragraph: Paragraph) -> str:
+    return "".join(p.text for p in paragraph.line if isinstance(p, Text))
 
 
 def with_vectors(blocks: Sequence[Block]) -> list[Block]:

@@ -37,6 +37,7 @@ _SPOKEN = {
     "]": r"\rbrack ",
     "²": "^{2}",
     "³": "^{3}",
+    "°": r"^{\circ}",
     "′": "'",
     "→": r"\rightarrow ",
     "←": r"\leftarrow ",

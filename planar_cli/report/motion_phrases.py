@@ -18,7 +18,10 @@ def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
 
 def settled_phrases(found: MotionTrace, phrases: Phrases) -> Phrases:
     """For what rests on no letter without a number, though letters stand in the equations: a mass that cancels."""
-    return replace(phrases, symbolic=False, lettered=_drawn(found) | (found.unknowns - found.route.settled))
+    drawn, left = _drawn(found), found.unknowns - found.route.settled
+    data = {s: e for s, e in found.route.plain.items() if s in left}
+    known = {s for s, e in data.items() if not sp.sympify(e).free_symbols & (drawn | left)}
+    return replace(phrases, symbolic=False, lettered=drawn | (left - known))
 
 
 def _drawn(found: MotionTrace) -> frozenset[sp.Symbol]:

@@ -50,12 +50,14 @@ from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
+from planar_cli.report.special_case import special_case
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
@@ -167,21 +169,26 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
-    blocks += _student_checks(part, (phrases, settled), figures, why)
-    blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
+    checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
+    blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
+    if why is None and not by_hand and (case := special_case(part, phrases)):
+        blocks.append(Note("Discussion", case))
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
 
 
-def _student_checks(part: PartSolution, speaks: tuple[Phrases, Phrases], figures: int, why: str | None) -> list[Block]:
-    """What the assumptions ask for, and one check of a person's own. `speaks`: of the part, and of its motion with
-    letters that have values.
+def _student_checks(
+    part: PartSolution, speaks: tuple[Phrases, Phrases], figures: int, why: str | None
+) -> tuple[list[Block], bool]:
+    """What the assumptions ask for, and one check of a person's own; whether there is such a one. `speaks`: of the
+    part, and of its motion with letters that have values.
     """
     phrases, settled = speaks
     heard = [instant for instant in part.instants if not instant.quiet]
-    checks = [check_blocks(instant, phrases_of(instant, figures), part.motion is None) for instant in heard]
+    decides = any(f.find is not None and asks_mode(f.find) for f in part.found)
+    checks = [check_blocks(instant, phrases_of(instant, figures), part.motion is None, decides) for instant in heard]
     blocks: list[Block] = []
     for b in (*(b for one in checks for b in one.tests), *(b for one in checks for b in one.own)):
         blocks += [b] if b not in blocks else []
@@ -189,7 +196,7 @@ def _student_checks(part: PartSolution, speaks: tuple[Phrases, Phrases], figures
     limits = blow_limits(part.motion, phrases) if part.motion is not None and why is None else ()
     own = by_motion or any(one.own for one in checks)
     derived = () if why is not None or own else chosen_check(OF_PARTS, part, phrases)
-    return [*blocks, *(Check(x) for x in (*limits, by_motion, derived) if x)]
+    return [*blocks, *(Check(x) for x in (*limits, by_motion, derived) if x)], bool(own or derived)
 
 
 def _tale(part: PartSolution, phrases: Phrases, step: int, whole: bool) -> list[Block]:

@@ -64,9 +64,13 @@ def without_primes(blocks: Sequence[Block]) -> list[Block]:
     primed = {x: x.removesuffix(PRIME) for x in sorted(symbols) if x.endswith(PRIME) and "_" in x}
     if not primed:
         return list(blocks)
-    used, told = _used(blocks).letters, [(b.name, _letter(b.line)) for b in blocks if isinstance(b, Answer)]
-    names = {x: own for x, own in primed.items() if own not in used}
-    return _renamed(blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == n)})
+    # The time t__4 of a state reads as t_4, which may be what is asked.
+    used = {plain_name(x) for x in _used(blocks).letters}
+    told = [(plain_name(b.name), _letter(b.line)) for b in blocks if isinstance(b, Answer)]
+    names = {x: own for x, own in primed.items() if plain_name(own) not in used}
+    return _renamed(
+        blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == plain_name(n))}
+    )
 
 
 def _renamed(blocks: Sequence[Block], names: Mapping[str, str]) -> list[Block]:

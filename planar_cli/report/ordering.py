@@ -22,7 +22,7 @@ _GROUPS = (
     ("a", "v", "u"),
     ("L", "l", "R", "r", "d", "D", "h", "H", "b", "s", "x", "y", "w"),
     ("alpha", "omega", "Omega"),
-    ("theta", "phi", "psi"),
+    ("theta", "phi", "psi", "Delta"),
     ("t", "tau"),
 )
 _RANKS = {name: rank for rank, names in reversed(list(enumerate(_GROUPS))) for name in names}

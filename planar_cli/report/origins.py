@@ -14,6 +14,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
+from planar_cli.report.changes import changes
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
@@ -63,6 +64,8 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     if e.kind == "handed" and e.stop:
         # Its velocity or place there in other letters, from which the next part of the motion starts.
         return line(at(e.stop))
+    if e.kind == "link" and e.since and (told := changes(e)):
+        return line(f"From {e.since} to {e.stop}, by the kinematics, ", *told, ":")
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
     return spoken(f"From {e.since} to {e.stop}, {words}:" if e.since else at(e.stop, words), names)

@@ -102,14 +102,14 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
         yield "Work and energy between the states."
     yield from _momenta(uses)
     over = uses.over | ({OVER_TIME} if uses.integrated else set())
-    if over:
-        yield from sorted(over)
-    elif "constant" in uses.laws:
+    yield from sorted(over)
+    if "constant" in uses.laws:
         yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}acceleration."
-    elif "steady" in uses.laws and not moved:
+    elif "steady" in uses.laws and not moved and not over:
         yield f"Constant {'angular ' if uses.constant == {RADIAN} else ''}velocity."
     if ALIKE in uses.laws:
-        yield "Relative motion: with the same acceleration the relative velocity is constant."
+        same = "with the same acceleration the relative velocity is constant."
+        yield same.capitalize() if uses.beside else f"Relative motion: {same}"
     if uses.swings:
         yield "Small oscillations about an equilibrium."
 

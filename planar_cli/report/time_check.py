@@ -9,6 +9,8 @@ import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.motion_phrases import settled_phrases
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation
 
@@ -16,7 +18,9 @@ SHORT = 10
 
 
 def time_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """In letters; empty where the page goes over the place at that time itself, or it is long."""
+    """In letters, or in numbers where these would hide units; empty where the page goes over the place at that time
+    itself, or it is long.
+    """
     relations = [e for leg in motion.route.steps for e in leg.relations]
     for e in relations:
         gone = any((o.since, o.stop, o.kind, o.law) == (e.since, e.stop, "q(t)", e.law) for o in relations)
@@ -43,8 +47,15 @@ def _told(e: Relation, motion: MotionTrace, phrases: Phrases) -> Line:
         return ()
     if ends[wanted[3]] not in motion.route.formulas or not time.free_symbols & set(motion.general):
         return ()
-    shown = Math(ends[wanted[3]]), phrases.math(formula), phrases.math(simplified(closed[1]))
-    return line(shown[0], " = ", shown[1], " = ", shown[2])
+    place, result = ends[wanted[3]], simplified(closed[1])
+    if is_clean(phrases.ledger, place, result):
+        return line(Math(place), " = ", phrases.math(formula), " = ", phrases.math(result))
+    numeric = settled_phrases(motion, phrases)
+    if not numeric.has_numbers(formula + place):
+        return ()
+    value = numeric.shown(place)
+    put = numeric.substituted(formula, value)
+    return line(Math(place), " = ", phrases.math(formula), *(p for m in put for p in line(" = ", m)), " = ", value)
 
 
 def _closed(expr: sp.Expr, motion: MotionTrace) -> sp.Expr:

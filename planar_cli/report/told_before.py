@@ -15,13 +15,13 @@ from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 
 NUMBERED = re.compile(r"\((\d+)\)")
 STEP = "STEP"
-DEFINED = ("moment of inertia of", "moments of inertia of", "pull of the")
+DEFINED = ("moment of inertia of", "moments of inertia of", "pull of the", "push of the")
 """Begins the line of a quantity that stays what it is."""
 NAMES = {"Kinematic analysis": "kinematics", KINETICS: "equations", EQUILIBRIUM: "equations", SOLVING: "solution"}
 
 
 def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:
-    """The blocks of a part; a moment of inertia, or the pull of a spring, is defined where it first occurs."""
+    """The blocks of a part; a moment of inertia, or the force of a spring, is defined where it first occurs."""
     said: set[str] = set()
     for block in blocks:
         if not isinstance(block, Equation) or not _defines(block):

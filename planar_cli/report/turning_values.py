@@ -14,6 +14,7 @@ from planar_cli.solve.between.trace import MotionTrace, Relation, Result
 from planar_cli.solve.instant.roots import Root
 
 LARGEST, SMALLEST = " is largest", " is smallest"
+SAME = Decimal("1e-20")
 DERIVATIVE = "where its derivative is zero"
 
 
@@ -24,14 +25,22 @@ def over_time(e: Relation) -> bool:
 
 def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
     """`not 3 T/4: there it would be smallest`, where that is true of all other roots; None: it is not, or there is no
-    such value.
+    such value. In a place where the motion was before it is so.
     """
     relation = _condition(found, r) if left else None
     senses = None if relation is None else _senses(found, r, relation, left)
     if relation is None or senses is None or not all(sense < 0 for sense in senses):
         return None
     kind = "smallest" if relation.words.endswith(LARGEST) else "largest"
-    return Paragraph(line("not ", *_listed(r, left, phrases), f": there it would be {kind}"))
+    verb = "is" if all(_was_there(found, r, x) for x in left) else "would be"
+    return Paragraph(line("not ", *_listed(r, left, phrases), f": there it {verb} {kind}"))
+
+
+def _was_there(found: MotionTrace, r: Result, root: Root) -> bool:
+    """Is a root the value of the same letter in another state?"""
+    general = found.general.get(r.unknown)
+    others = (found.value.known(s) for s, own in found.general.items() if own == general and s != r.unknown)
+    return any(n is not None and abs(n - root.value) <= SAME * max(abs(n), Decimal(1)) for n in others)
 
 
 def of_the_same_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:

@@ -19,7 +19,7 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
-from planar_cli.report.enough_figures import enough_figures
+from planar_cli.report.enough_figures import figures_each
 from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import quantity, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
@@ -104,13 +104,14 @@ class Phrases:
         # One angle may stand in a function, in degrees, and beside it, in radians.
         expr = in_radians(expr, apart)
         counted |= {own: counted[s] for s, own in apart.items()}
-        figures = enough_figures(expr, rounded, counted, degrees, self.figures)
+        figures = figures_each(expr, rounded, counted, degrees, self.figures)
         if figures is None:
             return None
-        texts = {s: significant(x, figures) for s, x in counted.items()}
+        texts = {s: significant(x, figures.each[s]) for s, x in counted.items()}
         for symbol in degrees:
-            texts[symbol] = significant(self._in_unit(counted[symbol], self.ledger.units[symbol]), figures) + "°"
-        expr, inside = turned_angles(rounded(expr, figures), self.ledger)
+            turned = self._in_unit(counted[symbol], self.ledger.units[symbol])
+            texts[symbol] = significant(turned, figures.each[symbol]) + "°"
+        expr, inside = turned_angles(rounded(expr, figures.own), self.ledger)
         return Math(expr, texts | {own: f"{texts[s]} rad" for s, own in inside.items()})
 
     def has_numbers(self, expr: sp.Expr) -> bool:

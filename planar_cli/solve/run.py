@@ -83,7 +83,8 @@ def _solved(problem: Problem, method: str | None) -> Solution:
     for case in problem.cases:
         letters = {s.name for s in case.problem.symbols} | {"g"} - {s.name for s in case.problem.given}
         fit = {n: e for n, e in earlier.items() if {s.name for s in e.value.free_symbols} <= letters}
-        part = with_angles_put_in(where_asked(_part, case.problem, case.name, units, fit))
+        own = replace(case.problem, clockwise=parts[-1].clockwise if parts else ())
+        part = with_angles_put_in(where_asked(_part, own, case.name, units, fit))
         parts.append(part)
         for found in part.found:
             if (exact := _exact(found)) is not None:

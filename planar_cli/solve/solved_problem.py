@@ -51,6 +51,11 @@ class PartSolution:
     """The motion as it was followed from what the file tells, where that is all of it."""
 
     @property
+    def clockwise(self) -> tuple[str, ...]:
+        """The bodies whose rotation counts clockwise."""
+        return tuple(sorted({b for i in self.instants for b in i.trial.system.builder.clockwise}))
+
+    @property
     def not_compared(self) -> tuple[str, ...]:
         """The answers of a motion that following it does not confirm, with the reasons, in phrases for the checks."""
         if self.motion is None:

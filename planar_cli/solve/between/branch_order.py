@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from decimal import Context, Decimal
 from typing import Any
 
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.determined_part import determined_part
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
 
@@ -19,7 +21,9 @@ ROUGHLY, TIES = Context(prec=30), Context(prec=12)
 
 def candidates(course: MotionEquations) -> list[Branch]:
     """All branches of the equations that are possible, those whose states come first in front."""
-    found = course.chain().branches(course.equations)
+    told = determined_part(course)
+    open_ones = tuple(e for e in course.equations if e not in told)
+    found = [replace(b, left=(*b.left, *open_ones)) for b in course.chain().branches(told)]
     return ranked(course, [b for b in found if _is_extreme(course, b)])
 
 

@@ -15,6 +15,7 @@ def lacking(course: MotionEquations, branches: Sequence[Branch]) -> NoSolution |
     """What stands in the way of a motion, or is not told; None: neither is found. `branches`: solutions of the
     equations, of which none can be followed.
     """
-    clashing = None if branches else clash(course, course.equations)
-    wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
-    return wrong or undated(course, branches)
+    # To find statements that stand in each other's way the motion is solved without each of them.
+    open_first = None if course.sought() else missing(course)
+    clashing = None if branches or open_first is not None else clash(course, course.equations)
+    return open_first or clashing or (missing(course) if course.sought() else None) or undated(course, branches)

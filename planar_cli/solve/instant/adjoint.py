@@ -29,6 +29,7 @@ from planar_cli.solve.instant.candidates import (
     priced,
 )
 from planar_cli.solve.instant.offers import Offers
+from planar_cli.solve.instant.virtual_power import power_in_letters
 from planar_cli.solve.multibody.linear import Row, eliminate
 
 CLOSE = Decimal("1e-25")
@@ -61,7 +62,7 @@ def power_candidates(offers: Offers, targets: list[int]) -> list[Candidate]:
     """
     system, numbers = offers.system, offers.numbers
     if system.scene.ledger.symbolic:
-        return []
+        return power_in_letters(offers, targets, POWER)
     moving = set(system.tree.acceleration_unknowns())
     idle = {x: sp.S.Zero for x in numbers.unknowns if x not in moving}
     resting = dict.fromkeys(moving, sp.S.Zero)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from planar_cli.equation.system import mode_of
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Name, Quantity, Side
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Line, Problem
+from planar_cli.problem.scene import Find, Line, Problem
 from planar_cli.problem.walk import walk
 
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
@@ -50,3 +51,11 @@ def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]
 def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
     """Our own name of each joint to the file's."""
     return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
+
+
+def asks_mode(find: Find) -> bool:
+    """Is it asked in which mode a joint is: `mode(C)`, or `mode(C) = stick`?"""
+    what = find.found.what
+    if isinstance(what, Relation):
+        return mode_of(what) is not None
+    return isinstance(what, Quantity) and what.word == "mode"

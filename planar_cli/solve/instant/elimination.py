@@ -25,6 +25,9 @@ CLOSE = Decimal("1e-25")
 HIGHEST = 8
 """Resultants of polynomials whose degrees multiply to more than this are not taken."""
 
+LONGEST = 200
+"""Nor those of longer ones, in operations."""
+
 
 @record
 class Pending:
@@ -89,9 +92,12 @@ def eliminate(
 
 def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     """A letter that is positive, such as a time since the start, and enters by its square alone."""
+    candidates = list(candidates)
+    if not candidates or any(wide(p.residual) for p in pool):
+        return None
+    whole = [expanded(p.residual) for p in pool]
     for x in candidates:
         square = sp.Dummy("x2", positive=True)
-        whole = [expanded(p.residual) for p in pool]
         put = {x ** (2 * n): square**n for n in (*range(-2, 0), *range(1, HIGHEST + 1))}
         flat = [e.xreplace(put) if x in letters(e) else e for e in whole]
         if any(x in f.free_symbols for f in flat):
@@ -199,7 +205,7 @@ def subtracted(
 
 def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Expr | None:
     """The factor of x² in a quadratic equation, when it holds no other unknown."""
-    if x not in letters(residual):
+    if x not in letters(residual) or wide(residual):
         return None
     lead: list[sp.Expr] = []
     highest = 0
@@ -247,14 +253,15 @@ def _resultant(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation)
     """An equation without x from two polynomials in x; both stay, to give x afterwards and to be tested."""
     for i, j in combinations(range(len(pool)), 2):
         inside = [s for s in left if s in pool[i].residual.free_symbols | pool[j].residual.free_symbols]
-        if len(inside) != 2:
+        if len(inside) != 2 or wide(pool[i].residual) or wide(pool[j].residual):
             continue
         for x in inside:
             y = next(s for s in inside if s != x)
             one, other = (expanded(pool[n].residual) for n in (i, j))
-            if not (one.is_polynomial(x, y) and other.is_polynomial(x, y)):
+            # How long they are is seen at once; their degrees take as long as they are.
+            if longer(one * other, LONGEST) or not (one.is_polynomial(x, y) and other.is_polynomial(x, y)):
                 continue
-            if sp.total_degree(one, x, y) * sp.total_degree(other, x, y) > HIGHEST or longer(one * other, 200):
+            if sp.total_degree(one, x, y) * sp.total_degree(other, x, y) > HIGHEST:
                 continue
             found = _without(one, other, x)
             if found != 0 and y in found.free_symbols and not any(p.residual == found for p in pool):

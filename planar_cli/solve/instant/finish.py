@@ -22,10 +22,12 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.words import listed, names_of
+from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.instant.conditions import conditions, conditions_beside
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.instant.translating import translating
 from planar_cli.solve.instant.truth import holds
 from planar_cli.solve.instant.verify import Disagreement, verify
 from planar_cli.solve.solution import Found, InstantSolution
@@ -83,7 +85,10 @@ class Finisher:
             maker.families = self.instant.families(
                 self.principle, self.system, base, self.trial.choice, self.coordinates
             )
-        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
+        # Where the first assumption fails, that is the answer to which one holds.
+        decides = any(map(asks_mode, finds)) and self._has_forces() and not any(self.trial.choice)
+        tested = decides or self._asks_forces(exprs)
+        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if tested else set())
         self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
         acceleration = maker.accelerations(targets) if targets else None
@@ -220,11 +225,12 @@ class Finisher:
             used += [w.residual for b in acceleration.blocks for w in b.equations] + [
                 x.expression for x in acceleration.lines
             ]
-        targets = needed([*used, *self._named_in(used)], moving)
+        still = translating(self.trial, used) - self.letters if moving else set()
+        targets = needed([*used, *self._named_in(used)], moving) | still
         stages: list[Stage] = []
         if targets:
-            known = {s: v for s, v in velocities.values.items() if not v}
-            plain = maker.value.without(moving)
+            known = {s: v for s, v in velocities.values.items() if not v and s not in still}
+            plain = maker.value.without(moving | still)
             maker_of_velocities = StageMaker(self.system, plain, self.symbolic, letters=self.letters)
             stages.append(maker_of_velocities.velocities(targets, known))
         if acceleration is not None:

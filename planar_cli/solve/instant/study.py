@@ -308,8 +308,8 @@ def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[T
     """
     affine: list[tuple[Test, Decimal, dict[int, Decimal]]] = []
     for mode in system.modes.values():
-        tests = (test for test in mode.tests if not _under_way(test, mode, assembly))
-        affine.extend((test, *_measure(test, assembly, solved)) for test in tests)
+        tests = (test for test in mode.tests if not under_way(test, mode, assembly))
+        affine.extend((test, *measure(test, assembly, solved)) for test in tests)
     failed: list[tuple[Test, Decimal | None]] = []
     open_tests = [(t, v, n) for t, v, n in affine if n]
     for test, value, null in affine:
@@ -320,7 +320,7 @@ def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[T
     return tuple(failed)
 
 
-def _under_way(test: Test, mode: Mode, assembly: Assembly) -> bool:
+def under_way(test: Test, mode: Mode, assembly: Assembly) -> bool:
     """Is a slip that a test would let begin under way already?"""
     return test.row is not None and mode.sliding is test.row and abs(assembly.row_speed(test.row)) > TINY
 
@@ -346,7 +346,7 @@ def _across(vector: list[Decimal], way: list[Decimal], size: Decimal) -> list[De
     return [a - along * b for a, b in zip(vector, way, strict=True)]
 
 
-def _measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, dict[int, Decimal]]:
+def measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, dict[int, Decimal]]:
     """The value of a test and its slopes along what is free."""
     if test.within:
         limit = assembly.value(test.constant)

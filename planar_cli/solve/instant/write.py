@@ -15,11 +15,12 @@ from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
+from planar_cli.equation.waves import without_waves
 from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
-from planar_cli.solve.instant.candidates import Candidate, Choice
+from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
@@ -371,9 +372,9 @@ class Writer:
             words = f"{condition.text}, {choice.words}" if condition.kind != "closure" else choice.words
         else:
             residual, words = condition.residual, ""
-        residual = self.settled(residual)
-        form = self.numbers.form(residual)
-        left = [self.short(c) * x for x, c in form.terms.items()]
+        form = self.numbers.form(residual := self.settled(residual))
+        made = without_waves if choice is not None and choice.words == CONTACT else sp.sympify
+        left = [self.short(made(c)) * x for x, c in form.terms.items()]
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = [left[0]], -left[1]

@@ -1,12 +1,12 @@
-"""A check that a person can make of answers in letters: a special case whose result is known beforehand.
+"""What is worth discussing of answers in letters: a special case in which they come to something that is known.
 
-    with m_A = m_B:  a = 0, T = m_A g            equal weights balance each other
-    without friction, μ = 0:  a = g sin β
-    with m_B → 0:  a = -g                        a free fall
+    With m_A = m_B:  a = 0, T = m_A g            equal weights balance each other
+    Without friction, μ = 0:  a = g sin β
+    With m_B → 0:  a = -g                        a free fall
 
-Only formulas with sums get there something that they do not show at sight; where the special case would say that a
-force of nothing is nothing it is none. Nor is one that the file rules out, or that brings a number nobody expects:
-v_0 = 2 √(5 g l) is known to no one beforehand.
+It is no check: nothing else is worked out for it. Only formulas with sums get there something that they do not show at
+sight; where the special case would say that a force of nothing is nothing it is none. Nor is one that the file rules
+out, or that brings a number nobody expects: v_0 = 2 √(5 g l) is known to no one beforehand.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class _Case:
     zero: bool
 
 
-def limit_check(part: PartSolution, phrases: Phrases) -> Line:
+def special_case(part: PartSolution, phrases: Phrases) -> Line:
     """The case that tells most answers, the first of several; empty where none comes to a short product."""
     answers = [f for f in part.found if _is_open(f)]
     letters = {s for f in answers for s in _formula(f).free_symbols}
@@ -56,7 +56,7 @@ def limit_check(part: PartSolution, phrases: Phrases) -> Line:
     shown = [
         line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(best[:MOST])
     ]
-    return line(*words, ": ", *(piece for one in shown for piece in one)) if shown else ()
+    return line(*words, ": ", *(piece for one in shown for piece in one), ".") if shown else ()
 
 
 def _weight(told: list[tuple[Found, sp.Expr]]) -> tuple[int, int]:
@@ -88,16 +88,16 @@ def _cases(letters: set[sp.Symbol], phrases: Phrases) -> Iterator[_Case]:
     own = [s for s in ledger.letters if s in letters and s.name != "g" and s in ledger.units]
     masses = [s for s in own if ledger.units[s].dimension == MASS]
     for one, other in combinations(masses, 2):
-        yield _Case(line("with ", Math(one), " = ", Math(other)), {one: other}, True)
+        yield _Case(line("With ", Math(one), " = ", Math(other)), {one: other}, True)
     for s in own:
         if s.name in ledger.coefficients:
-            yield _Case(line("without friction, ", Math(s), " = 0"), {s: sp.S.Zero}, False)
+            yield _Case(line("Without friction, ", Math(s), " = 0"), {s: sp.S.Zero}, False)
     for s in own:
         if ledger.units[s].angle and ledger.units[s].dimension == PURE:
-            yield _Case(line("with ", Math(s), " = 0"), {s: sp.S.Zero}, True)
-            yield _Case(line("with ", Math(s), " = 90°"), {s: sp.pi / 2}, True)
+            yield _Case(line("With ", Math(s), " = 0"), {s: sp.S.Zero}, True)
+            yield _Case(line("With ", Math(s), " = 90°"), {s: sp.pi / 2}, True)
     for s in masses:
-        yield _Case(line("with ", Math(s), " → 0"), {s: sp.S.Zero}, False)
+        yield _Case(line("With ", Math(s), " → 0"), {s: sp.S.Zero}, False)
 
 
 def _rules_out(relation: sp.Expr, case: _Case) -> bool:
@@ -119,8 +119,6 @@ def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:
         return value if case.zero else None
     number, rest = value.as_coeff_Mul()
     factors = sp.Mul.make_args(rest)
-    # A large ball that comes up with v and meets a small one that falls with v sends it off with 3 v: the 3 of 3 M - m.
-    told = {*SIMPLE, *(abs(n) for total in formula.atoms(sp.Add) for n in total.atoms(sp.Integer))}
-    known = number in told and not value.is_number and len(factors) <= SHORT
+    known = number in SIMPLE and not value.is_number and len(factors) <= SHORT
     rooted = any(p.base.as_coeff_Mul()[0] not in (1, *ROOTED) for p in rest.atoms(sp.Pow) if not p.exp.is_Integer)
     return value if known and not rooted and not value.has(sp.Add, sp.log, sp.exp) else None

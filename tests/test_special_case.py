@@ -1,0 +1,51 @@
+"""Answers in letters are discussed by a special case in which they come to something known; it is no check."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    ("stem", "words"),
+    [
+        ("atwood-machine", "Discussion With m_A = m_B: a_A = 0; T = m_B g."),
+        ("dumbbell-dropped-on-a-floor", "With β = 90°: v_G = e v; ω = 0"),
+        ("bob-under-a-free-cart-in-letters", "With m → 0: T = 2 π √(l/g)"),
+        ("bar-hanging-from-a-pushed-collar", "With m → 0: a = F/M; N = M g"),
+    ],
+)
+def test_a_case_whose_result_is_known(stem: str, words: str) -> None:
+    assert words in page_of_file(stem)
+
+
+@pytest.mark.parametrize("stem", ["ball-in-a-rotating-tube-in-letters", "atwood-let-go"])
+def test_none_where_it_says_nothing_or_another_check_stands(stem: str) -> None:
+    """Without rotation nothing moves; the place by constant acceleration is a check already."""
+    assert " With w = 0" not in page_of_file(stem)
+    assert " With m_A = m_B" not in page_of_file(stem)
+
+
+def test_a_case_that_the_file_assumes_not_to_be_is_none() -> None:
+    """It assumes M > 3 m; that a number stands in the formula makes it no number that is known."""
+    page = page_of_file("small-ball-on-a-large-one")
+    assert "With M = m" not in page
+    assert "3 √(2 g h)" not in page
+
+
+def test_a_number_that_nobody_knows_beforehand_is_no_check() -> None:
+    assert "Discussion With" not in page_of_file("bullet-that-sends-a-bob-full-circle")
+
+
+@pytest.mark.parametrize(
+    ("stem", "words"),
+    [
+        ("atwood-machine", "Check checked by an independent multibody solution Discussion"),
+        ("two-wheels-pressed-together", "Check mean angular velocity times the time, the angle of the large:"),
+    ],
+)
+def test_what_is_printed_as_checked_was_checked(stem: str, words: str) -> None:
+    """A formula with its letters put to a limit compares nothing; T with the speeds that T gave says nothing new."""
+    page = page_of_file(stem)
+    assert words in page
+    assert "Σ (1/2 m v²" not in page
