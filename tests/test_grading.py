@@ -17,9 +17,9 @@ VELOCITY = Expected("v", "", "vector", (3.0, -4.0), "m/s", "[3, -4] m/s", 0.01, 
 WORD = Expected("s", "", "word", (), "1", "slip", 0.01, 1.0)
 
 
-def graded(expected: Expected, text: str, rules: Rules = Rules()) -> Graded:  # noqa: B008
+def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:
     paper = Paper(0, (Task("p", "", "", (), (expected,)),))
-    (one,) = grade(Submission("s", 0, (("p", expected.find, text),)), {0: paper}, rules).graded
+    (one,) = grade(Submission("s", 0, (("p", expected.find, text),)), {0: paper}, rules or Rules()).graded
     return one
 
 

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 import numpy as np
@@ -262,7 +263,8 @@ def shown(value: float, figures: int = 4) -> str:
     if not 1e-4 <= abs(value) < 1e7:
         return f"{value:.{figures - 1}e}"
     places = max(figures - 1 - math.floor(math.log10(abs(value))), 0)
-    text = f"{value:.{places}f}"
+    # Half a unit is rounded up, as on the page: 14.715 is 14.72, whatever its last binary digit.
+    text = str(Decimal(f"{value:.12g}").quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP))
     exact = f"{value:.10g}"
     return exact if len(exact) < len(text) and "e" not in exact else text
 

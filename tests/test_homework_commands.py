@@ -1,0 +1,102 @@
+"""`planar check --set`, `planar key` of a set and `planar merge` as they are typed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from planar_cli.cli import run
+from planar_cli.errors import FileProblem
+from planar_cli.homework.set_file import read_set
+
+HOMEWORK = ROOT / "tests" / "homework"
+SET, HANDED_IN = str(HOMEWORK / "three.yaml"), str(HOMEWORK / "submissions")
+pytestmark = pytest.mark.xdist_group("homework")
+
+
+def test_a_class_is_graded_and_taken_up_again(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    results, out = tmp_path / "done.jsonl", tmp_path / "out"
+    line = ["check", "--set", SET, HANDED_IN, "--results", str(results), "--format", "json"]
+    assert run([*line, "--export", "gradebook", "-o", str(out)]) == 0
+    told = json.loads(capfd.readouterr().out)
+    scores = {r["student"]: sum(g.get("score", 0) for g in r["graded"]) for r in told["results"]}
+    assert scores == {"anna": 9, "ben": 1}
+    assert "rotational-inertia-left-out" in str(told)
+    assert list(out.rglob("*.csv"))
+    assert run([*line, "--student"]) == 0
+    again = capfd.readouterr()
+    assert "2 submissions were graded before" in again.err
+    merged = tmp_path / "merged.jsonl"
+    assert run(["merge", str(results), "-o", str(merged)]) == 0
+    assert len(merged.read_text().splitlines()) == 2
+
+
+def test_students_see_nothing_of_the_key(capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["check", "--set", SET, HANDED_IN, "--student"]) == 0
+    assert "key:" not in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("form", ["markdown", "html", "json", "csv"])
+def test_sheets_and_key(form: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    folders = [tmp_path / "a", tmp_path / "b"]
+    for folder in folders:
+        assert run(["key", SET, "--format", form, "--variants", "2", "-o", str(folder), "--export", "text2qti"]) == 0
+    first, second = (sorted(p.relative_to(f) for p in f.rglob("*") if p.is_file()) for f in folders)
+    assert first == second
+    assert len([p for p in first if p.name.startswith("sheet-")]) == 2
+    assert all((folders[0] / p).read_bytes() == (folders[1] / p).read_bytes() for p in first)
+
+
+def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
+    sheet = (tmp_path / "out" / "sheet-1.csv").read_text()
+    assert sheet.splitlines()[0] == "problem,find,answer,unit"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("problems: [a.yaml, a.yaml]", "two problems have the name 'a'"),
+        ("problems: [a.yaml]\ntolerance: 2", "does not fit the tolerance"),
+        ("problems: [a.yaml]\ncredit: {units: 1}", "unknown key 'units'"),
+        ("problems: [a.yaml]\ntolerance: 0.01\nsigfig: 3", "exclude each other"),
+        ("problems: [a.yaml]\nvariants: {number: 0}", "does not fit the number of variants"),
+        ("title: x", "needs the key 'problems'"),
+        ("problems: [a.yaml]\nstudents: [s, s]", "stands twice"),
+    ],
+)
+def test_what_is_wrong_with_a_set_is_told(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "set.yaml"
+    path.write_text(text)
+    with pytest.raises(FileProblem) as told:
+        read_set(str(path))
+    assert any(message in d.message for d in told.value.diagnostics)
+
+
+def test_a_find_that_is_not_there_is_told(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "set.yaml"
+    path.write_text(f"problems: [{{file: {HOMEWORK / 'rod.yaml'}, points: {{beta: 2}}}}]")
+    assert run(["key", str(path)]) == 2
+    assert "PL802" in capfd.readouterr().err
+
+
+def test_options_of_a_set_need_one(capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["check", "--student", str(HOMEWORK / "rod.yaml")]) == 2
+    assert "belongs to --set" in capfd.readouterr().err
+
+
+def test_what_rounding_does(capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["check", "--tolerance-report", str(HOMEWORK / "spool.yaml")]) == 0
+    told = capfd.readouterr().out
+    assert "rounding to 3 figures" in told
+    assert "would fail an honest student" in told
+
+
+@pytest.mark.parametrize("form", ["jsonl", "csv", "junit", "github", "markdown"])
+def test_forms_of_a_check(form: str, capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["check", str(HOMEWORK / "rod.yaml"), str(HOMEWORK / "slot.yaml"), "--format", form]) == 0
+    told = capfd.readouterr().out
+    assert ("rod.yaml" in told) == (form != "github")
