@@ -59,7 +59,7 @@ def test_energies_that_were_solved_together_with_other_equations_are_put_in() ->
 
 def test_a_check_whose_letters_would_hide_units_has_numbers() -> None:
     page = page_of_file("ex-1-11")
-    assert "- 1/2 g t_parallel² = 7.0711 · 1.2614 - 1/2 · 9.81 · 1.2614² = 1.115 m" in page
+    assert "- 1/2 g t_parallel² = 7.071 · 1.2614 - 1/2 · 9.81 · 1.2614² = 1.115 m" in page
     assert "10.9375" not in page
 
 

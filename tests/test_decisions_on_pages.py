@@ -115,3 +115,8 @@ def test_a_distribution_fulfils_all_bounds(bounds: list[tuple[int, dict[int, int
 
 def test_there_is_no_distribution_where_bounds_exclude_each_other() -> None:
     assert point_within([(Decimal(-3), {0: Decimal(1)}), (Decimal(2), {0: Decimal(-1)})], [0]) is None
+
+
+def test_a_relation_of_a_motion_that_is_read_off_has_both_sides() -> None:
+    """The cord pulls past the axis of the post on which it winds up: the angular momentum halves."""
+    assert "conserved: -0.3000 kg·m²/s ≠ -0.6 kg·m²/s" in page_of_file("puck-whose-string-winds-up")

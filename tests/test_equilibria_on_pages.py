@@ -7,7 +7,7 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
+from planar_cli.report.narrate import Voice, narrate
 
 
 def _page(name: str) -> str:
@@ -43,7 +43,7 @@ def test_the_flattest_ladder_has_the_equations_of_equilibrium() -> None:
 
 def test_friction_about_to_slip_is_drawn_as_it_acts() -> None:
     """The wedge slides in under the block to the right, and out to the left: F = μ N both times."""
-    page = _page("friction/wedge-driven-under-a-block")
+    page = _page("friction/wedge-driven-under-a-block").split("CASE  alone")[0]
     driven, drawn = page.split("CASE  out")
     assert "F_F ←" in driven
     assert "F_S ↘" in driven
@@ -52,6 +52,20 @@ def test_friction_about_to_slip_is_drawn_as_it_acts() -> None:
     assert page.count("F_F = μ N_F\n") == page.count("F_S = μ N_S\n") == 2
     assert "-μ" not in page
     assert "(assumed)" not in page
+
+
+def test_a_couple_about_to_tip_is_drawn_as_it_acts() -> None:
+    page = _page("friction/cabinet-on-a-tilting-floor")
+    assert "M_C ↻   =   0\n" in page
+    assert "M_C = 1/2 N_C b\n" in page
+
+
+def test_a_lesson_on_equilibrium_speaks_of_no_acceleration() -> None:
+    solution = worked(ROOT / "problems" / "friction" / "flattest-ladder-at-a-rough-wall.yaml")[0]
+    page = Terminal(width=110).render(narrate(solution, Voice(audience="lesson")))
+    assert "acceleration" not in page
+    assert "moment of inertia" not in page
+    assert "against the slip that is about to begin" in page
 
 
 def test_what_may_move_is_not_in_equilibrium() -> None:

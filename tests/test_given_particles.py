@@ -30,3 +30,15 @@ def test_a_particle_is_told_where_its_point_is(stem: str, words: str) -> None:
 
 def test_a_particle_with_the_name_of_its_point_needs_no_word() -> None:
     assert "(P" not in given("ellipse-in-time").replace("P(", "")
+
+
+@pytest.mark.parametrize(("stem", "words"), [
+    ("engine-whose-piston-is-fastest", "AB = r at θ, crank AB, rod BD;"),
+    ("parallelogram-3-cranks", "crank_1 O1B1, crank_2 O2B2, crank_3 O3B3, coupler B1B3;"),
+])  # fmt: skip
+def test_a_rod_with_a_name_of_its_own_is_told_between_its_points(stem: str, words: str) -> None:
+    assert words in given(stem)
+
+
+def test_the_first_state_says_what_a_letter_that_is_sought_stands_for() -> None:
+    assert "nozzle: |v_drop| = v_0, direction of v_drop = β; window:" in given("least-speed-to-a-target")

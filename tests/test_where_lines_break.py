@@ -65,3 +65,8 @@ def test_a_long_left_side_goes_on_at_the_margin() -> None:
     for width in range(40, 100):
         rows_of_page = Terminal(width).render(told).splitlines()
         assert all(len(row) - len(row.lstrip()) <= width - 12 for row in rows_of_page), width
+
+
+def test_factors_of_a_datum_stay_together() -> None:
+    datum = line("h = 20 mm, ", Name("m_2"), " = -", Name("rho"), " π ", Name("d"), "²/4 ", Name("s"))
+    assert rows(datum, 24) == ["h = 20 mm,", "m_2 = -ρ π d²/4 s"]

@@ -64,6 +64,7 @@ def spans(line: Line) -> list[Span]:
         for i, part in enumerate(line)
         for span in _spans(part)
     ]
+    made = [(is_text, _factors(span) if is_text else span) for is_text, span in made]
     whole = "".join(span.text for _, span in made).translate(_INNER_SPACES)
     if not re.search(r"[-+=/·] |[\w′√][(\[]|\[", whole):
         return [span for _, span in made]
@@ -73,6 +74,13 @@ def spans(line: Line) -> list[Span]:
         found.append(Span(text, span.style))
         begin += len(span.text)
     return found
+
+
+def _factors(between: Span) -> Span:
+    """Text that only stands between factors, as a space or π, gives way as a formula does."""
+    if not re.fullmatch(r" [ π²³⁴]*|[ π²³⁴/]* ", between.text):
+        return between
+    return Span(between.text.replace(" ", BETWEEN_FACTORS), between.style)
 
 
 def _brackets(whole: str) -> list[int]:

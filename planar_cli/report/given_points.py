@@ -8,6 +8,7 @@ from planar_cli.problem.expression import Name, Negate, Quantity, Side
 from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import (
     At,
+    Body,
     Composite,
     Midpoint,
     Outline,
@@ -16,6 +17,7 @@ from planar_cli.problem.scene import (
     Point,
     Polar,
     Problem,
+    Rod,
     Round,
     Towards,
     TwoFacts,
@@ -53,6 +55,16 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
     owners = {p.name: who for p, _ in told if (who := _at_it(p.name, problem, page))}
     if owners or any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
         yield from (*turning.values(), *(line(*found, _owned(p, owners)) for p, found in told))
+    yield from (line(f"{b.name} {ends}") for b in problem.bodies if (ends := _ends(b, page)))
+
+
+def _ends(body: Body, page: Mentioned) -> str:
+    """AB of a rod from A to B that has another name, which letters carry as an index."""
+    if not isinstance(body.shape, Rod) or not any(x.endswith(f"_{body.name}") for x in page.letters):
+        return ""
+    one, other = body.shape.start, body.shape.end or ""
+    plain = other and max(len(one), len(other)) <= SHORT
+    return f"{one}{other}" if plain and body.name not in (f"{one}{other}", f"{other}{one}") else ""
 
 
 def _at_it(name: str, problem: Problem, page: Mentioned) -> str:

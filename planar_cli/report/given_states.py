@@ -48,7 +48,11 @@ def _told(statement: object, problem: Problem, figures: int, first: bool) -> Ite
             yield line("in relative equilibrium")
         case Extreme() if not first and (side := said(statement.side, figures)):
             yield line(side, " largest" if statement.sense > 0 else " smallest")
-        case Relation(operator="=") if _gives(statement, unknown) or (not first and _says(statement, unknown)):
+        case Relation(operator="=") if (
+            _gives(statement, unknown)
+            or (first and _names(statement, unknown))
+            or (not first and _says(statement, unknown))
+        ):
             yield from (_with_own_masses(told, problem) for told in _equation(statement, figures))
 
 
@@ -95,6 +99,11 @@ def _varies(side: Side, problem: Problem) -> bool:
     """Does time or a coordinate stand in it?"""
     running = {"t", *(s.name for s in problem.coordinates)}
     return any(isinstance(n, Name) and n.name in running for n in walk(side))
+
+
+def _names(relation: Relation, unknown: set[str]) -> bool:
+    """Does it say what a letter that is sought stands for: |v| = v_0?"""
+    return isinstance(relation.left, Quantity) and isinstance(relation.right, Name) and relation.right.name in unknown
 
 
 def _says(relation: Relation, unknown: set[str]) -> bool:

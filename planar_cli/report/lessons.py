@@ -208,6 +208,9 @@ def _why_kinetics(uses: Uses) -> Iterator[str]:
 
 
 def _moments(uses: Uses) -> Iterator[str]:
+    if uses.at_balance and uses.moments:
+        yield BALANCED.format(_listed([m.about for m in uses.moments]))
+        return
     for kind, words in (
         ("pivot", PIVOT),
         ("", ANYWHERE),
@@ -218,6 +221,7 @@ def _moments(uses: Uses) -> Iterator[str]:
             yield words.format(_listed(points))
 
 
+BALANCED = "Moments about {}: what passes through that point has no arm and does not enter."
 PIVOT = (
     "Moments about the fixed point {}: the reactions there drop out, and on the right stands the moment "
     "of inertia about "
@@ -244,7 +248,12 @@ def _groups(uses: Uses) -> Iterator[str]:
 
 
 def _friction(uses: Uses) -> Iterator[str]:
-    if uses.sticking:
+    if uses.sticking and uses.at_limit:
+        yield (
+            f"At {_listed(uses.sticking)} nothing slips yet. Only at the limit is friction the coefficient times the "
+            "normal force, and it acts against the slip that is about to begin."
+        )
+    elif uses.sticking:
         yield (
             f"At {_listed(uses.sticking)} nothing slips: the friction is what the equations demand, and "
             "is compared with "

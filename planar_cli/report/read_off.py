@@ -8,12 +8,15 @@ from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Name as Letter
+from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Bullet, Check, Equation, Heading, Line, Name, Paragraph, Table, Value, line
+from planar_cli.report.compared import OTHERWISE, SIGNS
 from planar_cli.report.mentioned import FOR_EVERY_BODY
 from planar_cli.report.numbers import significant
+from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.simulate.report import transition_words
 from planar_cli.simulate.run import Simulation
@@ -52,6 +55,25 @@ def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
         yield Bullet(line(Value(Decimal(repr(t)), "s", figures), f": {words}"))
     for note in trajectory.notes:
         yield Paragraph(line(note))
+    yield from _compared(motion, figures)
+
+
+def _compared(motion: Simulation, figures: int) -> Iterator[Block]:
+    """For each relation that is asked: its two sides, with the sign that is true."""
+    finds = {f.name: f.found.what for f in motion.run.problem.find}
+    for answer in motion.answers:
+        what = finds.get(answer.name)
+        if isinstance(what, Relation) and len(answer.sides) == 2:
+            sign = (SIGNS if answer.word == "true" else OTHERWISE)[what.operator]
+            values = (Value(Decimal(repr(v)), answer.unit.text, figures) for v in answer.sides)
+            shown = [_named(side, v, figures) for side, v in zip((what.left, what.right), values, strict=True)]
+            yield Equation((line(*shown[0], f" {sign} ", *shown[1]),), None, line(Name(answer.name), ":"))
+
+
+def _named(side: Side, value: Value, figures: int) -> Line:
+    """v_2 = 3 m/s; of a number its value alone."""
+    named = said(side, figures) if any(isinstance(n, Quantity | Letter) for n in walk(side)) else ()
+    return line(*named, " = ", value) if named else line(value)
 
 
 def _integrated(motion: Simulation) -> Iterator[Block]:

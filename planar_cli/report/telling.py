@@ -33,6 +33,7 @@ from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import begun, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
+from planar_cli.report.translations import translations
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
@@ -103,14 +104,14 @@ class Telling:
         kinematics = [
             *places(self.scene, self._constructed, self.phrases),
             *self.definitions.lines(self._used(), "m"),
+            *translations(self.instant.trial, self.vectors.zero, self.phrases),
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
         kinematics[:0] = in_numbers(self.scene, kinematics, self.phrases)
         legend = [*touching(self.system, kinetic), *(counted(self.system, self.phrases) if kinetic else ())]
         resting = said_at_rest(self.instant, last, self.system)
-        if kinematics or resting:
-            blocks.append(self._step("Kinematic analysis", resting))
+        blocks += [self._step("Kinematic analysis", resting)] if kinematics or resting else []
         blocks += [*(legend if kinematics else ()), *kinematics]
         if kinetic and last is not None:
             still = balance(self.system, last)

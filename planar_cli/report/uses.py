@@ -75,6 +75,8 @@ class Uses:
     links: list[str] = field(default_factory=list)
     extreme: bool = False
     """Is something largest or smallest?"""
+    at_limit: bool = False
+    """Is something about to slip, to tip or to slacken?"""
     axles: bool = False
     """Does a body turn about a fixed pin?"""
     drawn: frozenset[str] = frozenset()
@@ -195,6 +197,7 @@ def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]
     found.together = max([found.together, *(len(b.unknowns) for s in stages for b in s.blocks)])
     for w in written:
         found.extreme |= w.source == "extreme"
+        found.at_limit |= w.source == "limit"
         if w.law == "relation":
             _of_relation(found, w)
         elif w.law == "single":

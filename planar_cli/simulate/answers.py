@@ -66,6 +66,9 @@ class Answered:
     scale: float = 0.0
     """The size of usual values of this kind in the scene, in base units: what the error of a zero is measured by."""
 
+    sides: tuple[float, ...] = ()
+    """Of a relation between numbers: both of its sides, in the unit."""
+
     @property
     def shown(self) -> tuple[float, ...]:
         """The values in the unit."""
@@ -110,7 +113,13 @@ class Answers:
     def _answer(self, find: Find) -> Answered:
         what = find.found.what
         if isinstance(what, Relation):
-            return Answered(find.name, word="true" if self._holds(what) else "false")
+            word = "true" if self._holds(what) else "false"
+            if mode_of(what) is not None:
+                return Answered(find.name, word=word)
+            unit = usual_unit(what.left, self.kinds, self.problem.us)
+            values = (*self.value(what.left), *self.value(what.right))
+            one = in_base(unit, self.problem.us)
+            return Answered(find.name, word=word, unit=unit, sides=tuple(v / one for v in values))
         if isinstance(what, Quantity) and what.word == "reached":
             return Answered(find.name, word="true" if self._reached(what) else "false")
         if isinstance(what, Quantity) and what.word == "mode":

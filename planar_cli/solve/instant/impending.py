@@ -53,11 +53,11 @@ def drawn_against_the_slip(
 
 
 def _backward(found: Sought) -> list[str]:
-    """The friction forces at their limit that are negative as they count."""
+    """Friction at its limit, and couples of normal forces on a face at theirs, that are negative as they count."""
     system, solved = found.trial.system, found.branch.algebra.value.values
     told = {law.push for law in system.laws}
     at_limit = set().union(*(sp.sympify(e).free_symbols for c in found.limits for e in c.rows()))
-    frictions = [p.name for p in system.pushes if p.kind == "friction" and p.name not in told]
+    frictions = [p.name for p in system.pushes if p.kind in ("friction", "couple") and p.name not in told]
     return [n for n in frictions if system.symbols[n] in at_limit and solved.get(system.symbols[n], Decimal(0)) < 0]
 
 

@@ -15,7 +15,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.equation.plain import letters, simplified
+from planar_cli.equation.plain import letters, longer, simplified
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.regimes.equations import Equation
@@ -28,6 +28,8 @@ HALF = "half a revolution, by Kepler's third law"
 WHOLE = "one revolution, by Kepler's third law"
 ROUND = Decimal("1e-12")
 """So small an eccentricity is that of a circle, which has no ends."""
+LONGEST = 60
+"""A longer formula is that of another force."""
 Known = Mapping[sp.Symbol, sp.Expr]
 
 
@@ -145,19 +147,20 @@ def _orbits(regime: Regime) -> Iterator[Orbit]:
     """Pairs of polar coordinates whose equations of motion are those."""
     speeds = {c.symbol: u for c in regime.coordinates for u in regime.free if regime.rates[c.symbol] == u}
     lengths, angles = ([c.symbol for c in regime.coordinates if c.unit == unit] for unit in ("m", "rad"))
+    value = regime.general.value
     for r, phi in itertools.product(lengths, angles):
         if not {r, phi} <= speeds.keys() or not {speeds[r], speeds[phi]} <= regime.accelerations.keys():
             continue
         outward, turning = speeds[r], speeds[phi]
         sideways, falling = regime.accelerations[turning], regime.accelerations[outward]
-        mu = simplified((r * turning**2 - falling) * r**2)
-        if letters(mu) & set(regime.letters):
+        if not {outward, turning} <= letters(sideways) or longer(falling, LONGEST):
             continue
-        mu = _without_mass(mu, regime.general.value)
         try:
-            value = regime.general.value
-            if value.is_zero(sideways + 2 * outward * turning / r) and (value.known(mu) or Decimal(0)) > 0:
-                yield Orbit(r, phi, outward, turning, mu)
+            if not value.is_zero(sideways + 2 * outward * turning / r):
+                continue
+            mu = simplified((r * turning**2 - falling) * r**2)
+            if not letters(mu) & set(regime.letters) and (value.known(mu) or Decimal(0)) > 0:
+                yield Orbit(r, phi, outward, turning, _without_mass(mu, value))
         except (NoValue, Unvalued):
             continue
 
