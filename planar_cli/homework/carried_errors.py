@@ -12,9 +12,10 @@ import sympy as sp
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import Expected, Task
 from planar_cli.homework.worked_problem import WorkedProblem
-from planar_cli.records import changing, record
+from planar_cli.records import record
 from planar_cli.replay.equations import Equations
-from planar_cli.replay.numbers import Numbers, Replay
+from planar_cli.replay.numbers import Replay
+from planar_cli.replay.single import NoNumber, Single, Values
 from planar_cli.units import parse_unit
 
 FAR = 1e3
@@ -46,24 +47,74 @@ def carriable(problem: WorkedProblem, values: Mapping[int, Mapping[str, float]])
     )
 
 
-@changing
+class _Part:
+    """The equations of one case of a problem, ready to be carried out for one variant after the other."""
+
+    def __init__(self, equations: Equations) -> None:
+        self.equations, self.replay = equations, Replay(equations)
+        self.single = Single(self.replay)
+        self._starts: dict[int, tuple[Values, Values]] = {}
+        self._behind: dict[str, frozenset[sp.Symbol]] = {}
+
+    def start(self, variant: int, values: Mapping[str, float]) -> tuple[Values, Values]:
+        """The inputs of a variant, and all that is right for it."""
+        if variant not in self._starts:
+            equations = self.equations
+            inputs = {s: values.get(n, equations.value[s]) for n, s in equations.inputs.items()}
+            run = self.replay.run({s: np.array([v]) for s, v in inputs.items()})
+            self._starts[variant] = inputs, {s: float(n[0]) for s, n in run.values.items()}
+        return self._starts[variant]
+
+    def behind(self, find: str) -> frozenset[sp.Symbol]:
+        """Everything on which a find rests."""
+        if find not in self._behind:
+            self._behind[find] = self.equations.rests_on(self.equations.asked[find].parts)
+        return self._behind[find]
+
+    def unknown_of(self, find: str, number: float, right: Values) -> tuple[sp.Symbol, float] | None:
+        """The one unknown of which a find is made, with its value where the find has a number; None: there are more."""
+        asked = self.equations.asked.get(find)
+        if asked is None or len(asked.parts) != 1:
+            return None
+        expr = asked.parts[0]
+        unknowns = [s for s in expr.free_symbols if s in right and s not in set(self.equations.inputs.values())]
+        if len(unknowns) != 1 or unknowns[0] in self.equations.defined:
+            return None
+        (symbol,) = unknowns
+        if expr == symbol:
+            return symbol, number
+        value = right[symbol]
+        for _ in range(ROUNDS):
+            nudge = value * 1e-6 + 1e-9
+            here, beside = (self.single.of(expr, {**right, symbol: v}) for v in (value, value + nudge))
+            slope = (beside - here) / nudge
+            if not slope:
+                return None
+            step = (here - number) / slope
+            value -= step
+            if abs(step) <= 1e-9 * max(abs(value), 1e-30):
+                return symbol, value
+        return None
+
+
 class _Ready:
-    """A problem with its equations ready to be carried out."""
+    """A problem with its equations, made ready as they are needed."""
 
-    data: Carriable
-    replays: dict[str, Replay]
+    def __init__(self, data: Carriable) -> None:
+        self.data = data
+        self._parts: dict[str, _Part] = {}
 
-    def replay(self, case: str) -> Replay | None:
-        if case not in self.replays and case in self.data.equations:
-            self.replays[case] = Replay(self.data.equations[case])
-        return self.replays.get(case)
+    def part(self, case: str) -> _Part | None:
+        if case not in self._parts and case in self.data.equations:
+            self._parts[case] = _Part(self.data.equations[case])
+        return self._parts.get(case)
 
 
 class Carrier:
     """Carries own values through the problems of a set, by their names."""
 
     def __init__(self, problems: Mapping[str, Carriable]) -> None:
-        self.problems = {name: _Ready(data, {}) for name, data in problems.items()}
+        self.problems = {name: _Ready(data) for name, data in problems.items()}
 
     def for_variant(self, variant: int) -> CarriedHere:
         """For the submissions of one variant."""
@@ -83,48 +134,45 @@ class CarriedHere:
         problem = self.carrier.problems.get(task.problem)
         if problem is None:
             return None
-        return _carried(problem, problem.data.values.get(self.variant, {}), expected, task, own)
+        try:
+            return _carried(problem, self.variant, expected, task, own)
+        except NoNumber:
+            return None
 
 
 def _carried(
-    problem: _Ready,
-    values: Mapping[str, float],
-    expected: Expected,
-    task: Task,
-    own: Mapping[str, tuple[float, ...]],
+    problem: _Ready, variant: int, expected: Expected, task: Task, own: Mapping[str, tuple[float, ...]]
 ) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
     """The find with all own values that it rests on."""
     data = problem.data
     case = data.cases[expected.find]
-    replay = problem.replay(case)
-    if replay is None or expected.find not in replay.equations.asked:
+    part = problem.part(case)
+    if part is None or expected.find not in part.equations.asked:
         return None
-    equations = replay.equations
-    right = {e.find: e for e in task.expected}
-    behind = equations.rests_on(equations.asked[expected.find].parts)
-    inputs: dict[sp.Symbol, Numbers] = {
-        equations.inputs[n]: np.array([v]) for n, v in values.items() if n in equations.inputs
-    }
-    fixed: dict[sp.Symbol, Numbers] = {}
+    right_values = {e.find: e for e in task.expected}
+    inputs, right = part.start(variant, data.values.get(variant, {}))
+    inputs = dict(inputs)
+    fixed: Values = {}
     names: list[str] = []
+    behind = part.behind(expected.find)
     for name, typed in own.items():
-        if len(typed) != 1 or not _is_sane(typed[0], right[name].values[0]):
+        if len(typed) != 1 or not _is_sane(typed[0], right_values[name].values[0]):
             continue
         number = typed[0] * in_base(parse_unit(data.units[name]), data.us)
-        link = equations.inputs.get(f"{data.cases[name]}.{name}")
+        link = part.equations.inputs.get(f"{data.cases[name]}.{name}")
         if link is not None and link in behind:
-            inputs[link] = np.array([number])
+            inputs[link] = number
             names.append(name)
-        elif data.cases[name] == case and (unknown := _unknown_of(replay, name, number, inputs)) is not None:
+        elif data.cases[name] == case and (unknown := part.unknown_of(name, number, right)) is not None:
             symbol, value = unknown
             if symbol in behind:
-                fixed[symbol] = np.array([value])
+                fixed[symbol] = value
                 names.append(name)
     if not names:
         return None
-    run = replay.run(inputs, fixed=fixed)
+    values = part.single.run(inputs, fixed, right)
     factor = in_base(parse_unit(data.units[expected.find]), data.us)
-    numbers = tuple(float(n[0]) / factor for n in run.asked(expected.find))
+    numbers = tuple(part.single.of(e, values) / factor for e in part.equations.asked[expected.find].parts)
     fit = all(math.isfinite(n) for n in numbers) and any(numbers)
     return (numbers, tuple(names)) if fit else None
 
@@ -132,37 +180,6 @@ def _carried(
 def _is_sane(value: float, due: float) -> bool:
     """Zero, or a value of quite another size, may make anything come out."""
     return bool(value) and bool(due) and 1 / FAR < abs(value / due) < FAR
-
-
-def _unknown_of(
-    replay: Replay, find: str, number: float, inputs: Mapping[sp.Symbol, Numbers]
-) -> tuple[sp.Symbol, float] | None:
-    """The one unknown of which a find is made, with its value where the find has a number; None: there are more."""
-    asked = replay.equations.asked.get(find)
-    if asked is None or len(asked.parts) != 1:
-        return None
-    known = set(replay.equations.unknowns)
-    unknowns = [s for s in asked.parts[0].free_symbols if s in known]
-    if len(unknowns) != 1:
-        return None
-    (symbol,) = unknowns
-    value = float(replay.run(inputs).number(symbol)[0])
-    for _ in range(ROUNDS):
-        nudge = value * 1e-6 + 1e-9
-        here, beside = (_at(replay, asked.parts[0], symbol, v, inputs) for v in (value, value + nudge))
-        slope = (beside - here) / nudge
-        if not math.isfinite(slope) or not slope:
-            return None
-        step = (here - number) / slope
-        value -= step
-        if abs(step) <= 1e-9 * max(abs(value), 1e-30):
-            return symbol, value
-    return None
-
-
-def _at(replay: Replay, expr: sp.Expr, symbol: sp.Symbol, value: float, inputs: Mapping[sp.Symbol, Numbers]) -> float:
-    run = replay.run(inputs, fixed={symbol: np.array([value])})
-    return float(run.of(expr)[0])
 
 
 def unpickled(carrying: Mapping[str, bytes]) -> dict[str, Carriable]:

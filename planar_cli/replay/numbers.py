@@ -21,8 +21,8 @@ CLOSE = 1e-13
 """A change by less, in parts of an unknown, is the last."""
 
 
-def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> Callable[..., list[Any]]:
-    """A function of the numbers of `names` that gives those of all expressions.
+def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol], numbers: str = "numpy") -> Callable[..., list[Any]]:
+    """A function of the numbers of `names` that gives those of all expressions; `numbers`: numpy's, or those of math.
 
     Only symbols of ours get into the text that is compiled: no name of a file does.
     """
@@ -32,12 +32,12 @@ def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> Callable[.
     assert not loose, f"{loose} have no numbers"
     ours = {s: sp.Symbol(f"q{i}", real=True) for i, s in enumerate(names)}
     made: Callable[..., list[Any]] = sp.lambdify(
-        [ours[s] for s in names], [e.xreplace(ours) for e in exprs], modules="numpy", cse=True, docstring_limit=0
+        [ours[s] for s in names], [e.xreplace(ours) for e in exprs], modules=numbers, cse=True, docstring_limit=0
     )
     return made
 
 
-class _Solver:
+class Solver:
     """One step: its residuals and their slopes. `needs`: what they rest on beside its unknowns."""
 
     def __init__(self, step: Step, equations: Equations) -> None:
@@ -47,7 +47,8 @@ class _Solver:
         self.needs = tuple(sorted(inside - set(step.unknowns), key=lambda s: s.name))
         slopes = [sp.diff(r, u) for r in residuals for u in step.unknowns]
         self.linear = all(not s.free_symbols & set(step.unknowns) for s in slopes)
-        self._call = compiled([*residuals, *slopes], [*self.needs, *step.unknowns])
+        self.exprs = [*residuals, *slopes]
+        self._call = compiled(self.exprs, [*self.needs, *step.unknowns])
 
     def __call__(self, known: Sequence[Numbers], start: Numbers) -> Numbers:
         """The unknowns, one row each, from a start; NaN where none are found."""
@@ -87,9 +88,10 @@ class Replay:
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
-        self._solvers = [_Solver(step, equations) for step in equations.steps]
+        self._solvers = [Solver(step, equations) for step in equations.steps]
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
-        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], _Solver] = {}
+        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], Solver] = {}
+        self._for_fixed: dict[frozenset[sp.Symbol], list[Solver]] = {}
 
     def run(
         self,
@@ -119,6 +121,17 @@ class Replay:
             from_here = {u: run.values[u] for u in self.equations.unknowns}
         return run
 
+    def solvers(self, fixed: frozenset[sp.Symbol]) -> list[Solver]:
+        """What solves the steps where some unknowns are fixed."""
+        if fixed not in self._for_fixed:
+            found = []
+            for k, whole in enumerate(self._solvers):
+                left = [u for u in whole.unknowns if u not in fixed]
+                if left:
+                    found.append(whole if len(left) == len(whole.unknowns) else self._without(k, fixed))
+            self._for_fixed[fixed] = found
+        return self._for_fixed[fixed]
+
     def _all_linear(self) -> bool:
         return all(s.linear for s in self._solvers)
 
@@ -131,17 +144,14 @@ class Replay:
         rounding: Rounding | None,
     ) -> Run:
         run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, rounding)
-        for k, whole in enumerate(self._solvers):
-            if all(u in fixed for u in whole.unknowns):
-                continue
-            solver = self._without(k, frozenset(fixed)) if any(u in fixed for u in whole.unknowns) else whole
+        for solver in self.solvers(frozenset(fixed)):
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([start[u] for u in solver.unknowns]))
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
                 run.values.setdefault(unknown, numbers if rounding is None else rounding(numbers))
         return run
 
-    def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> _Solver:
+    def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> Solver:
         """A step in which some unknowns are fixed: with as many of its equations as unknowns are left, those that fix
         them best where the solution lies.
         """
@@ -149,7 +159,7 @@ class Replay:
         left = tuple(u for u in step.unknowns if u not in fixed)
         key = (k, left)
         if key not in self._reduced:
-            self._reduced[key] = _Solver(self._best(step, left), self.equations)
+            self._reduced[key] = Solver(self._best(step, left), self.equations)
         return self._reduced[key]
 
     def _best(self, step: Step, left: tuple[sp.Symbol, ...]) -> Step:
