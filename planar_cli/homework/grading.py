@@ -38,18 +38,46 @@ Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[
 """What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
 
 
-def grade(submission: Submission, papers: Mapping[int, Paper], rules: Rules, carry: Carry | None = None) -> Result:
-    """All finds of the paper that the student had, in its order."""
+class Remembered:
+    """What was graded before: in a class many type the same. It holds so many answers at most."""
+
+    def __init__(self, most: int = 20_000) -> None:
+        self.most = most
+        self._known: dict[tuple[int, str, str, str], tuple[Graded, tuple[float, ...] | None]] = {}
+
+    def graded(
+        self, variant: int, task: Task, expected: Expected, text: str | None, rules: Rules
+    ) -> tuple[Graded, tuple[float, ...] | None]:
+        """One find, and the student's numbers in the unit of the find, where there are any."""
+        key = variant, task.problem, expected.find, text or ""
+        found = self._known.get(key)
+        if found is None:
+            found = _graded(task, expected, text, rules)
+            if len(self._known) < self.most and len(key[3]) <= LONGEST_SHOWN:
+                self._known[key] = found
+        return found
+
+
+def grade(
+    submission: Submission,
+    papers: Mapping[int, Paper],
+    rules: Rules,
+    carry: Carry | None = None,
+    remembered: Remembered | None = None,
+) -> Result:
+    """All finds of the paper that the student had, in its order. `remembered`: of the same papers and rules."""
     paper = papers.get(submission.variant)
     if paper is None:
         why = f"there is no variant {submission.variant}"
         return Result(submission.student, submission.variant, (), submission.source, (*submission.wrong, why))
+    known = remembered or Remembered(0)
     answers = {(problem, find): text for problem, find, text in submission.answers}
     graded: list[Graded] = []
     for task in paper.tasks:
         own: dict[str, tuple[float, ...]] = {}
         for expected in task.expected:
-            one, values = _graded(task, expected, answers.pop((task.problem, expected.find), None), rules)
+            text = answers.pop((task.problem, expected.find), None)
+            one, values = known.graded(paper.variant, task, expected, text, rules)
             if one.verdict == WRONG and carry is not None and own and values is not None:
                 one = _carried(task, expected, one, values, own, rules, carry)
             if values is not None and one.verdict == WRONG:

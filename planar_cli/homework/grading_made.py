@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from planar_cli.homework.grading import Carry, grade
+from planar_cli.homework.grading import Carry, Remembered, grade
 from planar_cli.homework.paper import Expected, Paper, Result, Submission, Task
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
@@ -31,6 +31,7 @@ class _Grade:
     def __init__(self, made: MakeGrade) -> None:
         self.made = made
         self._carrier: Callable[[int], Carry] | None = None
+        self._remembered = Remembered()
 
     def __call__(self, submission: Submission) -> Result:
         made = self.made
@@ -41,7 +42,7 @@ class _Grade:
         variant = submission.variant if own is None else own
         handed = replace(submission, variant=variant)
         carry = _Lazily(self, variant) if made.rules.carried else None
-        return grade(handed, made.papers, made.rules, carry)
+        return grade(handed, made.papers, made.rules, carry, self._remembered)
 
     def carrier(self, variant: int) -> Carry:
         """Carrying needs SymPy and NumPy: only a wrong answer behind a wrong answer imports them."""

@@ -30,7 +30,7 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
 
 
 def _same(due: Sequence[float], values: Sequence[float], figures: Sequence[int]) -> bool:
-    if len(due) != len(values):
+    if len(due) != len(values) or (len(values) == 1 and abs(due[0] - values[0]) > WIDEST * abs(values[0])):
         return False
     size = math.hypot(*values)
     return bool(size) and all(_close(a, b, f, size) for a, b, f in zip(due, values, figures, strict=False))
