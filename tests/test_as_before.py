@@ -5,7 +5,11 @@ from __future__ import annotations
 import re
 
 import pytest
+import sympy as sp
 from worked import page_of_file
+
+from planar_cli.report.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.told_before import defined_once
 
 
 @pytest.mark.parametrize(
@@ -36,3 +40,14 @@ def test_a_moment_of_inertia_is_defined_once(stem: str) -> None:
     defined = re.findall(r"moment of inertia of \w+:", page)
     assert defined
     assert len(defined) == len(set(defined))
+
+
+def test_what_has_no_number_is_told_once_in_a_step() -> None:
+    """T_1 = 0 of the first balance is that of the second."""
+    assert page_of_file("slider-crank-with-a-spring").count(" T_1 = 0 ") == 1
+
+
+def test_what_stands_alone_under_its_heading_stays() -> None:
+    law = Equation((Math(sp.Symbol("a")), Math(sp.Symbol("g"))))
+    blocks = [Paragraph(line("For x:")), law, Paragraph(line("For y:")), law, Paragraph(line("Hence:"))]
+    assert list(defined_once(blocks)) == blocks

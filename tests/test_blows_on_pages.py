@@ -103,7 +103,7 @@ def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
     ("wheel-over-a-kerb", "ω_2 = (I_G ω_1 - m v_0 (R - h))/I_K = (0.45 (-5) - 10 · 1.5 (0.3 - 0.06))/1.35 = -4.333"),
     ("flywheels-coupled", "(1) ↺ H_O: I_A ω_A,1 + I_B ω_B,1 = (I_A + I_B) ω_A,2"),
     ("pendulum-set-swinging", "(4) ↺ H_A: J AS = I_A ω_2 AS = 0.6 m (4): J = I_A ω_2/AS = 6.336 · 4.755 / 0.6 = 50.2"),
-    ("free-bar-struck-at-its-end", "(1) ↺ H_G,bar: 1/2 S l = I ω_2"),
+    ("free-bar-struck-at-its-end", "(1) ↺ H_G: 1/2 S l = I ω_2"),
     ("dumbbell-hit-by-a-ball", "(1) → m_C v_0 = m_C v_Cx,2 + m_dumbbell v_G,dumbbell,x,2"),
     ("weight-on-a-heavy-pulley-that-lands", "= I_pulley ω_3 ↺"),
 ])  # fmt: skip

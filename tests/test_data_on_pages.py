@@ -59,7 +59,7 @@ def test_a_letter_that_is_sought_stands_on_the_right() -> None:
 
 def test_what_a_wheel_carries_moves_with_it() -> None:
     page = page_of_file("roller-with-a-drag-bar")
-    assert "bar moves with roller, which rolls: a_bar = -R α_roller" in page
+    assert "bar moves with roller, which rolls: a_G,bar = -R α_roller" in page
 
 
 def test_what_holds_at_a_state_is_told_in_sentences() -> None:

@@ -85,7 +85,7 @@ def test_a_force_is_told_by_the_acceleration_that_is_known(stem: str, line: str)
     ("connecting-rod-on-a-knife-edge", "δ̈ + g δ (l - a) / (k_G² + (l - a)²) = 0"),
     ("connecting-rod-on-a-knife-edge", "I_B = m (l - a)² + I_G"),
     ("connecting-rod-on-a-knife-edge", "↺ ΣM_B: m g (l - a) sin θ = I_B α"),
-    ("beam-on-two-ropes", "m g (l/2 - c) - T_rope,A (l - c) = 0"),
+    ("beam-on-two-ropes", "m g (l/2 - c) - T_A (l - c) = 0"),
     ("block-between-two-springs", "f = ω_0/(2 π) = 15.81/(2 π) = 2.516 Hz"),
 ])  # fmt: skip
 def test_differences_are_positive_and_squares_are_squares(stem: str, line: str) -> None:

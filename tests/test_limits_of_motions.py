@@ -7,6 +7,7 @@ from math import log, sqrt, tanh
 import pytest
 from answered import first, solve
 
+from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -122,3 +123,24 @@ def test_a_speed_that_is_approached_is_not_given() -> None:
     page = Terminal().render(narrate(solve_problem(problem)))
     assert "At end the speed no longer changes" in page
     assert "end: given" not in page
+
+
+SINKS = """
+title: Ball of a given final speed
+plane: vertical
+symbols: {v_t: m/s, m: kg}
+unknowns: {k: kg/s}
+bodies: {ball: {particle: [0, 0], mass: m}}
+states:
+  let_go: [t = 0, at rest]
+  fast: [v(ball).mag = 0.9*v_t]
+  end: [t = infinity, v(ball).mag = v_t]
+find: {k: k, t: t @ fast}
+"""
+
+
+def test_a_constant_that_nothing_has_is_told() -> None:
+    """Without resistance no coefficient can be found, and the ball has no final speed."""
+    with pytest.raises(NoSolution) as told:
+        solve(SINKS)
+    assert {d.code for d in told.value.diagnostics} == {"PL623"}

@@ -64,3 +64,9 @@ def test_the_end_of_a_stream_has_a_time() -> None:
     (why,) = raised.value.diagnostics
     assert why.code == "PL468"
     assert why.message == "the stream on rocket ends in state 2, and the file does not tell when"
+
+
+def test_a_stream_until_a_state_that_is_not_there() -> None:
+    with pytest.raises(FileProblem) as told:
+        solve(ROCKET.replace("  2: [END]\n", "").replace(", m_2: mass(rocket) @ 2", ""))
+    assert {d.code for d in told.value.diagnostics} == {"PL405"}

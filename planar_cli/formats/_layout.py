@@ -64,7 +64,9 @@ def spans(line: Line) -> list[Span]:
         for i, part in enumerate(line)
         for span in _spans(part)
     ]
-    made = [(is_text, _factors(span) if is_text else span) for is_text, span in made]
+    plain = [False, *(not is_text or _IN_FORMULA.fullmatch(span.text) is not None for is_text, span in made), False]
+    inside = [one and other for one, other in zip(plain, plain[2:], strict=False)]
+    made = [(t, _factors(span) if t and held else span) for (t, span), held in zip(made, inside, strict=True)]
     whole = "".join(span.text for _, span in made).translate(_INNER_SPACES)
     if not re.search(r"[-+=/·] |[\w′√][(\[]|\[", whole):
         return [span for _, span in made]
@@ -76,9 +78,12 @@ def spans(line: Line) -> list[Span]:
     return found
 
 
+_IN_FORMULA = re.compile(r"[ π²³⁴/\d]+")
+
+
 def _factors(between: Span) -> Span:
     """Text that only stands between factors, as a space or π, gives way as a formula does."""
-    if not re.fullmatch(r" [ π²³⁴]*|[ π²³⁴/]* ", between.text):
+    if not _IN_FORMULA.fullmatch(between.text):
         return between
     return Span(between.text.replace(" ", BETWEEN_FACTORS), between.style)
 

@@ -19,7 +19,7 @@ def flows_are_dated(scope: Scope) -> Iterator[Diagnostic]:
     order = [s.name for s in as_listed(problem.states)]
     for body, span in spans.items():
         for state, verb in zip(span, ("begins", "ends"), strict=True):
-            if state not in (order[0], order[-1]) and time_of(problem, state) is None:
+            if state in order[1:-1] and time_of(problem, state) is None:
                 text = f"the stream on {body} {verb} in state {state}, and the file does not tell when"
                 mark = next(b.mark for b in problem.bodies if b.name == body)
                 yield Diagnostic(mark, "PL468", text, f"give state {state} a time, `{state}: [t = 20 s]`")

@@ -72,8 +72,12 @@ def while_flowing(problem: Problem) -> Problem:
 
 
 def time_of(problem: Problem, name: str) -> Side | None:
-    """The time that the file gives a state; of the first one zero, unless it says otherwise. None: none is given."""
-    state = next(s for s in problem.states if s.name == name)
+    """The time that the file gives a state; of the first one zero, unless it says otherwise. None: none is given, or
+    the file has no such state, which is told elsewhere.
+    """
+    state = next((s for s in problem.states if s.name == name), None)
+    if state is None:
+        return None
     for r in state.relations:
         if isinstance(r, Relation) and r.operator == "=":
             for one, other in ((r.left, r.right), (r.right, r.left)):

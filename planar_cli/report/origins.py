@@ -64,7 +64,7 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     if e.kind == "handed" and e.stop:
         # Its velocity or place there in other letters, from which the next part of the motion starts.
         return line(at(e.stop))
-    if e.kind == "link" and e.since and (told := changes(e)):
+    if e.kind == "link" and e.words.endswith(" follows") and (told := changes(e)):
         return line(f"From {e.since} to {e.stop}, by the kinematics, ", *told, ":")
     words = kept(e.words) if e.kind == "loop" else e.words
     words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""

@@ -1,7 +1,6 @@
-"""The size and the direction of a vector that an answer gives by its components, each with its line.
+"""The size and the direction of a vector that an answer gives by its components, with formula and numbers.
 
-|a_B| = √(0.2282² + 0.1704²) = 0.2848 m/s²
-direction of a_B = arctan(0.1704/0.2282) = 36.7°      below -x
+|a_B| = √(0.2282² + 0.1704²) = 0.2848 m/s²     direction of a_B = arctan(0.1704/0.2282) = 36.7° below -x
 """
 
 from __future__ import annotations
@@ -57,12 +56,14 @@ def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block], called
     own = line("|", name, "|")
     if called != found.name:
         yield Equation((line(Name(found.name)), line(name)))
-    if not any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
-        yield Equation((own, Math(root, texts), size))
     steep = Value(Decimal(math.degrees(math.atan(abs(y) / abs(x)))), "deg", OF_ANGLES)
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
-    yield Equation((line("direction of ", name), quotient, steep), None, note=line(where))
+    if any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
+        yield Equation((line("direction of ", name), quotient, steep), None, note=line(where))
+    else:
+        beside = line("direction of ", name, " = ", quotient, " = ", steep, f" {where}")
+        yield Equation((own, Math(root, texts), size), None, note=beside)
 
 
 def _components(told: Sequence[Block], found: Found, phrases: Phrases) -> tuple[int, str]:

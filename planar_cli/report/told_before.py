@@ -21,14 +21,27 @@ NAMES = {"Kinematic analysis": "kinematics", KINETICS: "equations", EQUILIBRIUM:
 
 
 def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:
-    """The blocks of a part; a moment of inertia, or the force of a spring, is defined where it first occurs."""
+    """The blocks of a part; a moment of inertia, or the force of a spring, is defined where it first occurs, and in a
+    step what has no number is told once.
+    """
     said: set[str] = set()
-    for block in blocks:
-        if not isinstance(block, Equation) or not _defines(block):
-            yield block
-        elif (key := "".join(map(_written, pieces_of((block.lead, block.sides))))) not in said:
-            said.add(key)
-            yield block
+    step: set[str] = set()
+    kept: Block | None = None
+    every = list(blocks)
+    for i, block in enumerate(every):
+        step = set() if isinstance(block, Heading) else step
+        if isinstance(block, Equation) and block.number is None:
+            key = "".join(map(_written, pieces_of((block.lead, block.sides))))
+            follows = every[i + 1] if i + 1 < len(every) else None
+            # T_1 = 0 of a second balance is known; what stands alone under its heading stays.
+            if key in said or (
+                key in step and isinstance(kept, Equation | Paragraph) and isinstance(follows, Equation)
+            ):
+                continue
+            step.add(key)
+            said |= {key} if _defines(block) else set()
+        kept = block
+        yield block
 
 
 def _defines(equation: Equation) -> bool:

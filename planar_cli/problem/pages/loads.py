@@ -31,6 +31,11 @@ use `t` and quantities:
     magnitude: 10 N/s * t
     magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}
 
+What keeps a motion going that `motion` prescribes need not be written. A load of unknown size that acts along it is
+taken for it, also on a body without mass: with `unknowns: {S: N}` and `a(A).x = 3 m/s^2` under `motion`, the S of
+`force: {body: slider, magnitude: S, angle: 0 deg}` is the force that this takes, and nothing else drives. So S = 0
+where nothing resists.
+
 A mass may vary too, `mass: M - q*t` or `mass: rho*y(end)`, and its moment of inertia with it: see `planar explain
 stream`. `planar explain force` (torque, spring, …) prints the page of each, and `planar explain motion` says how
 motions under loads that vary are integrated.

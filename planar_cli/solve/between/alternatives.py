@@ -221,5 +221,6 @@ def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> t
     if not others:
         return ()
     values, ledger = others[-1].branch.values, course.ledger
-    names = [f"{s.name} = {in_unit(values[s], ledger.units[s], ledger.us)}" for s in course.sought()]
-    return (f"other roots, as {', '.join(names)}, {why}",)
+    told = [s for s in course.sought() if s in values]
+    names = [f"{s.name} = {in_unit(values[s], ledger.units[s], ledger.us)}" for s in told]
+    return (f"other roots, as {', '.join(names)}, {why}",) if names else ()

@@ -8,11 +8,11 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
-from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer
-from planar_cli.problem.facts import Joining, Path, Test
+from planar_cli.problem.facts import Test
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import TINY, Trial
+from planar_cli.solve.instant.parting import parting
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.worked import unknowns_of
 
@@ -81,23 +81,11 @@ def _tested(trial: Trial, test: Test) -> sp.Expr | None:
     system, outcome = trial.system, trial.outcomes[0]
     if test.pushes and all(n in system.symbols and outcome.push(n) is not None for n, _ in test.pushes):
         return sp.Add(*(c * system.symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
-    if test.joining is not None and test.joining.path is not None and system.motion is not None:
-        return test.sense * _parting(system.motion, test.joining, test.joining.path)
+    if system.motion is not None and (apart := parting(system.motion, test)) is not None:
+        return apart
     if test.row is None or system.motion is None or abs(outcome.assembly.row_speed(test.row)) > TINY:
         return None
     return test.sense * system.motion.row_acceleration(test.row)
-
-
-def _parting(motion: Motion, joining: Joining, path: Path) -> sp.Expr:
-    """The acceleration with which the mover leaves the path, along its left normal."""
-    point, mover, base = joining.point, joining.mover, joining.base
-    gap = motion.velocity(point, mover) - motion.velocity(point, base)
-    speed = (gap if joining.drift is None else gap - joining.drift).dot(path.tangent)
-    bend = path.curvature * speed**2 + 2 * motion.velocities[base].angular * speed
-    normal = path.tangent.turned()
-    pace = 0 if joining.pace is None else joining.pace.dot(normal)
-    apart = motion.acceleration(point, mover) - motion.acceleration(point, base)
-    return sp.sympify(apart.dot(normal) - bend - pace)
 
 
 def without_factors(scene: Any, expr: sp.Expr) -> sp.Expr:

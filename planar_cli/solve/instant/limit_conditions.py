@@ -36,6 +36,12 @@ def limit_of(test: Test, values: dict[str, sp.Expr]) -> Condition:
     return Condition("limit", words, sp.sympify(residual))
 
 
+def only_just_apart(test: Test, parting: sp.Expr) -> Condition:
+    """What has lifted off, and only just leaves its path. `parting`: the acceleration with which it does [m/s²]."""
+    words = test.words.replace("does not press into its partner", "only just leaves its partner")
+    return Condition("limit", f"at the limit: {words}", parting)
+
+
 def stated_limits(statements: Statements, read: Callable[[Side], sp.Expr]) -> Iterator[Condition]:
     """Inequalities of the file that allow their sides to be equal, where they are: of something that is to be largest
     they may be all that bounds it.

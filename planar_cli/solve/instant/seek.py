@@ -157,6 +157,12 @@ def _better(one: Sought, other: Sought, sense: int) -> bool:
     return sense * (a - b) > CLOSE * max(abs(a), abs(b))
 
 
+def _is_opposite(one: Sought, other: Sought) -> bool:
+    """Is the objective of one choice positive, and that of the other the same with a minus?"""
+    a, b = one.objective or Decimal(0), other.objective or Decimal(0)
+    return a > 0 and abs(a + b) <= CLOSE * a
+
+
 def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], objections: list[str]) -> Diagnostic:
     """Why nothing was found, by the first choice of modes whose velocities fit."""
     seekers = (Seeker(instant, c) for c in itertools.islice(instant.choices(), MOST_CHOICES))
@@ -212,7 +218,7 @@ def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) ->
     quantities = seeker.system.quantities()
     side = quantities.evaluator.value(extremes[0].side)
     targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
-    limits = seeker.told_limits(targets)
+    limits, beyond = seeker.told_limits(targets), list[Sought]()
     for count in range(1, MOST_LIMITS + 1):
         for chosen in itertools.combinations(limits, count):
             for sought in seeker.branches(targets, chosen):
@@ -221,10 +227,15 @@ def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) ->
                     if sought.trial.outcomes
                     else None
                 )
-                sought.objection = sought.objection or not_bounded(seeker, sought, side, extremes[0])
+                if not sought.objection and (unbounded := not_bounded(seeker, sought, side, extremes[0])):
+                    sought.objection = unbounded
+                    beyond.append(sought)
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break
+    if seeker.departures():
+        # Of the same motion in opposite ways the positive one counts, and may go on where the other ends.
+        held = [s for s in held if not any(_is_opposite(b, s) for b in beyond)]
     if len(limits) == len(seeker.limit_conditions()):
         held += stationary_branches(seeker, targets, side, rejected)
     if not held:

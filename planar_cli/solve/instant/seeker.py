@@ -29,10 +29,11 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.branches import Branch, Brancher
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
-from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of, stated_limits
+from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of, only_just_apart, stated_limits
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.one_way import along_paths
+from planar_cli.solve.instant.parting import parting
 from planar_cli.solve.instant.plan import Block, Plan, Planner
 from planar_cli.solve.instant.stages import MOST, acceleration_unknowns, with_zeros
 from planar_cli.solve.instant.study import solve_velocities, with_pushes
@@ -317,9 +318,19 @@ class Seeker:
         values = {p.name: e for p, e in self.system.reactions.pushes}
         tests = [test for mode in self.system.modes.values() for test in mode.tests]
         found = [limit_of(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
+        found += self.departures()
         evaluator = self.system.quantities().evaluator
         found += stated_limits(self.instant.statements, lambda side: sp.sympify(evaluator.value(side)))
         return [*found, *least_sizes(self.instant.statements.extremes, self.scene.problem, self.ledger.sought)]
+
+    def departures(self) -> list[Condition]:
+        """What the file lets lift off, where it only just does so."""
+        apart = {joint for joint, mode in self.instant.statements.modes if mode == "apart"}
+        if not apart or not self.instant.statements.extremes or self.system.motion is None:
+            return []
+        tests = [test for name, mode in self.system.modes.items() if name in apart for test in mode.tests]
+        leaving = [(t, parting(self.system.motion, t)) for t in tests if not t.strict]
+        return [only_just_apart(t, expr) for t, expr in leaving if expr is not None and expr.free_symbols]
 
     def told_limits(self, targets: set[sp.Symbol]) -> list[Condition]:
         """Those of forces that the equations at hand speak of: from others, such as ideal reactions in Lagrange's
