@@ -72,7 +72,7 @@ def spans(line: Line) -> list[Span]:
         return [span for _, span in made]
     kept, begin, found = _brackets(whole), 0, list[Span]()
     for is_text, span in made:
-        text = _held(span.text, whole, begin, kept) if is_text else span.text
+        text = _held(span.text, whole, begin, kept) if is_text else _component(span.text, kept[begin : begin + 1])
         found.append(Span(text, span.style))
         begin += len(span.text)
     return found
@@ -88,13 +88,20 @@ def _factors(between: Span) -> Span:
     return Span(between.text.replace(" ", BETWEEN_FACTORS), between.style)
 
 
+def _component(formula: str, depth: list[int]) -> str:
+    """A formula; one that is a component of a vector breaks less readily than the vector at its comma."""
+    return formula.replace(BETWEEN_FACTORS, FIRM).replace(BEFORE_OPERATOR, IN_BRACKETS) if depth == [3] else formula
+
+
 def _brackets(whole: str) -> list[int]:
-    """By place: 0 outside brackets, 1 in those about words, 2 in those of a formula, f(x), T(0, R + r) or [1, 2]."""
+    """By place: 0 outside brackets, 1 in those about words, 2 in those of a formula, f(x) or T(0, R + r), 3 in those of
+    a vector, [1, 2].
+    """
     depth, opened = [], list[int]()
     for place, character in enumerate(whole):
         if character in "([":
             formula = character == "[" or re.match(r"[\w′√]", whole[place - 1 : place]) is not None
-            opened.append(2 if formula or 2 in opened else 1)
+            opened.append(3 if character == "[" else 2 if formula or max(opened, default=0) > 1 else 1)
         elif character in ")]" and opened:
             opened.pop()
         depth.append(max(opened, default=0))
@@ -108,6 +115,8 @@ def _held(text: str, whole: str, begin: int, depth: list[int]) -> str:
 
 def _between(whole: str, place: int, depth: int) -> str:
     """A space of words, by what stands around it."""
+    if depth == 3 and whole.startswith(",", place - 1):
+        return BEFORE_OPERATOR
     if depth > 1 or (depth and re.match(r"[-+/·] ", whole[place + 1 : place + 3])):
         return IN_BRACKETS
     if re.match(r" [-+=/·]$", whole[place - 2 : place]):

@@ -212,7 +212,8 @@ class Terminal(Format[Row]):
         return self._labelled(words(run[0].kind), [spans(n.line) for n in run])
 
     def _labelled(self, label: str, lines: list[list[Span]]) -> list[Row]:
-        head = [Span(label.ljust(_LABEL) + " " * _GAP, "label")]
+        # One gap less is wide enough behind a longer label: what is told begins in one column on the whole page.
+        head = [Span(label.ljust(_LABEL + _GAP - 1) + " ", "label")]
         hang = row_cells(head)
         if hang > self.width // 2:
             hang = _BODY

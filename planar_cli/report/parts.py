@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.scene import Scene
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -52,7 +52,8 @@ def _centre(axis: str, body: str, scene: Scene, phrases: Phrases) -> tuple[Line 
         return sp.Mul(sp.Add(*terms, evaluate=False), 1 / s[0], evaluate=False)
 
     sizes = [_size(model.mass, MASS, phrases), *(n for pair in pairs for n in pair)]
-    return line(f"Σ m {axis}/m"), _numbers(sizes, worked, told, phrases)
+    total = line("Σ ", Name("m_i"), " ", Name(f"{axis}_i"), "/", Name("m"))
+    return total, _numbers(sizes, worked, told, phrases)
 
 
 def _arm(number: int, body: str, scene: Scene, phrases: Phrases) -> tuple[Line | Math, ...]:

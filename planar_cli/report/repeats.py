@@ -5,7 +5,7 @@ numbers of equations, only that it is as before; of a diagram from which forces 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -59,13 +59,21 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         if run and isinstance(heading, Heading) and heading in before:
             found[-1] = _headed(heading, run, told)
             start = stop
-        elif run and told and (len(run) >= LEAST or all(_defines(b) for b in run)):
+        elif run and told and ((len(run) >= LEAST and _alike(run, printed)) or all(_defines(b) for b in run)):
             found.append(Paragraph(line("As before: ", told, ".")))
             start = stop
         else:
             found += drawn[start : max(stop, start + 1)]
             start = max(stop, start + 1)
     return found
+
+
+def _alike(run: Sequence[Block], printed: _Printed) -> bool:
+    """Have its equations the same numbers there? Else a reader would have to look each of them up; of a whole step it
+    is worth that.
+    """
+    numbers = [(b.number, printed.number(b)) for b in run if isinstance(b, Equation) and b.number is not None]
+    return all(here == there for here, there in numbers)
 
 
 class _Printed:
@@ -78,7 +86,7 @@ class _Printed:
         self.said = {_told(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
         self.numbered = {b.number: _told(b) for b in before if isinstance(b, Equation) and b.number is not None}
         self._numbers = {said: number for number, said in self.numbered.items()}
-        self.places = _places(before)
+        self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
 
     def knows(self, block: Block) -> bool:
@@ -176,7 +184,7 @@ def _as_before(run: Sequence[Block], printed: _Printed) -> Line:
     told: list[Line] = [line("the diagram")] if any(isinstance(b, Forces) for b in run) else []
     if equations:
         shifted = _shifted(equations, printed)
-        told.append(line("; ".join(_ranges(run, printed.places) for run in shifted)))
+        told.append(line("; ".join(_ranges(run, printed) for run in shifted)))
     else:
         told += [valued for b in run if (valued := _valued(b))]
     last = " and " if equations else ", "
@@ -195,23 +203,27 @@ def _shifted(equations: Sequence[Equation], printed: _Printed) -> list[list[tupl
     return runs
 
 
-def _ranges(run: Sequence[tuple[int, int]], places: Mapping[int, str]) -> str:
-    """(1) to (3); of equations that had other numbers there, (6) to (8), that is (5) to (7) of case root."""
+def _ranges(run: Sequence[tuple[int, int]], printed: _Printed) -> str:
+    """(1) to (3), of the case before; (1) of case root, which stands further up; of equations that had other numbers
+    there, (6) to (8), that is (5) to (7) of case root.
+    """
     (first, old), (last, older) = run[0], run[-1]
-    own = _range(first, last)
-    return own if first == old else f"{own}, that is {_range(old, older)} {places[old]}"
+    own, place = _range(first, last), printed.places[old]
+    if first != old:
+        return f"{own}, that is {_range(old, older)} {place}"
+    return own if place == printed.last else f"{own} {place}"
 
 
-def _places(before: Sequence[Block]) -> dict[int, str]:
-    """In which case the last equation of each number stands."""
+def _places(before: Sequence[Block]) -> tuple[dict[int, str], str]:
+    """In which case the last equation of each number stands, and which case is the last."""
     found: dict[int, str] = {}
-    place = "above"
+    place = "of the first part"
     for block in before:
         if isinstance(block, Heading) and block.label == CASE:
             place = f"of case {block.text}"
         elif isinstance(block, Equation) and block.number is not None:
             found[block.number] = place
-    return found
+    return found, place
 
 
 def _valued(block: Block) -> Line:

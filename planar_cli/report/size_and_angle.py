@@ -22,6 +22,8 @@ from planar_cli.solve.solution import Found
 
 PLACES = ("IC", "r")
 """Of a place the answer gives its coordinates alone."""
+FRAME, ROW = 62, 92
+"""Characters of a row beside both names and numbers, and how many have room: else the direction has its own row."""
 OF_ANGLES = 3
 """Figures of a direction, as the answer has them."""
 
@@ -59,8 +61,12 @@ def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block], called
     steep = Value(Decimal(math.degrees(math.atan(abs(y) / abs(x)))), "deg", OF_ANGLES)
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
+    apart = Equation((line("direction of ", name), quotient, steep), None, note=line(where))
     if any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
-        yield Equation((line("direction of ", name), quotient, steep), None, note=line(where))
+        yield apart
+    elif 2 * (len(called) + sum(map(len, texts.values()))) + FRAME > ROW:
+        yield Equation((own, Math(root, texts), size), None)
+        yield apart
     else:
         beside = line("direction of ", name, " = ", quotient, " = ", steep, f" {where}")
         yield Equation((own, Math(root, texts), size), None, note=beside)

@@ -8,7 +8,7 @@ from dataclasses import field, replace
 from itertools import pairwise
 
 from planar_cli.records import changing, record
-from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Name, Paragraph, Text, line
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
@@ -34,14 +34,19 @@ def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:
             key = "".join(map(_written, pieces_of((block.lead, block.sides))))
             follows = every[i + 1] if i + 1 < len(every) else None
             # T_1 = 0 of a second balance is known; what stands alone under its heading stays.
-            if key in said or (
-                key in step and isinstance(kept, Equation | Paragraph) and isinstance(follows, Equation)
-            ):
+            again = key in step and not _is_work(block)
+            if key in said or (again and isinstance(kept, Equation | Paragraph) and isinstance(follows, Equation)):
                 continue
             step.add(key)
             said |= {key} if _defines(block) else set()
         kept = block
         yield block
+
+
+def _is_work(equation: Equation) -> bool:
+    """Is it the work of a force, without which the sum of a balance would not be seen?"""
+    left = equation.sides[0] if equation.sides else ()
+    return isinstance(left, tuple) and left[:1] == (Name("U"),)
 
 
 def _defines(equation: Equation) -> bool:

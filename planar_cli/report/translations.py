@@ -20,6 +20,17 @@ def translations(trial: Trial, zero: Collection[sp.Symbol], phrases: Phrases) ->
     for e in tree.edges:
         if e.spin is None or e.spin_rate is None or e.joining is None or e.body not in closed:
             continue
-        if e.spin_rate in zero and speeds.get(e.spin) == 0 and any(speeds.values()):
+        turns_not = e.spin_rate in zero and speeds.get(e.spin) == 0 and any(speeds.values())
+        if turns_not and not _rests(trial, e.body):
             letters = (phrases.math(e.spin), " = 0, ", phrases.math(e.spin_rate), " = 0")
             yield Paragraph(line(f"{begun(with_article(e.body))} translates: ", *letters))
+
+
+def _rests(trial: Trial, body: str) -> bool:
+    """Does the centre of a body that does not turn have no velocity?"""
+    motion = trial.system.motion
+    if motion is None or not trial.outcomes:
+        return False
+    value = trial.outcomes[0].value.extended(trial.velocities[0].values)
+    v = motion.velocity(trial.system.scene.center(body), body)
+    return bool(value.is_zero(v.x) and value.is_zero(v.y))

@@ -23,7 +23,7 @@ from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
 
 KIND = "orbit"
-CONIC = "the orbit is a conic section"
+CONIC = "the orbit is a conic section, 1/r = K/h² + C cos(φ - φ_0) with h = r² φ̇ and the attraction K m/r²"
 HALF = "half a revolution, by Kepler's third law"
 WHOLE = "one revolution, by Kepler's third law"
 ROUND = Decimal("1e-12")
