@@ -50,6 +50,15 @@ def test_sheets_and_key(form: str, tmp_path: Path, capfd: pytest.CaptureFixture[
     assert all((folders[0] / p).read_bytes() == (folders[1] / p).read_bytes() for p in first)
 
 
+def test_a_worked_key_as_html_has_no_raw_formulas(tmp_path: Path) -> None:
+    line = ["key", str(HOMEWORK / "three.yaml"), "--both", "--format", "html", "--variants", "1"]
+    assert run([*line, "-o", str(tmp_path)]) == 0
+    page = (tmp_path / "key.html").read_text()
+    assert "$$" not in page
+    assert "\\frac" not in page
+    assert page.count("<pre>") == 3
+
+
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()

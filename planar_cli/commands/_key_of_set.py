@@ -81,7 +81,7 @@ def _key(homework: Homework, variants: list[int], form: str, worked: bool, short
         return sheets.as_json(sheets.key_data(homework, variants))
     if form == "csv":
         return sheets.key_csv(homework, variants)
-    text = sheets.key(homework, variants, worked, short)
+    text = sheets.key(homework, variants, worked, short, formulas_set=form != "html")
     return sheets.as_html(text, homework.title) if form == "html" else text
 
 

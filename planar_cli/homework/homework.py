@@ -31,8 +31,8 @@ from planar_cli.solve.solved_problem import Solution
 from planar_cli.units import pretty_unit
 
 PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
-Page = Callable[[Solution], str]
-"""Writes a worked solution."""
+Page = Callable[[Solution], tuple[str, str]]
+"""Writes a worked solution, as Markdown and as plain text."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
@@ -104,10 +104,10 @@ def _task(
     values = {**_written_values(solved), **dict(draw.values)}
     text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
     given = tuple(f"{name} = {told(value)}" for name, value in values.items())
-    worked = ""
+    worked = "", ""
     if page is not None:
         worked = page(plainly_solved(solved.path, with_values(with_first_values(solved.node), dict(draw.values))))
-    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, worked)
+    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, *worked)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:

@@ -9,6 +9,7 @@ import csv
 import html
 import io
 import json
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from planar_cli.homework.paper import Expected, Paper, Task
@@ -22,7 +23,7 @@ MARKUP = str.maketrans({c: f"\\{c}" for c in "\\`*_{}[]<>#|~$"})
 STYLE = (
     "body{font:16px/1.5 Georgia,serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#111;background:#fff}"
     "table{border-collapse:collapse}td,th{border:1px solid #999;padding:.2rem .6rem;text-align:left}"
-    "pre{font-size:13px;overflow-x:auto}h2{margin-top:2rem}@media print{h2{break-after:avoid}}"
+    "pre{font-size:12px;overflow-x:auto}h2{margin-top:2rem}@media print{h2{break-after:avoid}}"
 )
 
 
@@ -46,8 +47,13 @@ def sheet(homework: Homework, variant: int) -> str:
     return "\n".join(lines)
 
 
-def key(homework: Homework, variants: Iterable[int], worked: bool, short: bool = True) -> str:
-    """The key of some variants in Markdown: the answers, the worked solutions, or both."""
+def key(
+    homework: Homework, variants: Iterable[int], worked: bool, short: bool = True, formulas_set: bool = True
+) -> str:
+    """The key of some variants in Markdown: the answers, the worked solutions, or both.
+
+    `formulas_set`: what shows it sets formulas; if not, the worked solutions are plain text.
+    """
     lines = [f"# {plain(homework.title)}: key", ""]
     for variant in variants:
         paper = homework.papers[variant]
@@ -56,7 +62,7 @@ def key(homework: Homework, variants: Iterable[int], worked: bool, short: bool =
         lines += list(_short(paper)) if short else []
         if worked:
             for task in paper.tasks:
-                lines += [_below(task.worked), ""]
+                lines += [_below(task.worked) if formulas_set else _as_it_is(task), ""]
     return "\n".join(lines)
 
 
@@ -73,6 +79,13 @@ def _short(paper: Paper) -> Iterable[str]:
 def _below(page: str) -> str:
     """A page with its headings two levels lower."""
     return "\n".join(f"##{line}" if line.startswith("#") else line for line in page.splitlines())
+
+
+def _as_it_is(task: Task) -> str:
+    """The worked solution as plain text, in a fence longer than any run of backticks in it."""
+    longest = max((len(run) for run in re.findall("`+", task.worked_text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"### {plain(task.title)}\n\n{fence}text\n{task.worked_text.rstrip()}\n{fence}"
 
 
 def _variant(paper: Paper) -> str:
