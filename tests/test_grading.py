@@ -11,6 +11,9 @@ from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Submiss
 from planar_cli.homework.rules import Rules
 
 FORCE = Expected("F", "", "number", (12.74,), "N", "12.74 N", 0.01, 100.0, axis="x")
+LEFTWARD = replace(FORCE, values=(-12.74,))
+NORMAL = replace(FORCE, axis="")
+GAP = Expected("s", "", "number", (209.4,), "mm", "209.4 mm", 0.01, 1000.0)
 TURN = Expected("w", "", "number", (-6.186,), "rad/s", "6.186 rad/s clockwise", 0.01, 1.0, rotation=True)
 ANGLE = Expected("p", "", "number", (170.0,), "deg", "170°", 0.01, 1.0, direction=True)
 VELOCITY = Expected("v", "", "vector", (3.0, -4.0), "m/s", "[3, -4] m/s", 0.01, 1.0)
@@ -37,6 +40,15 @@ def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:
         (FORCE, "12.74 N up", "wrong", "right", "right", "wrong"),
         (FORCE, "12.74 N cw", "ungradable", "", "", ""),
         (FORCE, "hm", "ungradable", "", "", ""),
+        (FORCE, "-12.74 N right", "wrong", "right", "right", "wrong"),
+        (LEFTWARD, "-12.74 N to the left", "right", "right", "right", "right"),
+        (LEFTWARD, "12.74 N at 180 deg", "right", "right", "right", "right"),
+        (NORMAL, "12.74 N upwards", "right", "right", "right", "right"),
+        (NORMAL, "12.74 N at 90 deg", "ungradable", "", "", ""),
+        (TURN, "-6.19 rad/s cw", "right", "right", "right", "right"),
+        (GAP, "0.2094", "ungradable", "", "missing", ""),
+        (GAP, "209.4", "ungradable", "", "missing", ""),
+        (GAP, "0.02094", "wrong", "wrong", "missing", ""),
         (FORCE, "", "missing", "", "", ""),
         (TURN, "6.19 rad/s cw", "right", "right", "right", "right"),
         (TURN, "-6.19 rad/s", "right", "right", "right", "right"),
@@ -55,6 +67,14 @@ def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:
 def test_verdicts(expected: Expected, text: str, verdict: str, value: str, unit: str, sign: str) -> None:
     one = graded(expected, text)
     assert (one.verdict, one.value, one.unit, one.sign) == (verdict, value, unit, sign)
+
+
+def test_how_an_answer_was_read_is_told_beside_its_verdict() -> None:
+    assert graded(NORMAL, "12.74 N upwards").message == "the direction in words is not graded here"
+    assert graded(NORMAL, "12.74 N down the slope").message == "not read: 'down the slope'"
+    assert graded(FORCE, "15 N down the slope").message == "the value is not right; not read: 'down the slope'"
+    assert "only a vector" in graded(NORMAL, "12.74 N at 90 deg").message
+    assert graded(GAP, "0.2094", Rules(no_unit=0.5)).score == 0.5
 
 
 def test_few_figures_are_told_and_cost_only_on_request() -> None:

@@ -156,9 +156,11 @@ def _of_numbers(
     """Value, unit, sign and precision apart."""
     unit, why = _unit_verdict(expected, answer.unit)
     values = in_unit_of_find(expected, answer)
-    sign = _sense_verdict(expected, answer, values)
-    fits = within(expected, values, rules)
-    turned = not fits and expected.kind == "number" and within(expected, tuple(-v for v in values), rules)
+    sign, ignored = _sense_verdict(expected, answer)
+    fits, turned = _fits_or_turned(expected, values, rules)
+    if unit == MISSING and not fits and not turned and (meant := _in_base_unit(expected, values, rules)) is not None:
+        values = meant
+        fits, turned = _fits_or_turned(expected, values, rules)
     value = RIGHT if fits or turned else WRONG
     if turned or (fits and sign == WRONG):
         sign = WRONG
@@ -166,18 +168,35 @@ def _of_numbers(
         sign = RIGHT
     else:
         sign = ""
+    notes = "; ".join((*answer.notes, *ignored))
     precision = _precision(values, answer, expected, rules) if value == RIGHT else ""
     if value == unit == sign == precision == RIGHT:
         # Most answers: nothing is to be said of them.
         score = blank.max_score
         return replace(
-            blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision
+            blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision, message=notes
         ), values
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
     one = _scored(one, rules, why)
     if one.verdict == WRONG and value == WRONG:
         one = named(one, expected, values, answer)
+    if notes:
+        one = replace(one, message="; ".join(filter(None, (one.message, notes))))
     return one, values
+
+
+def _fits_or_turned(expected: Expected, values: tuple[float, ...], rules: Rules) -> tuple[bool, bool]:
+    """Is it right, and if not, would it be with the other sign?"""
+    fits = within(expected, values, rules)
+    return fits, not fits and expected.kind == "number" and within(expected, tuple(-v for v in values), rules)
+
+
+def _in_base_unit(expected: Expected, values: tuple[float, ...], rules: Rules) -> tuple[float, ...] | None:
+    """Numbers without a unit that are right if they were meant in the SI unit, where the key has another; else None."""
+    due = parse_unit(expected.unit)
+    factor = float(due.factor) * math.pi**due.pi_power
+    meant = tuple(v / factor for v in values)
+    return meant if factor != 1 and any(_fits_or_turned(expected, meant, rules)) else None
 
 
 def _unit_verdict(expected: Expected, unit: Unit | None) -> tuple[str, str]:
@@ -200,7 +219,12 @@ def in_unit_of_find(expected: Expected, answer: Typed) -> tuple[float, ...]:
         factor = float(answer.unit.factor / due.factor) * math.pi**powers
     if answer.polar:
         size, angle = answer.values
-        return size * factor * math.cos(angle), size * factor * math.sin(angle)
+        x, y = size * factor * math.cos(angle), size * factor * math.sin(angle)
+        if expected.kind == "vector":
+            return x, y
+        if not expected.axis:
+            raise Unreadable("only a vector is written as magnitude and direction; here one number is asked")
+        return (x,) if expected.axis == "x" else (y,)
     values = tuple(v * factor for v in answer.values)
     if answer.sense and expected.rotation:
         return tuple(answer.sense * v for v in values)
@@ -209,17 +233,19 @@ def in_unit_of_find(expected: Expected, answer: Typed) -> tuple[float, ...]:
     return values
 
 
-def _sense_verdict(expected: Expected, answer: Typed, values: Sequence[float]) -> str:
-    """Of a sense or direction in words: Unreadable where the find has none of that kind."""
+def _sense_verdict(expected: Expected, answer: Typed) -> tuple[str, tuple[str, ...]]:
+    """Of a sense or direction in words, and what is said of one that was not looked at: a magnitude, such as a normal
+    force, has no direction to be wrong. Unreadable: a sense of rotation stands where nothing turns.
+    """
     if expected.kind != "number":
-        return ""
+        return "", ()
     if answer.sense and not expected.rotation:
         raise Unreadable("a sense of rotation stands behind what does not turn")
     if answer.way and expected.axis and answer.axis != expected.axis:
-        return WRONG
+        return WRONG, ()
     if answer.way and not expected.axis:
-        raise Unreadable("a direction in words stands behind what is no component along x or y; leave it out")
-    return ""
+        return "", ("the direction in words is not graded here",)
+    return "", ()
 
 
 def within(expected: Expected, values: Sequence[float], rules: Rules) -> bool:

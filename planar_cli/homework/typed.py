@@ -2,6 +2,7 @@
 
     12.5 N    1.25*10^1 N    12,5 N (where a comma is a decimal point)    25/2 N    5*sqrt(2) m/s
     6.2 rad/s cw    9.81 m/s^2 down    10 N at 30 deg    [3, -4] m/s    3i - 4j m/s    yes    m*g*sin(beta)
+    -9.4 1/s    250*cos(25°)/45 m/s^2    4 m/s (to the left)    4 m/s down the slope (words behind a unit are not read)
 
 Whatever cannot be read raises Unreadable with a sentence to the student. Nothing typed is ever executed.
 """
@@ -23,18 +24,27 @@ LARGEST = 1e50
 _SIGNS = str.maketrans(
     {"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "²": "^2", "³": "^3", "µ": "u", "\u00a0": " "}
 )
-_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
-_PLAIN = re.compile(rf"({_NUMBER})(?:\s*(?:\*|x)\s*10\s*\^\s*\(?([+-]?[0-9]{{1,3}})\)?)?\s*([^0-9\s(\[<].*)?")
+_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?(?![0-9.])"
+"""All digits of it: what is left of a number that was cut off is no unit."""
+_PLAIN = re.compile(
+    rf"({_NUMBER})(?:\s*(?:\*|x)\s*10\s*\^\s*\(?([+-]?[0-9]{{1,3}})\)?)?\s*((?:1\s*/\s*[A-Za-z(]|[^0-9\s(\[<.]).*)?"
+)
 _RATIO = re.compile(rf"({_NUMBER})\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*([A-Za-z].*)?")
 _PAIR = re.compile(rf"[\[(<]\s*({_NUMBER})\s*([^,;\])>]*)[,;]\s*({_NUMBER})\s*([^,;\])>]*)[\])>]\s*(.*)")
 _BRACKET = re.compile(r"[\[(<]([^\])>]*)[\])>]\s*(.*)")
 _IJ = re.compile(rf"\(?\s*({_NUMBER})\s*\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*\*?\s*j\s*\)?\s*(.*)")
 _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
 
-_NAMED = re.compile(r"^(?:[A-Za-z][A-Za-z0-9_]*\s*)?=\s*")
-"""What may stand before an answer: `a = 3 m/s^2`."""
-_BEHIND = re.compile(r"(.*[0-9)i.])\s+([A-Za-z][A-Za-z0-9*/^() -]*)")
-"""Arithmetic, and a unit behind it."""
+_NAMED = re.compile(r"^(?:[A-Za-z][A-Za-z0-9_]*\s*)?[=≈≃~]\s*")
+"""What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
+_BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
+"""Between arithmetic and a unit behind it, where no bracket is open."""
+_IN_BRACKETS = re.compile(r"(.*\S)\s*\(\s*([A-Za-z][A-Za-z -]*|[↺↻→←↑↓])\s*\)")
+_AT = re.compile(r"@|∠|\bat\b|\bangle\b")
+_ONLY_WORDS = re.compile(r"[A-Za-z][A-Za-z ,.;'’()-]*")
+_NO_END_OF_A_UNIT = frozenset({"in", "at", "a", "to", "per"})
+_OF_UNITS = frozenset({"per", "times", "or", "and", "by"})
+"""What is begun so is more of a unit, or another answer: not to be passed over."""
 
 _SENSES = {
     **dict.fromkeys(("ccw", "counterclockwise", "counter-clockwise", "anticlockwise", "anti-clockwise", "↺"), 1),
@@ -96,6 +106,8 @@ class Typed:
     polar: bool = False
     word: str = ""
     formula: str = ""
+    notes: tuple[str, ...] = ()
+    """How it was read, where it could be read otherwise; to the student."""
 
 
 def read(text: str, kind: str, comma: bool = False) -> Typed:
@@ -135,17 +147,50 @@ def _word(text: str) -> Typed:
 def _number(text: str) -> Typed:
     if re.search(r"[0-9],[0-9]", text):
         raise Unreadable("a comma in a number can mean two things; write 1200 or 1.2")
+    if _AT.search(text) and (polar := _polar(text)) is not None:
+        return polar
     plain, sense, axis, way = _without_direction(text)
-    value, unit, figures = _quantity(plain)
-    if sense and value < 0:
-        raise Unreadable("a minus sign and a sense of rotation say it twice; write one of them")
-    if way and value < 0:
-        raise Unreadable("a minus sign and a direction in words say it twice; write one of them")
-    return Typed((value,), unit, (figures,), sense, axis, way)
+    value, unit, figures, unread = _quantity(plain)
+    value, said_twice = _once(value, sense or way, text)
+    return Typed((value,), unit, (figures,), sense, axis, way, notes=(*said_twice, *_not_read(unread)))
+
+
+def _once(value: float, way: int, text: str) -> tuple[float, tuple[str, ...]]:
+    """A number before a sense or direction in words, and how a minus sign before it is read: to the left and clockwise
+    say again what it says; of right and counterclockwise it makes the opposite.
+    """
+    if not way or value >= 0:
+        return value, ()
+    if way < 0:
+        return -value, (
+            f"the minus sign and the words behind the number say the same: read as {text.lstrip('-')[:40]}",
+        )
+    return value, ("the minus sign is read as the opposite of the words behind the number",)
+
+
+def _not_read(words: str) -> tuple[str, ...]:
+    return (f"not read: '{words[:40]}'",) if words else ()
+
+
+def _polar(text: str) -> Typed | None:
+    """Magnitude and direction; None: it is written otherwise."""
+    polar = _POLAR.fullmatch(text)
+    if polar is None:
+        return None
+    size, unit, figures_of_size, unread = _quantity(polar[1])
+    degrees = 1.0 if polar[3] == "rad" else math.pi / 180
+    if size < 0:
+        raise Unreadable("a magnitude is not negative")
+    figures = figures_of_size, significant(polar[2])
+    return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True, notes=_not_read(unread))
 
 
 def _without_direction(text: str) -> tuple[str, int, str, int]:
     """The text before a sense of rotation or a direction in words, and those."""
+    if text.endswith(")") and (bracket := _IN_BRACKETS.fullmatch(text)) is not None:
+        words = bracket[2].lower().strip()
+        if words in _SENSES or words in _WAYS:
+            text = f"{bracket[1]} {words}"
     low = text.lower().rstrip(".")
     # Few answers end with any of them.
     if low.endswith(_ENDINGS):
@@ -162,27 +207,53 @@ def _ends_before(text: str, ending: str) -> bool:
     return bool(before) and not (before[-1].isalpha() and ending[0].isalpha()) and not before.endswith("-")
 
 
-def _quantity(text: str) -> tuple[float, Unit | None, int]:
-    """A number with its unit, and its significant figures."""
+def _quantity(text: str) -> tuple[float, Unit | None, int, str]:
+    """A number with its unit, its significant figures, and words behind it that say nothing."""
     ratio = _RATIO.fullmatch(text)
     if ratio is not None and float(ratio[2]):
         figures = 15
-        return _finite(float(ratio[1]) / float(ratio[2])), _unit(ratio[3]), figures
+        return _finite(float(ratio[1]) / float(ratio[2])), *_unit_and_words(ratio[3], figures)
     plain = _PLAIN.fullmatch(text)
-    if plain is not None and not (plain[3] or "").startswith(("*", "/", "+", "-", "^")):
-        value = float(plain[1]) * 10.0 ** int(plain[2] or 0)
-        return _finite(value), _unit(plain[3]), significant(plain[1])
+    if plain is not None:
+        behind = plain[3] or ""
+        if re.match(r"/\s*[A-Za-z]", behind):
+            # 4.1/s
+            behind = f"1{behind}"
+        if not behind.startswith(("*", "/", "+", "-", "^")):
+            value = float(plain[1]) * 10.0 ** int(plain[2] or 0)
+            return _finite(value), *_unit_and_words(behind, significant(plain[1]))
     return _computed(text)
 
 
-def _computed(text: str) -> tuple[float, Unit | None, int]:
+def _unit_and_words(text: str | None, figures: int) -> tuple[Unit | None, int, str]:
+    """The unit at the beginning of a text, the figures passed on, and the words behind the unit."""
+    plain = (text or "").strip()
+    try:
+        return _unit(plain), figures, ""
+    except Unreadable:
+        words = plain.split(" ")
+        for count in range(len(words) - 1, 0, -1):
+            rest = " ".join(words[count:]).strip(" ,;")
+            if words[count - 1].lower() in _NO_END_OF_A_UNIT or not _ONLY_WORDS.fullmatch(rest.lstrip("(")):
+                continue
+            if rest.split(" ")[0].lower() in _OF_UNITS:
+                break
+            try:
+                return _unit(" ".join(words[:count]).rstrip(",;")), figures, rest
+            except Unreadable:
+                continue
+        raise
+
+
+def _computed(text: str) -> tuple[float, Unit | None, int, str]:
     """Arithmetic without names, `5*sqrt(2) m/s`, by the parser of problem files."""
     from planar_cli.homework.typed_formula import constant
 
-    behind = _BEHIND.fullmatch(text)
-    if behind is not None:
-        return _finite(constant(behind[1])), _unit(behind[2]), 15
-    return _finite(constant(text)), None, 15
+    for behind in _BEHIND.finditer(text):
+        number = text[: behind.start()]
+        if number.count("(") == number.count(")"):
+            return _finite(constant(number)), *_unit_and_words(text[behind.end() :], 15)
+    return _finite(constant(text)), None, 15, ""
 
 
 def _finite(value: float) -> float:
@@ -203,6 +274,7 @@ def significant(number: str) -> int:
 def unit_of(text: str) -> Unit:
     """A unit as students write it: `N m`, `N-m`, `ft-lb`, `rad/sec`, `m/s/s`, `meters per second`."""
     plain = re.sub(r"\s+per\s+", "/", text.strip().rstrip("."))
+    plain = re.sub(r"\s+squared\b", "^2", re.sub(r"\s+cubed\b", "^3", plain))
     plain = re.sub(r"\s*([*/^])\s*", r"\1", plain).replace("**", "^")
     plain = re.sub(r"(?<=[A-Za-z0-9])[ -](?=[A-Za-z])", "*", plain)
     plain = re.sub(r"\^\(([0-9])\)", r"^\1", plain)
@@ -238,21 +310,16 @@ def _vector(text: str) -> Typed:
         x, y = float(unit_vectors[1]), float(unit_vectors[2] + unit_vectors[3])
         figures = significant(unit_vectors[1]), significant(unit_vectors[3])
         return Typed((_finite(x), _finite(y)), _unit(unit_vectors[4]), figures)
-    polar = _POLAR.fullmatch(text)
+    polar = _polar(text)
     if polar is not None:
-        size, unit, figures_of_size = _quantity(polar[1])
-        degrees = 1.0 if polar[3] == "rad" else math.pi / 180
-        if size < 0:
-            raise Unreadable("a magnitude is not negative")
-        figures = figures_of_size, significant(polar[2])
-        return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True)
+        return polar
     plain, _, axis, way = _without_direction(text)
     if way:
-        size, unit, figures_of_size = _quantity(plain)
-        if size < 0:
-            raise Unreadable("a minus sign and a direction in words say it twice; write one of them")
+        size, unit, figures_of_size, unread = _quantity(plain)
+        size, said_twice = _once(size, way, text)
         values = (way * size, 0.0) if axis == "x" else (0.0, way * size)
-        return Typed(values, unit, (figures_of_size, figures_of_size))
+        notes = (*said_twice, *_not_read(unread))
+        return Typed(values, unit, (figures_of_size, figures_of_size), notes=notes)
     raise Unreadable("two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`")
 
 
@@ -262,7 +329,9 @@ def _list(text: str) -> Typed:
     if bracket is not None:
         plain, behind = bracket[1], bracket[2]
     entries = [_quantity(entry.strip()) for entry in re.split("[,;]", plain)]
-    units = [u for u in (*(unit for _, unit, _ in entries), _unit(behind)) if u is not None]
+    units = [u for u in (*(unit for _, unit, _, _ in entries), _unit(behind)) if u is not None]
     if any(u.text != units[0].text for u in units[1:]):
         raise Unreadable("the numbers have different units")
-    return Typed(tuple(v for v, _, _ in entries), units[0] if units else None, tuple(f for _, _, f in entries))
+    notes = tuple(note for _, _, _, unread in entries for note in _not_read(unread))
+    figures = tuple(f for _, _, f, _ in entries)
+    return Typed(tuple(v for v, _, _, _ in entries), units[0] if units else None, figures, notes=notes)

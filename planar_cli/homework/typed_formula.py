@@ -84,7 +84,7 @@ class _Numbers:
 def parsed(text: str) -> Side:
     """A formula. Unreadable: it is none."""
     try:
-        return parse_side(text.replace("**", "^"), HERE)
+        return parse_side(text.replace("**", "^").replace("°", " deg"), HERE)
     except ParseError as error:
         raise Unreadable(f"{error.diagnostic.message}, at character {error.diagnostic.mark.column}") from None
     except (RecursionError, MemoryError):
@@ -92,14 +92,19 @@ def parsed(text: str) -> Side:
 
 
 def constant(text: str) -> float:
-    """A number that is written as arithmetic, `5*sqrt(2)`. Unreadable: it is none."""
+    """A number that is written as arithmetic, `5*sqrt(2)`, `250*cos(25 deg)`. Unreadable: it is none."""
     side = parsed(text)
-    if any(isinstance(n, Number | Scaled) and n.unit is not None for n in walk(side)):
+    if any(isinstance(n, Number | Scaled) and n.unit is not None and not _is_angle(n.unit) for n in walk(side)):
         raise Unreadable("one unit stands behind the number")
     if any(isinstance(n, Name) and n.name != "pi" for n in walk(side)):
         raise Unreadable("a number with its unit is asked, such as `12.5 N`")
     found: float = evaluated(side, _Numbers({}))
     return found
+
+
+def _is_angle(unit: str) -> bool:
+    known = parse_unit(unit)
+    return known.angle and known.dimension == PURE
 
 
 @lru_cache(MANY)
