@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from planar_cli.homework.grading import grade
+from planar_cli.homework.mistakes.unit_not_converted import UnitNotConverted
 from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Submission, Task
 from planar_cli.homework.rules import Rules
 
@@ -118,6 +119,15 @@ def test_one_mistake_is_named_several_are_not() -> None:
     assert (two.mistakes, two.feedback) == (("friction-left-out", "b"), "")
     assert graded(replace(FORCE, mistakes=(first,)), "15 N").mistakes == ()
     assert graded(replace(FORCE, mistakes=(first,)), "15.1 N").mistakes == ()
+
+
+@pytest.mark.parametrize(
+    ("unit", "others"),
+    [("m/s", {"km/h"}), ("ft/s", {"mi/h"}), ("in", {"feet"}), ("m", set()), ("rpm", {"rad/s"}), ("deg", {"radians"})],
+)
+def test_a_number_is_said_to_be_in_another_unit_than_the_one_that_is_asked(unit: str, others: set[str]) -> None:
+    slips = list(UnitNotConverted().slips(replace(FORCE, values=(1.0,), unit=unit)))
+    assert {said.split(" is one in ")[1].split(",")[0] for said, _ in slips if " is one in " in said} == others
 
 
 def test_what_was_not_asked_is_told() -> None:

@@ -8,23 +8,49 @@ from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected
-from planar_cli.units import LENGTH, PURE, RATE, VELOCITY, Dimension, parse_unit
+from planar_cli.units import Unit, parse_unit
 
-SLIPS: dict[tuple[Dimension, bool], tuple[tuple[str, float], ...]] = {
-    (VELOCITY, False): (("km/h", 3.6), ("m/s", 1 / 3.6)),
-    (LENGTH, False): (("inches", 12.0), ("feet", 1 / 12)),
-    (RATE, True): (("rev/min", 30 / math.pi), ("rad/s", math.pi / 30), ("rev/s", 1 / (2 * math.pi))),
-    (PURE, True): (("degrees", 180 / math.pi), ("radians", math.pi / 180)),
-}
+PAIRS: tuple[tuple[str, str], ...] = (
+    ("km/h", "m/s"),
+    ("mi/h", "ft/s"),
+    ("in", "ft"),
+    ("rev/min", "rad/s"),
+    ("rev/s", "rad/s"),
+    ("deg", "rad"),
+)
+"""Units that are taken for each other; no find is told of a unit that is none of its own pairs."""
+WORDS = {"in": "inches", "ft": "feet", "deg": "degrees", "rad": "radians"}
 
 
 @final
 class UnitNotConverted(Mistake):
-    """The number stands for another unit than the one that is written."""
+    """The number stands for another unit than the one that is asked, or was converted where it had the asked one."""
 
     kind: ClassVar[str] = "unit-not-converted"
 
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
-        unit = parse_unit(expected.unit)
-        for told, factor in SLIPS.get((unit.dimension, unit.angle), ()):
-            yield f"the number is one in {told}", tuple(v * factor for v in expected.values)
+        asked = parse_unit(expected.unit)
+        for other in (b if _same(parse_unit(a), asked) else a for a, b in PAIRS if _is_one_of(asked, a, b)):
+            factor = _size(asked) / _size(parse_unit(other))
+            told, due = WORDS.get(other, other), WORDS.get(expected.unit, expected.unit)
+            yield f"the number is one in {told}, not in {due}", tuple(v * factor for v in expected.values)
+            said = f"the number was converted from {told} to {due}, but it was in {due} already"
+            yield said, tuple(v / factor for v in expected.values)
+
+
+def _is_one_of(asked: Unit, *units: str) -> bool:
+    return any(_same(parse_unit(u), asked) for u in units)
+
+
+def _same(one: Unit, other: Unit) -> bool:
+    """Are two units the same, however they are written?"""
+    return (one.factor, one.pi_power, one.dimension, one.angle) == (
+        other.factor,
+        other.pi_power,
+        other.dimension,
+        other.angle,
+    )
+
+
+def _size(unit: Unit) -> float:
+    return float(unit.factor) * math.pi**unit.pi_power
