@@ -56,10 +56,37 @@ def test_the_first_value_is_that_of_the_file() -> None:
         ("variants: {m: {from: 2 kg, to: 3 kg, step: 0.0001 kg}}", "1000 are allowed"),
         ("variants: {m: {from: q, to: 3 kg, step: 1 kg}}", "plain numbers"),
         ("variants: {m: {from: 2 kg, to: 3 kg}}", "needs the key 'step'"),
+        ("variants: {m: [2, 3 kg]}", "'2' has no unit, the given value has kg"),
+        ("variants: {m: [2 m]}", "'2 m' has the unit m, the given value has kg"),
+        ("variants: {m: {from: 2, to: 3, step: 1}}", "'2' has no unit"),
     ],
 )
 def test_what_is_wrong_is_told(variants: str, message: str) -> None:
     assert any(message in m for m in told(variants=variants)[1])
+
+
+def wrong_of(text: str) -> list[str]:
+    return [f"{d.mark.line}:{d.mark.column} {d.code} {d.message} ({d.hint})" for d in load_text(text)[1]]
+
+
+def test_an_angle_needs_its_unit() -> None:
+    text = FILE.replace("{GIVEN}", "{m: 2 kg, beta: 20 deg}").replace("VARIANTS", "variants: {beta: [20, 25 deg, 0]}")
+    (told_of,) = wrong_of(text)
+    assert told_of.startswith("7:19 PL343 the variant '20' has no unit")
+    assert "write `20 deg`" in told_of
+
+
+def test_a_list_under_given_is_told_how_to_write() -> None:
+    (told_of,) = wrong_of(FILE.replace("{GIVEN}", "{m: [80 g, 100 g]}").replace("VARIANTS", ""))
+    assert "PL343 m is given one value, not a list" in told_of
+    assert "{one_of: [80 g, 100 g]}" in told_of
+
+
+def test_a_slip_in_a_placeholder_is_told() -> None:
+    text = "text: A block of {mass1}.\n" + FILE.replace("{GIVEN}", "{mass: 2 kg}").replace(": m}", ": mass}")
+    (told_of,) = wrong_of(text.replace("VARIANTS", ""))
+    assert told_of.startswith("1:19 PL344 {mass1} in `text`: 'mass1' is no given name")
+    assert "did you mean 'mass'?" in told_of
 
 
 def test_numbers_are_tidy() -> None:

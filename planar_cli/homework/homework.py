@@ -26,11 +26,11 @@ from planar_cli.homework.worked_problem import (
 )
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
+from planar_cli.problem.placeholders import PLACEHOLDER
 from planar_cli.problem.variations import with_first_values, with_values
 from planar_cli.solve.solved_problem import Solution
 from planar_cli.units import pretty_unit
 
-PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
 Page = Callable[[Solution], tuple[str, str]]
 """Writes a worked solution, as Markdown and as plain text."""
 FEW = 0.5

@@ -72,7 +72,9 @@ _FORM = {
     "PL341": "The answer of a vector is a pair: `[3 m, 4 m]`.",
     "PL342": "YAML readers differ on what `yes`, `no`, `on` and `off` are. Answers say `true` or `false`.",
     "PL343": "Variants are values of given names: a range `m: {from: 2 kg, to: 5 kg, step: 0.5 kg}`, or a list "
-    "`l: [3 m, 4 m]`, under `variants`, or in `given` itself, there a list as `{one_of: [3 m, 4 m]}`.",
+    "`l: [3 m, 4 m]`, under `variants`, or in `given` itself, there a list as `{one_of: [3 m, 4 m]}`. "
+    "Each value has a unit of the same kind as the given value: `beta: [20 deg, 25 deg]`.",
+    "PL344": "A name in braces in `text` stands for the value of a given name: `{m}` is printed as 2 kg.",
 }
 
 _NAMES = {

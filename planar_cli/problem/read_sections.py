@@ -44,10 +44,20 @@ def given(whole: Fields) -> tuple[Symbol, ...]:
     if node is None:
         return ()
     return tuple(
-        Symbol(key.text, reading.side(value, f"the value of {key.text}", whole.report), None, key.mark)
+        Symbol(key.text, _value(key, value, whole), None, key.mark)
         for key, value in reading.pairs(node, "given", whole.report, "given: {m: 50 kg}")
         if _is_name(key, whole)
     )
+
+
+def _value(key: Scalar, node: Node, whole: Fields) -> Side:
+    """The value of a given name; a list is meant as one of which each variant takes its own."""
+    if not isinstance(node, Sequence):
+        return reading.side(node, f"the value of {key.text}", whole.report)
+    items = ", ".join(item.text for item in node.items if isinstance(item, Scalar))
+    hint = f"for variants write `{key.text}: {{one_of: [{items}]}}`, or put the list under `variants`"
+    whole.report.add(node.mark, "PL343", f"{key.text} is given one value, not a list", hint)
+    return reading.unreadable(node.mark)
 
 
 def _is_name(key: Scalar, whole: Fields) -> bool:

@@ -27,6 +27,7 @@ from planar_cli.problem.open_ends import with_open_ends
 from planar_cli.problem.order_of_states import in_order
 from planar_cli.problem.osculating import with_osculating_circles
 from planar_cli.problem.placed_particles import with_placed_particles
+from planar_cli.problem.placeholders import check_placeholders
 from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
 from planar_cli.problem.read_cases import OWN, merged
@@ -129,6 +130,7 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
         )
         node = Mapping((), node.mark)
     variations_of(node, report)
+    check_placeholders(node, report)
     node = with_first_values(node)
     assert isinstance(node, Mapping)
     whole = Fields(node, KEYS, "a problem file", report, SLIPS)

@@ -47,14 +47,20 @@ def variations_of(node: Node, report: Report) -> tuple[Variation, ...]:
         if key.text not in names:
             hint = reading.did_you_mean(key.text, names, "there are ") or "give it a value under `given` first"
             report.add(key.mark, "PL343", f"'{key.text}' is no given name, so it has no variants", hint)
-        found[key.text] = Variation(key.text, _values(key, value, report), key.mark)
+        found[key.text] = Variation(key.text, _values(key, value, report, _given_value(given, key.text)), key.mark)
     for key, value in given.pairs if isinstance(given, Mapping) else ():
         if not isinstance(value, Mapping):
             continue
         if key.text in found:
             report.add(value.mark, "PL343", f"{key.text} has variants twice", "leave one of them out")
-        found[key.text] = Variation(key.text, _values(key, value, report), key.mark)
+        found[key.text] = Variation(key.text, _values(key, value, report, None), key.mark)
     return tuple(found.values())
+
+
+def _given_value(given: Node | None, name: str) -> Side | None:
+    """The value that the file itself has, where it can be read."""
+    node = given.get(name) if isinstance(given, Mapping) else None
+    return reading.side(node, f"the value of {name}", Report()) if isinstance(node, Scalar) else None
 
 
 def with_first_values(node: Node) -> Node:
@@ -96,14 +102,15 @@ def _put_in(node: Node, values: Dict[str, str]) -> Node:
 # --- values ----------------------------------------------------------------------------------------------------------
 
 
-def _values(key: Scalar, node: Node, report: Report) -> tuple[str, ...]:
+def _values(key: Scalar, node: Node, report: Report, given: Side | None) -> tuple[str, ...]:
     what = f"the variant {key.text}"
     if isinstance(node, Sequence):
-        return _listed(key, node.items, report)
+        return _listed(key, node.items, report, given)
     if isinstance(node, Mapping) and node.get(CHOICE) is not None:
         fields = Fields(node, (CHOICE,), what, report)
         choice = fields.node(CHOICE)
-        return _listed(key, [] if choice is None else reading.items(choice, CHOICE, report, "[3 m, 4 m]"), report)
+        items = [] if choice is None else reading.items(choice, CHOICE, report, "[3 m, 4 m]")
+        return _listed(key, items, report, given)
     fields = Fields(node, RANGE, what, report, example=f"{key.text}: {EXAMPLE}")
     sides = [fields.need_side(part, f"write `{EXAMPLE}`") for part in RANGE]
     numbers = [number_of(side) for side in sides]
@@ -111,18 +118,40 @@ def _values(key: Scalar, node: Node, report: Report) -> tuple[str, ...]:
         if fields.readable and len(fields.present()) == len(RANGE):
             report.add(node.mark, "PL343", f"{what}: a range has plain numbers", f"write `{EXAMPLE}`")
         return ()
+    first = fields.node(RANGE[0])
+    if given is not None and isinstance(first, Scalar):
+        _check_kind(first, sides[0], given, report)
     return _range(what, [n for n in numbers if n is not None], node.mark, report)
 
 
-def _listed(key: Scalar, items: Iterable[Node], report: Report) -> tuple[str, ...]:
+def _listed(key: Scalar, items: Iterable[Node], report: Report, given: Side | None) -> tuple[str, ...]:
+    """The values of a list; those without a given value beside them are told by the first."""
     found: list[str] = []
     for item in items:
-        reading.side(item, f"a value of {key.text}", report)
+        side = reading.side(item, f"a value of {key.text}", report)
+        given = given or side
         if isinstance(item, Scalar):
+            _check_kind(item, side, given, report)
             found.append(item.text)
     if len(found) > MOST:
         report.add(key.mark, "PL343", f"{key.text} has {len(found)} values; {MOST} are allowed")
     return tuple(found)
+
+
+def _check_kind(item: Scalar, side: Side, given: Side, report: Report) -> None:
+    """A value is of the kind of the given one: 20 for an angle in degrees would be 20 radians. A bare zero is zero."""
+    value, due = number_of(side), number_of(given)
+    if value is None or due is None:
+        return
+    (number, unit), (size, wanted) = value, due
+    same = unit.dimension == wanted.dimension and unit.angle == wanted.angle
+    if same or (not number and unit.text == "1") or (not size and wanted.text == "1"):
+        return
+    its = f"the unit {unit.text}" if unit.text != "1" else "no unit"
+    of = f"the given value has {wanted.text}" if wanted.text != "1" else "the given value has none"
+    fits = f"{written(number)} {wanted.text}".removesuffix(" 1")
+    hint = f"write `{fits}`" if "1" in (unit.text, wanted.text) else f"write it in {wanted.text}"
+    report.add(item.mark, "PL343", f"the variant '{item.text}' has {its}, {of}", hint)
 
 
 def number_of(side: Side) -> tuple[Fraction, Unit] | None:

@@ -1,0 +1,26 @@
+"""`{m}` in the text of a file stands for the value of the given name m, which each variant has its own of."""
+
+from __future__ import annotations
+
+import re
+
+from planar_cli.problem import reading
+from planar_cli.problem.nodes import Mapping, Node, Scalar
+from planar_cli.problem.reading import Report
+
+PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
+
+
+def check_placeholders(node: Node, report: Report) -> None:
+    """Every name in braces in `text` is given; another one would be printed as it stands."""
+    text = node.get("text") if isinstance(node, Mapping) else None
+    if not isinstance(node, Mapping) or not isinstance(text, Scalar):
+        return
+    given = node.get("given")
+    names = given.keys() if isinstance(given, Mapping) else ()
+    in_one_line = text.mark.line == text.end.line and not text.quoted
+    for match in PLACEHOLDER.finditer(text.text):
+        if match[1] not in names:
+            mark = text.mark.shifted(match.start() + 1) if in_one_line else text.mark
+            hint = reading.did_you_mean(match[1], names, "there are ") or "give it a value under `given` first"
+            report.add(mark, "PL344", f"{match[0]} in `text`: '{match[1]}' is no given name", hint)
