@@ -92,6 +92,37 @@ def test_a_find_that_is_not_there_is_told(tmp_path: Path, capfd: pytest.CaptureF
     assert "PL802" in capfd.readouterr().err
 
 
+@pytest.mark.parametrize("command", ["validate", "solve", "check"])
+def test_a_set_is_no_problem_file(command: str, capfd: pytest.CaptureFixture[str]) -> None:
+    assert run([command, SET]) == 2
+    told = "".join(capfd.readouterr())
+    assert told.count("PL") == 1
+    assert "this is a homework set" in told
+    assert "use `planar key` or `planar check --set`" in told
+
+
+def test_a_missing_problem_file_is_told_where_the_set_names_it(tmp_path: Path) -> None:
+    path = tmp_path / "set.yaml"
+    path.write_text("problems:\n  - {file: slop.yaml, points: 2}\n")
+    with pytest.raises(FileProblem) as told:
+        read_set(str(path))
+    (one,) = told.value.diagnostics
+    assert (one.code, one.mark.line, one.mark.column) == ("PL101", 2, 12)
+    assert "slop.yaml of the set is not there" in one.message
+
+
+def test_where_no_variant_is_fit_the_reasons_are_told(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    slope = (HOMEWORK / "slope.yaml").read_text().partition("variants:")[0]
+    # On so gentle a slope the block is slowed down by friction.
+    (tmp_path / "slope.yaml").write_text(f"{slope}variants: {{beta: [5 deg, 8 deg]}}\n")
+    path = tmp_path / "set.yaml"
+    path.write_text("problems: [slope.yaml]\nvariants: {number: 2}\n")
+    assert run(["key", str(path)]) == 2
+    told = capfd.readouterr().err
+    assert "1:12: PL804 no variant of slope is fit" in told
+    assert "of 2 combinations none: 2 because " in told
+
+
 def test_options_of_a_set_need_one(capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["check", "--student", str(HOMEWORK / "rod.yaml")]) == 2
     assert "belongs to --set" in capfd.readouterr().err

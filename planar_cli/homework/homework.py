@@ -44,6 +44,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -
     solved = read_and_solve(problem.path, problem.name)
     _check_points(problem, solved)
     drawn = variants_of(solved, variants, seed)
+    _demand_fit(problem, drawn)
     base = base_expected(solved)
     expected = [base, *(v.expected for v in drawn.taken)]
     file_values = columns(solved, [Draw(())])
@@ -64,6 +65,15 @@ def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -
         len(drawn.taken),
         tuple(sorted(drawn.rejected.items())),
     )
+
+
+def _demand_fit(problem: SetProblem, drawn: Variants) -> None:
+    """PlanarError where the file has values for variants and no combination is fit."""
+    if drawn.tried and not drawn.taken:
+        text = f"no variant of {problem.name} is fit, so that all students would get the same numbers"
+        why = ", ".join(f"{count} because {reason}" for reason, count in drawn.rejected.most_common())
+        hint = f"of {drawn.tried} combinations none: {why}; write other values under `variants`"
+        raise FileProblem([Diagnostic(problem.mark, "PL804", text, hint)])
 
 
 def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:

@@ -5,6 +5,7 @@ The page `planar explain homework` shows all its keys.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping as Dict
 from dataclasses import field
@@ -112,6 +113,9 @@ def _problem(path: str, node: Node, report: Report) -> SetProblem | None:
             return None
         file, name, points = needed, fields.node("name"), fields.node("points")
     place = Path(path).parent / file.text
+    if not os.path.lexists(place):
+        what = f"the problem file {file.text} of the set is not there"
+        report.add(file.mark, "PL101", what, "write its path as seen from the set file")
     called = name.text if isinstance(name, Scalar) else re.sub(r"[^A-Za-z0-9_-]", "-", place.stem)
     if not NAME.fullmatch(called):
         report.add(node.mark, "PL801", f"'{called}' is no name of a problem", "letters, digits, _ and -, at most 64")

@@ -13,5 +13,8 @@ CODES_HOMEWORK: Mapping[str, str] = MappingProxyType(
         "PL802": "`points` of a problem of a set names finds of its file; another name scores nothing.",
         "PL803": "A problem of a set was not solved within its limits of time and memory. Solve it by itself with "
         "`planar solve`, or give it more time with `--timeout`.",
+        "PL804": "A problem has values for variants, but with no combination of them the physics stays what it is: the "
+        "same case, the same signs, no answer that hangs on the last digits, each typical mistake clearly wrong. Write "
+        "values nearer to those of the file. See `planar explain variants`.",
     }
 )

@@ -75,6 +75,8 @@ _FORM = {
     "`l: [3 m, 4 m]`, under `variants`, or in `given` itself, there a list as `{one_of: [3 m, 4 m]}`. "
     "Each value has a unit of the same kind as the given value: `beta: [20 deg, 25 deg]`.",
     "PL344": "A name in braces in `text` stands for the value of a given name: `{m}` is printed as 2 kg.",
+    "PL345": "A homework set lists problem files under `problems`. `planar key` makes its sheets and key, `planar "
+    "check --set` grades submissions; its problems are solved one by one. See `planar explain homework`.",
 }
 
 _NAMES = {

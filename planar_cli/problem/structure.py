@@ -63,6 +63,7 @@ KEYS = (
     *("motion", "instant", "states", "find", "cases", "answers", "tolerance", "method", "variants", "figure"),
 )
 CASE_KEYS = tuple(key for key in KEYS if key not in OWN or key == "find")
+HOMEWORK_SET = "this is a homework set, which lists problem files, and no problem file itself"
 SCENE_KEYS = ("points", "surfaces", "bodies", "joints", "loads")
 SLIPS = {
     "forces": "write `loads:` and below it `- force: {body: b, at: A, magnitude: 50 N, angle: 30 deg}`",
@@ -105,6 +106,8 @@ def problem_of(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[P
         report.take(diagnostic)
     if node is None:
         return None, report.sorted()
+    if isinstance(node, Mapping) and node.get("problems") is not None and node.get("find") is None:
+        return None, [Diagnostic(node.mark, "PL345", HOMEWORK_SET, "use `planar key` or `planar check --set`")]
     problem = read_problem(file, node, report)
     for diagnostic in check(problem, unread=_unread(node, report.sorted())):
         report.take(diagnostic)
