@@ -59,6 +59,37 @@ def test_a_worked_key_as_html_has_no_raw_formulas(tmp_path: Path) -> None:
     assert page.count("<pre>") == 3
 
 
+def test_a_sheet_tells_what_is_asked_and_how_to_hand_in(tmp_path: Path) -> None:
+    (tmp_path / "slot.yaml").write_text(
+        "text: A block of {m}.\nplane: horizontal\ngiven: {m: 2 kg, beta: 20 deg, mu_k: 0.2}\n"
+        "variants: {m: [2 kg, 3 kg]}\nbodies: {b: {particle: [0, 0], mass: m}}\nloads:\n"
+        "  - force: {body: b, magnitude: 10 N, angle: beta}\n"
+        "find: {s: 2*a(b).x - 1 m/s^2, n: 3*a(b).y, u: a(b).x}\n"
+    )
+    problem = "{file: slot.yaml, ask: {n: three times the acceleration upward}}"
+    path = tmp_path / "set.yaml"
+    path.write_text(f"problems: [{problem}]\nvariants: {{number: 2}}\nstudents: [Anna B, '../x']\n")
+    assert run(["key", str(path), "-o", str(tmp_path / "out"), "--format", "html"]) == 0
+    names = sorted(p.name for p in (tmp_path / "out").glob("sheet*"))
+    assert names == ["sheet-1-anna-b.html", "sheet-2-x.html"]
+    page = (tmp_path / "out" / names[0]).read_text()
+    assert "<title>set, variant 1, Anna B</title>" in page
+    assert "2*a(b)" not in page
+    assert "<strong>s</strong>, in m/s²" in page
+    assert "<strong>n</strong>: three times the acceleration upward, in m/s²" in page
+    assert "β = 20°, μ_k = 0.2" in page
+    assert "slot.s: 12.3 m/s^2" in page
+    assert "Give 3 significant figures" in page
+
+
+def test_what_stands_in_the_text_is_not_given_again() -> None:
+    from planar_cli.homework.homework import prepared
+
+    (_, spool, _) = read_set(SET).problems
+    file, *_ = prepared(spool, 0, 1, None).tasks
+    assert file.given == ()
+
+
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()

@@ -14,6 +14,7 @@ from planar_cli.streams import echo
 
 if TYPE_CHECKING:
     from planar_cli.homework.ready import Homework
+    from planar_cli.homework.sheets import Handed
 
 SUFFIX = {"markdown": "md", "html": "html", "json": "json", "csv": "csv"}
 
@@ -33,6 +34,7 @@ def key_of_set(
     from planar_cli.commands._worked_pages import page_of
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
+    from planar_cli.homework.sheets import handed
 
     if exports and output is None:
         raise PlanarError("--export needs a folder: `-o FOLDER`")
@@ -53,25 +55,22 @@ def key_of_set(
         write(key, None)
         return cli.SOLVED
     suffix = SUFFIX[style]
-    width = len(str(max(handed_out)))
-    files = {
-        f"sheet-{k:0{width}d}.{suffix}" if k else f"sheet.{suffix}": _sheet(homework, k, style) for k in handed_out
-    }
+    files = {f"{one.name}.{suffix}": _sheet(homework, one, style) for one in handed(homework, handed_out)}
     write_files({name: text.encode() for name, text in {**files, f"key.{suffix}": key}.items()}, output)
     for name in exports:
         _export(homework, name, homework_set.seed, output)
     return cli.SOLVED
 
 
-def _sheet(homework: Homework, variant: int, form: str) -> str:
+def _sheet(homework: Homework, one: Handed, form: str) -> str:
     from planar_cli.homework import sheets
 
     if form == "json":
-        return sheets.as_json(sheets.sheet_data(homework, variant))
+        return sheets.as_json(sheets.sheet_data(homework, one))
     if form == "csv":
-        return sheets.sheet_csv(homework, variant)
-    text = sheets.sheet(homework, variant)
-    return sheets.as_html(text, homework.title) if form == "html" else text
+        return sheets.sheet_csv(homework, one.variant)
+    text = sheets.sheet(homework, one)
+    return sheets.as_html(text, one.title(homework)) if form == "html" else text
 
 
 def _key(homework: Homework, variants: list[int], form: str, worked: bool, short: bool) -> str:
@@ -82,7 +81,7 @@ def _key(homework: Homework, variants: list[int], form: str, worked: bool, short
     if form == "csv":
         return sheets.key_csv(homework, variants)
     text = sheets.key(homework, variants, worked, short, formulas_set=form != "html")
-    return sheets.as_html(text, homework.title) if form == "html" else text
+    return sheets.as_html(text, f"{homework.title}: key") if form == "html" else text
 
 
 def _export(homework: Homework, name: str, seed: int, output: str) -> None:

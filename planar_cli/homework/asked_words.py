@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.scene import Find
 
@@ -58,14 +59,14 @@ SEEN = {"v", "a", "r", "omega", "alpha"}
 
 
 def asked_words(find: Find | None) -> str:
-    """The words; of an expression or relation, as the file writes it."""
+    """The words; of an expression or relation the name of the find, as its formula may tell how it is solved."""
     if find is None:
         return ""
     what = find.found.what
     if isinstance(what, Relation):
-        return f"is {find.found.text}"
+        return f"{printed(find.name)}, yes or no"
     if not isinstance(what, Quantity) or what.word not in WORDS or what.word == "dot":
-        return find.found.text
+        return printed(find.name)
     said = WORDS[what.word].format(_things(what))
     for part in what.parts:
         said = PARTS[part.kind].format(said) if part.kind in PARTS else said

@@ -12,6 +12,7 @@ from dataclasses import replace
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.set_file import HomeworkSet, SetProblem
 from planar_cli.homework.variant_draws import Draw
@@ -42,7 +43,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -
     it has no solution.
     """
     solved = read_and_solve(problem.path, problem.name)
-    _check_points(problem, solved)
+    _check_finds(problem, solved)
     drawn = variants_of(solved, variants, seed)
     _demand_fit(problem, drawn)
     base = base_expected(solved)
@@ -54,7 +55,8 @@ def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
-    made = [_task(problem, solved, d, _with_points(problem, e), page) for d, e in zip(draws, rows, strict=True)]
+    asked = [_with_points(problem, _in_words(problem, e)) for e in rows]
+    made = [_task(problem, solved, d, e, page) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
         problem.name,
@@ -90,12 +92,17 @@ def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
     return found
 
 
-def _check_points(problem: SetProblem, solved: WorkedProblem) -> None:
+def _check_finds(problem: SetProblem, solved: WorkedProblem) -> None:
     names = [f.name for _, f in solved.finds]
-    wrong = [n for n in problem.points if n not in names]
+    wrong = [n for n in (*problem.points, *problem.ask) if n not in names]
     if wrong:
         text = f"{problem.path} has no find '{wrong[0]}'"
         raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
+
+
+def _in_words(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:
+    """What is asked, in the words of the set where it has some."""
+    return tuple(replace(e, asked=problem.ask.get(e.find, e.asked)) for e in expected)
 
 
 def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:
@@ -113,7 +120,10 @@ def _task(
 ) -> Task:
     values = {**_written_values(solved), **dict(draw.values)}
     text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
-    given = tuple(f"{name} = {told(value)}" for name, value in values.items())
+    said, varied = set(PLACEHOLDER.findall(solved.problem.text)), {name for name, _ in draw.values}
+    given = tuple(
+        f"{printed(name)} = {told(value)}" for name, value in values.items() if name in varied or name not in said
+    )
     worked = "", ""
     if page is not None:
         worked = page(plainly_solved(solved.path, with_values(with_first_values(solved.node), dict(draw.values))))
@@ -154,7 +164,15 @@ def assembled(homework: HomeworkSet, problems: Sequence[Prepared]) -> Homework:
         {p.name: p.carrying for p in problems},
         digest,
         tuple(w for p in problems for w in p.warnings),
+        homework.rules,
+        _students(homework),
     )
+
+
+def _students(homework: HomeworkSet) -> tuple[tuple[str, int], ...]:
+    """The students that the set lists, with their variants."""
+    pairs = ((name, homework.variant_of(name)) for name in homework.students)
+    return tuple((name, variant) for name, variant in pairs if variant is not None)
 
 
 def made_ready(

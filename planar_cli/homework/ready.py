@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.rules import Rules
 from planar_cli.records import record
+
+RULES = Rules()
 
 
 @record
@@ -34,3 +37,6 @@ class Homework:
     digest: str
     """Of all that is right: results of another key do not fit."""
     warnings: tuple[str, ...] = ()
+    rules: Rules = RULES
+    students: tuple[tuple[str, int], ...] = ()
+    """Those that the set lists, with their variants."""

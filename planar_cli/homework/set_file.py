@@ -23,6 +23,7 @@ KEYS = (
     *("title", "problems", "variants", "students", "tolerance", "sigfig", "figures", "credit", "decimal_comma"),
     "text",
 )
+ENTRY = ("file", "name", "points", "ask")
 CREDITS = ("unit", "no_unit", "sign", "precision", "carried")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
 MOST_VARIANTS = 10_000
@@ -31,13 +32,16 @@ MOST_PROBLEMS = 200
 
 @record
 class SetProblem:
-    """One problem of a set. `points`: of each find that is named; `each`: of the whole, where no find is named."""
+    """One problem of a set. `points`: of each find that is named; `whole`: of the problem, where no find is named;
+    `ask`: what finds ask, in the lecturer's words.
+    """
 
     name: str
     path: str
     mark: Mark
     points: Dict[str, float] = field(default_factory=dict)
     whole: float | None = None
+    ask: Dict[str, str] = field(default_factory=dict)
 
 
 @record
@@ -105,13 +109,14 @@ def _problems(path: str, whole: Fields) -> tuple[SetProblem, ...]:
 
 def _problem(path: str, node: Node, report: Report) -> SetProblem | None:
     if isinstance(node, Scalar):
-        file, name, points = node, None, None
+        file, name, points, ask = node, None, None, {}
     else:
-        fields = Fields(node, ("file", "name", "points"), "a problem of a set", report, example="{file: slope.yaml}")
+        fields = Fields(node, ENTRY, "a problem of a set", report, example="{file: slope.yaml}")
         needed = fields.need("file", "write `{file: slope.yaml, points: 4}`")
         if not isinstance(needed, Scalar):
             return None
         file, name, points = needed, fields.node("name"), fields.node("points")
+        ask = _ask(fields.node("ask"), report)
     place = Path(path).parent / file.text
     if not os.path.lexists(place):
         what = f"the problem file {file.text} of the set is not there"
@@ -121,7 +126,14 @@ def _problem(path: str, node: Node, report: Report) -> SetProblem | None:
         report.add(node.mark, "PL801", f"'{called}' is no name of a problem", "letters, digits, _ and -, at most 64")
         return None
     own, each = _points(points, report)
-    return SetProblem(called, str(place), file.mark, own, each)
+    return SetProblem(called, str(place), file.mark, own, each, ask)
+
+
+def _ask(node: Node | None, report: Report) -> dict[str, str]:
+    """What finds ask, in words."""
+    example = 'ask: {s: "the compression of the spring"}'
+    words = [] if node is None else reading.pairs(node, "ask", report, example)
+    return {key.text: reading.text(value, f"what {key.text} asks", report) for key, value in words}
 
 
 def _points(node: Node | None, report: Report) -> tuple[dict[str, float], float | None]:

@@ -12,9 +12,12 @@ import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from planar_cli.homework.exports._text import Names, slug
 from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework
 from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.records import record
 from planar_cli.units import pretty_unit
 
 SCHEMA = 1
@@ -30,10 +33,37 @@ STYLE = (
 # --- Markdown --------------------------------------------------------------------------------------------------------
 
 
-def sheet(homework: Homework, variant: int) -> str:
-    """The sheet of a variant in Markdown."""
-    paper = homework.papers[variant]
-    lines = [f"# {plain(homework.title)}{_variant(paper)}", ""]
+@record
+class Handed:
+    """One sheet: the name of its file without the ending, its variant, and its student ("" where none is named)."""
+
+    name: str
+    variant: int
+    student: str = ""
+
+    def title(self, homework: Homework) -> str:
+        """What stands over it."""
+        variant = f"variant {self.variant}" if self.variant else ""
+        return ", ".join(filter(None, (homework.title, variant, self.student)))
+
+
+def handed(homework: Homework, variants: Sequence[int]) -> tuple[Handed, ...]:
+    """The sheets of some variants: one for each student who has it, else one for the variant."""
+    width = len(str(max(variants, default=0)))
+    names = Names()
+    found = []
+    for variant in variants:
+        number = f"sheet-{variant:0{width}d}" if variant else "sheet"
+        students = [name for name, own in homework.students if own == variant]
+        found += [Handed(names.of(f"{number}-{slug(name)}"), variant, name) for name in students]
+        found += [] if students else [Handed(number, variant)]
+    return tuple(found)
+
+
+def sheet(homework: Homework, one: Handed) -> str:
+    """A sheet in Markdown."""
+    paper = homework.papers[one.variant]
+    lines = [f"# {plain(one.title(homework))}", ""]
     if homework.text:
         lines += [plain(homework.text), ""]
     for number, task in enumerate(paper.tasks, 1):
@@ -42,9 +72,45 @@ def sheet(homework: Homework, variant: int) -> str:
             lines += [plain(task.text), ""]
         if task.given:
             lines += [f"Given: {', '.join(map(plain, task.given))}", ""]
-        lines += [f"- **{plain(e.find)}**: {plain(_asked(e))}{_points(e)}" for e in task.expected] + [""]
-        lines += [f"Answers go to `{task.problem}.{task.expected[0].find}` and so on." if task.expected else "", ""]
-    return "\n".join(lines)
+        lines += [f"- **{plain(e.find)}**{plain(_asked(e))}{_points(e)}" for e in task.expected] + [""]
+    return "\n".join([*lines, *_how_to_hand_in(homework, one)])
+
+
+def _how_to_hand_in(homework: Homework, one: Handed) -> Iterable[str]:
+    """An example with made-up numbers: a unit, and a sense where one is asked for."""
+    asked = [(task.problem, e) for task in homework.papers[one.variant].tasks for e in task.expected]
+    answers = [(problem, e, text) for problem, e in asked if (text := _example(e, homework.rules.comma))]
+    turning = next((a for a in answers if a[1].rotation), None)
+    shown = list(dict.fromkeys([*answers[:1], *([turning] if turning else [])]))
+    figures = homework.rules.figures
+    yield "## How to hand in"
+    yield ""
+    yield (
+        "A YAML file with one line for each answer, as below: the number with its unit and, of a rotation, its sense "
+        f"(cw or ccw). Give {figures} significant figures. Numbers and senses here are made up."
+    )
+    yield from ("", "```text", f"student: {_quoted(one.student) or 'your name or number'}")
+    yield from (f"variant: {one.variant}",) if one.variant else ()
+    yield "answers:"
+    yield from (f"  {problem}.{e.find}: {text}" for problem, e, text in shown)
+    yield from ("```", "")
+
+
+def _quoted(name: str) -> str:
+    """A name as YAML reads it as one word."""
+    name = harmless(name, kept="")
+    return name if re.fullmatch(r"[\w.][\w .-]*|", name) else json.dumps(name, ensure_ascii=False)
+
+
+def _example(expected: Expected, comma: bool) -> str:
+    """How an answer of that kind is typed; "" where an example would be one of few answers."""
+    unit = f" {expected.unit}" if expected.unit != "1" else ""
+    first, second = ("12,3", "4,56") if comma else ("12.3", "4.56")
+    if expected.kind == "vector":
+        return f"[{first}; -{second}]{unit}" if comma else f"[{first}, -{second}]{unit}"
+    if expected.kind != "number":
+        return ""
+    return f"{first}{unit}{' cw' if expected.rotation else ''}"
 
 
 def key(
@@ -58,7 +124,8 @@ def key(
     for variant in variants:
         paper = homework.papers[variant]
         if len(homework.papers) > 1:
-            lines += [f"## {'The files as they are' if not variant else f'Variant {variant}'}", ""]
+            students = "".join(f", {plain(name)}" for name, own in homework.students if own == variant)
+            lines += [f"## {'The files as they are' if not variant else f'Variant {variant}'}{students}", ""]
         lines += list(_short(paper)) if short else []
         if worked:
             for task in paper.tasks:
@@ -88,14 +155,12 @@ def _as_it_is(task: Task) -> str:
     return f"### {plain(task.title)}\n\n{fence}text\n{task.worked_text.rstrip()}\n{fence}"
 
 
-def _variant(paper: Paper) -> str:
-    return f", variant {paper.variant}" if paper.variant else ""
-
-
 def _asked(expected: Expected) -> str:
     unit = pretty_unit(expected.unit)
     two = " (two components, x and y)" if expected.kind == "vector" else ""
-    return f"{expected.asked or expected.find}{two}" + (f", in {unit}" if unit and expected.kind != "word" else "")
+    # The name of the find stands before it already.
+    what = "" if expected.asked in ("", printed(expected.find)) else f": {expected.asked}"
+    return f"{what}{two}" + (f", in {unit}" if unit and expected.kind != "word" else "")
 
 
 def _points(expected: Expected) -> str:
@@ -128,13 +193,14 @@ def as_html(markdown: str, title: str) -> str:
 # --- data ------------------------------------------------------------------------------------------------------------
 
 
-def sheet_data(homework: Homework, variant: int) -> dict[str, object]:
-    """The sheet of a variant as data."""
+def sheet_data(homework: Homework, one: Handed) -> dict[str, object]:
+    """A sheet as data."""
     return {
         "schema": SCHEMA,
         "title": homework.title,
-        "variant": variant,
-        "problems": [_task_data(t, with_answers=False) for t in homework.papers[variant].tasks],
+        "variant": one.variant,
+        **({"student": one.student} if one.student else {}),
+        "problems": [_task_data(t, with_answers=False) for t in homework.papers[one.variant].tasks],
     }
 
 

@@ -1,0 +1,21 @@
+"""Names of a file as they are printed: `mu_k` as μ_k, `omega_AB` as ω_AB."""
+
+from __future__ import annotations
+
+import re
+
+_WORDS = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega"
+_LETTERS = "αβγδεζηθκλμνξπρστφχψω"
+_CAPITALS = {"Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ"}
+_GREEK = {**dict(zip(_WORDS.split(), _LETTERS, strict=True)), **_CAPITALS, "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω"}
+
+
+def printed(name: str) -> str:
+    """A name with Greek letters for their words, in it and in its subscripts."""
+    return "_".join(_letter(part) for part in name.split("_"))
+
+
+def _letter(part: str) -> str:
+    word = re.match("[A-Za-z]*", part)
+    letters = word[0] if word else ""
+    return _GREEK.get(letters, letters) + part[len(letters) :]
