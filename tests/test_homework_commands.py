@@ -90,6 +90,22 @@ def test_what_stands_in_the_text_is_not_given_again() -> None:
     assert file.given == ()
 
 
+def test_sheets_of_an_earlier_run_do_not_stay(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path, out = tmp_path / "set.yaml", tmp_path / "out"
+    path.write_text(f"problems: [{HOMEWORK / 'slope.yaml'}]\n")
+    assert run(["key", str(path), "--variants", "3", "-o", str(out)]) == 0
+    (out / "sheet-2.md").write_text("my own notes")
+    (out / "sheet-9.md").write_text("my own sheet")
+    (out / "notes.md").write_text("mine")
+    capfd.readouterr()
+    assert run(["key", str(path), "--variants", "1", "-o", str(out), "--format", "csv"]) == 0
+    names = sorted(p.name for p in out.iterdir())
+    assert names == [".planar-key.json", "key.csv", "notes.md", "sheet-1.csv", "sheet-2.md", "sheet-9.md"]
+    told = capfd.readouterr().err
+    assert "sheet-2.md is not of this run" in told
+    assert "sheet-9.md is not of this run" in told
+
+
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()

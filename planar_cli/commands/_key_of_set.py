@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from planar_cli import cli
+from planar_cli.commands._earlier_sheets import MANIFEST, clear, manifest
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
@@ -56,7 +57,9 @@ def key_of_set(
         return cli.SOLVED
     suffix = SUFFIX[style]
     files = {f"{one.name}.{suffix}": _sheet(homework, one, style) for one in handed(homework, handed_out)}
-    write_files({name: text.encode() for name, text in {**files, f"key.{suffix}": key}.items()}, output)
+    data = {name: text.encode() for name, text in {**files, f"key.{suffix}": key}.items()}
+    clear(output, data)
+    write_files({**data, MANIFEST: manifest(data)}, output)
     for name in exports:
         _export(homework, name, homework_set.seed, output)
     return cli.SOLVED
