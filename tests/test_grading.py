@@ -130,6 +130,20 @@ def test_a_number_is_said_to_be_in_another_unit_than_the_one_that_is_asked(unit:
     assert {said.split(" is one in ")[1].split(",")[0] for said, _ in slips if " is one in " in said} == others
 
 
+def test_own_values_that_change_nothing_are_not_named() -> None:
+    """c rests on a and b, or once b is put in on b alone."""
+    a, b, c = (replace(FORCE, find=f) for f in "abc")
+    paper = Paper(0, (Task("p", "", "", (), (a, b, c)),))
+    handed = Submission("s", 0, tuple(("p", find, f"{n} N") for find, n in (("a", 20), ("b", 30), ("c", 60))))
+    both = lambda task, e, own: ((own.get("a", (0.0,))[0] + own.get("b", (0.0,))[0] + 10,), tuple(own))  # noqa: E731
+    later = lambda task, e, own: ((2 * own["b"][0] if "b" in own else 3 * own["a"][0],), tuple(own))  # noqa: E731
+    third = grade(handed, {0: paper}, Rules(), both).graded[2]
+    assert (third.verdict, third.told, third.score) == ("wrong", "carried", 1.0)
+    assert third.message == "this follows rightly from your a and your b, which are not right"
+    alone = grade(handed, {0: paper}, Rules(), later).graded[2]
+    assert alone.message == "this follows rightly from your b, which is not right"
+
+
 def test_what_was_not_asked_is_told() -> None:
     paper = Paper(0, (Task("p", "", "", (), (FORCE,)),))
     result = grade(Submission("s", 0, (("p", "G", "1"), ("q", "F", "1"))), {0: paper}, Rules())

@@ -188,7 +188,7 @@ def rows_of(result: Result, for_student: bool) -> str:
     writer = csv.writer(out, lineterminator="\n")
     for g in result.graded:
         told = f"{g.message}; {g.feedback}" if g.feedback else g.message
-        cells = (result.student, result.variant, g.problem, g.find, g.submitted, g.verdict, g.score, g.max_score)
+        cells = (result.student, result.variant, g.problem, g.find, g.submitted, g.told, g.score, g.max_score)
         row = (*cells, " or ".join(g.mistakes), told)
         writer.writerow([spreadsheet_cell(c) if isinstance(c, str) else c for c in row])
     for sentence in result.wrong:
@@ -207,7 +207,7 @@ def _lines(result: Result, for_student: bool) -> list[str]:
         if len(g.mistakes) > 1 and not for_student:
             told += f"; it may be {' or '.join(g.mistakes)}"
         key = "" if for_student or not g.expected else f" (key: {g.expected})"
-        lines.append(visible(f"  {g.problem}.{g.find} {g.verdict}: `{g.submitted}`{key}: {told}"))
+        lines.append(visible(f"  {g.problem}.{g.find} {g.told}: `{g.submitted}`{key}: {told}"))
     return [*lines, *(visible(f"  {sentence}") for sentence in result.wrong)]
 
 

@@ -332,12 +332,32 @@ def _carried(
         return one
     if one.unit != RIGHT:
         return one
+    names = _needed(names, due, lambda own: carry(task, expected, own), own)
     earlier = " and ".join(f"your {n}" for n in names)
+    which = "which is not right" if len(names) == 1 else "which are not right"
     return replace(
         one,
         score=rules.carried * one.max_score,
         carried=names,
         mistakes=(),
         feedback="",
-        message=f"this follows rightly from {earlier}, which is not right",
+        message=f"this follows rightly from {earlier}, {which}",
     )
+
+
+def _needed(
+    names: tuple[str, ...],
+    due: tuple[float, ...],
+    carried: Callable[[Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None],
+    own: Mapping[str, tuple[float, ...]],
+) -> tuple[str, ...]:
+    """The own values without which the find comes to something else: where a later one of them is put in, an earlier
+    one may change nothing any more.
+    """
+    needed = list(names)
+    for name in names:
+        rest = [n for n in needed if n != name]
+        found = carried({n: own[n] for n in rest}) if rest else None
+        if found is not None and all(math.isclose(a, b, rel_tol=1e-9) for a, b in zip(found[0], due, strict=True)):
+            needed = rest
+    return tuple(needed)

@@ -86,6 +86,8 @@ class Paper:
 
 
 RIGHT, WRONG, UNGRADABLE, MISSING = "right", "wrong", "ungradable", "missing"
+CARRIED = "carried"
+"""In print, of what is wrong and follows rightly from a wrong earlier value of the student's own."""
 
 
 @record
@@ -121,6 +123,11 @@ class Graded:
     """The unit of the key; "" of what has none."""
     tolerance: float = 0.0
     """Relative, within which it was compared; 0 of what is not compared by size."""
+
+    @property
+    def told(self) -> str:
+        """The verdict in print."""
+        return CARRIED if self.carried else self.verdict
 
 
 @record

@@ -30,9 +30,10 @@ class Gradebook(ResultExport):
 
     The file
         `student,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit` is
-        that of the key, `tolerance` relative, `status` right, wrong, ungradable or missing. A submission that cannot
-        be graded at all has one row without problem and find. Texts that a spreadsheet would run as a formula begin
-        with an apostrophe. It holds the key, so it is for the lecturer.
+        that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from a
+        wrong earlier value), ungradable or missing. A submission that cannot be graded at all has one row without
+        problem and find. Texts that a spreadsheet would run as a formula begin with an apostrophe. It holds the key, so
+        it is for the lecturer.
 
     To import it
         In any spreadsheet; for Excel with the byte order mark, so that it knows UTF-8.
@@ -60,7 +61,7 @@ def _rows(result: Result) -> list[tuple[str | float, ...]]:
             g.tolerance or "",
             g.score,
             g.max_score,
-            g.verdict,
+            g.told,
             " ".join(filter(None, (g.message, g.feedback))),
         )
         for g in result.graded

@@ -63,7 +63,7 @@ def _test(graded: Graded, number: str) -> dict[str, Any]:
         "status": "passed" if graded.verdict == RIGHT else "failed",
         "name": f"{one_line(graded.problem)}: {one_line(graded.find)}",
         "number": number,
-        "output": clean("\n".join([graded.verdict, *filter(None, said)])),
+        "output": clean("\n".join([graded.told, *filter(None, said)])),
         "visibility": "visible",
     }
 

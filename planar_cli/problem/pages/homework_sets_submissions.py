@@ -59,8 +59,9 @@ rotation in place of a sign, an angle up to whole turns, a formula in any form t
     planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, or pass a wrong model?
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
 
-Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. A wrong
-number that just one typical mistake gives is told so; `planar explain` lists the mistakes, and the exports. With
-`--student` nothing of the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts
-together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`).
+Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where
+it follows rightly from a wrong earlier value of the student, `carried` is printed for wrong. A wrong number that just
+one typical mistake gives is told so; `planar explain` lists the mistakes, and the exports. With `--student` nothing of
+the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts together, `--cluster
+tcp://host:8786` grades on a dask cluster (extra `cluster`).
 """
