@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import pytest
 
 from planar_cli.homework.grading import grade
+from planar_cli.homework.grading_made import MakeGrade
 from planar_cli.homework.mistakes.unit_not_converted import UnitNotConverted
 from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Submission, Task
 from planar_cli.homework.rules import Rules
@@ -130,18 +132,38 @@ def test_a_number_is_said_to_be_in_another_unit_than_the_one_that_is_asked(unit:
     assert {said.split(" is one in ")[1].split(",")[0] for said, _ in slips if " is one in " in said} == others
 
 
+Own = Mapping[str, tuple[float, ...]]
+
+
+def _of_both(task: Task, expected: Expected, own: Own) -> tuple[tuple[float, ...], tuple[str, ...]]:
+    return (sum(v for (v,) in own.values()) + 10,), tuple(own)
+
+
+def _of_the_later(task: Task, expected: Expected, own: Own) -> tuple[tuple[float, ...], tuple[str, ...]]:
+    return (2 * own["b"][0] if "b" in own else 3 * own["a"][0],), tuple(own)
+
+
 def test_own_values_that_change_nothing_are_not_named() -> None:
     """c rests on a and b, or once b is put in on b alone."""
     a, b, c = (replace(FORCE, find=f) for f in "abc")
     paper = Paper(0, (Task("p", "", "", (), (a, b, c)),))
     handed = Submission("s", 0, tuple(("p", find, f"{n} N") for find, n in (("a", 20), ("b", 30), ("c", 60))))
-    both = lambda task, e, own: ((own.get("a", (0.0,))[0] + own.get("b", (0.0,))[0] + 10,), tuple(own))  # noqa: E731
-    later = lambda task, e, own: ((2 * own["b"][0] if "b" in own else 3 * own["a"][0],), tuple(own))  # noqa: E731
-    third = grade(handed, {0: paper}, Rules(), both).graded[2]
+    third = grade(handed, {0: paper}, Rules(), _of_both).graded[2]
     assert (third.verdict, third.told, third.score) == ("wrong", "carried", 1.0)
     assert third.message == "this follows rightly from your a and your b, which are not right"
-    alone = grade(handed, {0: paper}, Rules(), later).graded[2]
+    alone = grade(handed, {0: paper}, Rules(), _of_the_later).graded[2]
     assert alone.message == "this follows rightly from your b, which is not right"
+
+
+def test_who_is_not_in_the_list_and_names_no_variant_is_not_graded() -> None:
+    papers = {k: Paper(k, (Task("p", "", "", (), (FORCE,)),)) for k in (0, 1, 2)}
+    grader = MakeGrade(papers, Rules(), {"ann": 1}, {})()
+    answers = (("p", "F", "12.74 N"),)
+    strange = grader(Submission("zoe", 0, answers))
+    assert strange.graded == ()
+    assert strange.wrong == ("this student is not in the list of the set, and no variant is given: not graded",)
+    assert grader(Submission("zoe", 2, answers)).score == 1
+    assert grader(Submission("ann", 0, answers)).variant == 1
 
 
 def test_what_was_not_asked_is_told() -> None:

@@ -11,6 +11,7 @@ from conftest import ROOT
 from planar_cli.cli import run
 from planar_cli.errors import FileProblem
 from planar_cli.homework.set_file import read_set
+from planar_cli.homework.submissions import contents, submissions
 
 HOMEWORK = ROOT / "tests" / "homework"
 SET, HANDED_IN = str(HOMEWORK / "three.yaml"), str(HOMEWORK / "submissions")
@@ -109,7 +110,12 @@ def test_sheets_of_an_earlier_run_do_not_stay(tmp_path: Path, capfd: pytest.Capt
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()
-    assert sheet.splitlines()[0] == "problem,find,answer,unit"
+    assert sheet.splitlines()[0] == "problem,find,answer,unit,variant"
+    name = tmp_path / "mia.csv"
+    name.write_text(sheet.replace(",,", ",1,"))
+    (handed,) = submissions(contents(str(name)))
+    assert (handed.student, handed.variant, handed.wrong) == ("mia", 1, ())
+    assert all(text.startswith("1 ") for _, _, text in handed.answers)
 
 
 @pytest.mark.parametrize(

@@ -39,6 +39,10 @@ class _Grade:
         if own is not None and submission.variant not in (0, own):
             why = f"variant {submission.variant} was answered, but the set gives variant {own} to this student"
             submission = replace(submission, wrong=(*submission.wrong, why))
+        if own is None and made.students and not submission.variant:
+            # The numbers of the files as they are belong to nobody.
+            why = "this student is not in the list of the set, and no variant is given: not graded"
+            return Result(submission.student, 0, (), submission.source, (*submission.wrong, why))
         variant = submission.variant if own is None else own
         handed = replace(submission, variant=variant)
         carry = _Lazily(self, variant) if made.rules.carried else None

@@ -232,9 +232,13 @@ def as_json(data: Mapping[str, object]) -> str:
 
 
 def sheet_csv(homework: Homework, variant: int) -> str:
-    """The finds of a variant as a table to be filled in: it is read back as a submission."""
-    rows = [(t.problem, e.find, "", e.unit) for t in homework.papers[variant].tasks for e in t.expected]
-    return _csv(("problem", "find", "answer", "unit"), rows)
+    """The finds of a variant as a table to be filled in: it is read back as a submission, with its variant."""
+    head: tuple[str, ...] = ("problem", "find", "answer", "unit")
+    own: tuple[object, ...] = ()
+    if variant:
+        head, own = (*head, "variant"), (variant,)
+    rows = [(t.problem, e.find, "", e.unit, *own) for t in homework.papers[variant].tasks for e in t.expected]
+    return _csv(head, rows)
 
 
 def key_csv(homework: Homework, variants: Iterable[int]) -> str:

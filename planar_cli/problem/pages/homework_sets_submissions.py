@@ -47,7 +47,8 @@ Submissions
 
 as YAML or JSON, one file a student; or as CSV with the columns `problem,find,answer` (and `unit`), for a whole class
 with `student` before them (and `variant`), or with a column `slope.a` for each find. Without `student` the name of the
-file is the student, without `variant` the set's list tells it, else the files are meant as they are.
+file is the student, without `variant` the set's list tells it; who is not in the list is not graded then. Of a set
+without a list the files are meant as they are.
 
 What is typed: `12.5 N`, `1.25*10^1 N`, `5*sqrt(2) m/s`, `6.2 rad/s cw`, `9.81 m/s^2 down`, `[3, -4] m/s`,
 `5 m/s at -53 deg`, `3i - 4j m/s`, `yes`, `slips`, `m*g*sin(beta)`. Any unit of the right dimension will do, a sense of
