@@ -141,7 +141,10 @@ def test_two_submissions_of_one_student_are_told(tmp_path: Path) -> None:
     (tmp_path / "b.csv").write_text("student,p.a\ns1,6 N\ns2,5 N\n")
     ran = grade_files([str(tmp_path / "a.yaml"), str(tmp_path / "b.csv")], GRADING, 1)
     assert ran.graded == 3
-    assert ran.twice == (f"s1 handed in 2 times: {tmp_path}/a.yaml, {tmp_path}/b.csv; all are graded",)
+    assert ran.twice == (
+        f"s1 handed in 2 times: {tmp_path}/a.yaml, {tmp_path}/b.csv; "
+        "all are graded, the last that can be counts in the average",
+    )
 
 
 def test_results_in_the_folder_of_the_submissions_are_none(tmp_path: Path) -> None:

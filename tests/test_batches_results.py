@@ -104,5 +104,6 @@ def test_who_handed_in_twice(tmp_path: Path) -> None:
     one = written(tmp_path / "1", made("a", "a.yaml"), made("b", "b.yaml"))
     two = written(tmp_path / "2", *(made("a", f"z{i}.yaml") for i in range(6)))
     assert handed_in_twice([one, two]) == [
-        "a handed in 7 times: a.yaml, z0.yaml, z1.yaml, z2.yaml, …; all are graded",
+        "a handed in 7 times: a.yaml, z0.yaml, z1.yaml, z2.yaml, …; "
+        "all are graded, the last that can be counts in the average",
     ]

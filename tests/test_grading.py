@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from planar_cli.homework.class_report import ClassReport
 from planar_cli.homework.grading import grade
 from planar_cli.homework.grading_made import MakeGrade
 from planar_cli.homework.mistakes.unit_not_converted import UnitNotConverted
@@ -164,6 +165,16 @@ def test_who_is_not_in_the_list_and_names_no_variant_is_not_graded() -> None:
     assert strange.wrong == ("this student is not in the list of the set, and no variant is given: not graded",)
     assert grader(Submission("zoe", 2, answers)).score == 1
     assert grader(Submission("ann", 0, answers)).variant == 1
+
+
+def test_a_student_counts_once_in_the_average() -> None:
+    paper = Paper(0, (Task("p", "", "", (), (FORCE,)),))
+    report = ClassReport()
+    for student, source, text in (("ann", "b", "12.74 N"), ("ann", "a", "9 N"), ("bob", "c", "12.74 N")):
+        report.add(grade(Submission(student, 0, (("p", "F", text),), source), {0: paper}, Rules()))
+    report.add(grade(Submission("bob", 7, (), "d"), {0: paper}, Rules()))
+    assert (report.submissions, report.students, report.mean) == (4, 2, 1.0)
+    assert report.finds["p", "F"].answers == 3
 
 
 def test_what_was_not_asked_is_told() -> None:

@@ -223,10 +223,12 @@ def _print_report(report: ClassReport) -> None:
         echo(visible(f"{name:<28} {row.right} of {row.answers} right{ungradable}{carried}{mistakes}"))
     for problem, find, why in report.suspicious():
         echo(visible(f"suspicious: {problem}.{find}: {why}"))
-    mean = report.total / report.students if report.students else 0.0
-    plural = "" if report.students == 1 else "s"
+    plural = "" if report.submissions == 1 else "s"
+    of = f" of {report.students} student{'s'[: report.students != 1]}" if report.students != report.submissions else ""
     refused = f", {report.refused} not graded" if report.refused else ""
-    echo(f"{report.students} submission{plural}{refused}; {mean:.3g} of {report.best:g} points on average")
+    echo(
+        f"{report.submissions} submission{plural}{of}{refused}; {report.mean:.3g} of {report.best:g} points on average"
+    )
 
 
 def _report_markdown(title: str, report: ClassReport) -> str:

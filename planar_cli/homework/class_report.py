@@ -31,16 +31,22 @@ class FindTally:
 class ClassReport:
     """All results, added one by one."""
 
-    students: int = 0
-    total: float = 0.0
+    submissions: int = 0
     best: float = 0.0
+    counted: dict[str, tuple[bool, str, float]] = field(default_factory=dict)
+    """Of each student the submission that counts: was anything graded, its file, its score."""
     finds: dict[tuple[str, str], FindTally] = field(default_factory=dict)
     refused: int = 0
 
     def add(self, result: Result) -> None:
-        """One more submission."""
-        self.students += 1
-        self.total += result.score
+        """One more submission. Of several of one student the last in the order of the files counts in the average,
+        of those of which anything could be graded; the finds are counted in all.
+        """
+        self.submissions += 1
+        mine = bool(result.graded), result.source, result.score
+        before = self.counted.get(result.student)
+        if before is None or mine[:2] >= before[:2]:
+            self.counted[result.student] = mine
         self.best = max(self.best, result.max_score)
         self.refused += not result.graded
         for one in result.graded:
@@ -56,6 +62,15 @@ class ClassReport:
             counts = tally.by_variant.setdefault(result.variant, [0, 0])
             counts[0] += 1
             counts[1] += one.verdict == RIGHT
+
+    @property
+    def students(self) -> int:
+        return len(self.counted)
+
+    @property
+    def mean(self) -> float:
+        """The average score of a student."""
+        return sum(score for _, _, score in self.counted.values()) / max(self.students, 1)
 
     def suspicious(self) -> Iterator[tuple[str, str, str]]:
         """Finds that nearly everybody misses, with the reason in words."""

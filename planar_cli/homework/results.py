@@ -133,7 +133,7 @@ class Index:
         told = [
             visible(
                 f"{student} handed in {len(names)} times: {', '.join(names[:4])}{', …' if names[4:] else ''}; "
-                "all are graded"
+                "all are graded, the last that can be counts in the average"
             )
             for student, names in several[:MOST_TOLD]
         ]

@@ -52,7 +52,8 @@ without a list the files are meant as they are.
 
 What is typed: `12.5 N`, `1.25*10^1 N`, `5*sqrt(2) m/s`, `6.2 rad/s cw`, `9.81 m/s^2 down`, `[3, -4] m/s`,
 `5 m/s at -53 deg`, `3i - 4j m/s`, `yes`, `slips`, `m*g*sin(beta)`. Any unit of the right dimension will do, a sense of
-rotation in place of a sign, an angle up to whole turns, a formula in any form that is identical.
+rotation in place of a sign, an angle up to whole turns, a formula in any form that is identical. Other words behind a
+unit, as in `4 m/s down the slope`, are not read, and that is told.
 
     planar check --set set.yaml submissions/                       every student, and the class
     planar check --set set.yaml submissions/ --export gradebook -o out
@@ -62,7 +63,9 @@ rotation in place of a sign, an angle up to whole turns, a formula in any form t
 
 Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where
 it follows rightly from a wrong earlier value of the student, `carried` is printed for wrong. A wrong number that just
-one typical mistake gives is told so; `planar explain` lists the mistakes, and the exports. With `--student` nothing of
-the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts together, `--cluster
-tcp://host:8786` grades on a dask cluster (extra `cluster`).
+one typical mistake gives is told so; `planar explain` lists the mistakes, and the exports. Of several submissions of a
+student all are graded, and the last by the name of its file counts in the average.
+
+With `--student` nothing of the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts
+together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`).
 """
