@@ -281,6 +281,7 @@ def test_spellings_of_a_unit() -> None:
     assert {"N*m", "N·m", "Nm"} <= found.keys()
     assert found["kN*m"] == pytest.approx(1e-3)
     assert next(iter(found)) == "N*m"
+    assert dict(spellings("m/s"))["km/h"] == pytest.approx(3.6)
     assert spellings("1") == ()
     assert dict(spellings("m^2"))["cm^2"] == pytest.approx(1e4)
 

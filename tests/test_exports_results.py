@@ -12,7 +12,7 @@ from exported import FORMULA, RESULTS, exported
 
 from planar_cli.homework.paper import Result
 
-HEADER = "student,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message"
+HEADER = "student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message"
 # What Gradescope's specification has.
 TOP = {"score", "output", "output_format", "test_output_format", "tests", "extra_data"}
 TEST = {"score", "max_score", "status", "name", "number", "output", "visibility"}
@@ -78,21 +78,21 @@ def test_the_gradebook_has_one_row_for_each_find() -> None:
     header, *others = rows("gradebook")
     assert ",".join(header) == HEADER
     assert len(others) == sum(len(r.graded) + len(r.wrong) for r in RESULTS)
-    assert others[0] == ["ada", "slider", "a_A", "3.52 m/s^2", "m/s^2", "3.52 m/s²", "0.01", "2", "2", "right", ""]
+    assert others[0] == ["ada", "1", "slider", "a_A", "3.52 m/s^2", "m/s^2", "3.52 m/s²", "0.01", "2", "2", "right", ""]
 
 
 def test_formulas_of_spreadsheets_are_guarded_and_numbers_stay() -> None:
     _, *others = rows("gradebook")
-    assert others[1][3] == "-2.5"
-    assert others[1][10].startswith("'-the value")
+    assert others[1][4] == "-2.5"
+    assert others[1][11].startswith("'-the value")
     assert others[2][0] == f"'{FORMULA}"
-    assert others[2][3] == "'@SUM(1)"
-    assert others[3][5] == "+0.25"
+    assert others[2][4] == "'@SUM(1)"
+    assert others[3][6] == "+0.25"
     assert all(not cell.startswith(("=", "@", "\t", "\r")) for row in others for cell in row)
 
 
 def test_what_cannot_be_graded_at_all_has_a_row() -> None:
-    assert next(row for row in rows("gradebook") if row[0].startswith("xxx"))[9:] == [
+    assert next(row for row in rows("gradebook") if row[0].startswith("xxx"))[10:] == [
         "ungradable",
         "'\tno answers were found",
     ]

@@ -107,6 +107,14 @@ def test_sheets_of_an_earlier_run_do_not_stay(tmp_path: Path, capfd: pytest.Capt
     assert "sheet-9.md is not of this run" in told
 
 
+def test_the_key_tells_senses_as_the_page_does() -> None:
+    from planar_cli.homework.homework import prepared
+
+    (*_, rod) = read_set(SET).problems
+    told = [e.text for e in prepared(rod, 0, 1, None).tasks[0].expected]
+    assert told == ["12.26 rad/s² clockwise", "14.72 N upward", "14.72 m/s² downward"]
+
+
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()

@@ -39,6 +39,12 @@ from planar_cli.units import Unit, pretty_unit
 
 TURNING = ("omega", "alpha", "theta", "H", "moment", "I")
 """Quantities that count positive counterclockwise."""
+MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
+"""Quantities of which a part along an axis is told to the right or left, upward or downward."""
+COUNTERCLOCKWISE = "counterclockwise", "clockwise"
+ALONG = {"x": ("to the right", "to the left"), "y": ("upward", "downward")}
+NOTHING = 1e-6
+"""A number below this part of the right one is what is left of zero, and no mistake that somebody makes."""
 APART = 3.0
 """A mistake tells something where it is off by so many tolerances."""
 
@@ -221,18 +227,21 @@ def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[
     last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
     direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
     rotation = not direction and (found.unit.angle or (isinstance(what, Quantity) and what.word in TURNING))
+    axis = last if last in ("x", "y") else ""
+    moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1
+    sense = COUNTERCLOCKWISE if rotation else ALONG.get(axis, ("", "")) if moves else ("", "")
     return Expected(
         found.name,
         asked_words(found.find),
         _kind(found),
         values,
         found.unit.text,
-        _text(found, values, rotation),
+        _text(found, values, sense),
         tolerance_of(problem.problem, found.name),
         scale,
         rotation and len(values) == 1,
         direction,
-        last if last in ("x", "y") else "",
+        axis,
     )
 
 
@@ -244,14 +253,16 @@ def _kind(found: Found) -> str:
     return found.kind if found.kind in ("vector", "list") else "number"
 
 
-def _text(found: Found, values: Sequence[float], rotation: bool) -> str:
-    """As a key tells it: four figures, the unit, the sense of a rotation."""
+def _text(found: Found, values: Sequence[float], sense: tuple[str, str]) -> str:
+    """As a key tells it: four figures, the unit, the sense in words. `sense`: of plus and of minus; "" where the number
+    has its sign.
+    """
     if found.word:
         return found.word
     unit = pretty_unit(found.unit.text)
     behind = unit if unit == "°" else f" {unit}" if unit else ""
-    if len(values) == 1 and rotation and values[0]:
-        return f"{shown(abs(values[0]))}{behind} {'counterclockwise' if values[0] > 0 else 'clockwise'}"
+    if len(values) == 1 and sense[0] and values[0]:
+        return f"{shown(abs(values[0]))}{behind} {sense[values[0] < 0]}"
     numbers = ", ".join(shown(v) for v in values)
     return f"[{numbers}]{behind}" if len(values) > 1 else f"{numbers}{behind}"
 
@@ -369,7 +380,9 @@ def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, value
     size = math.hypot(*right.values)
     reversed_too = math.hypot(*(a + b for a, b in zip(values, right.values, strict=True)))
     least = APART * right.tolerance * size
-    if off <= least or (len(values) == 1 and reversed_too <= least) or not any(values):
+    if off <= least or (len(values) == 1 and reversed_too <= least):
+        return
+    if not any(values) or math.hypot(*values) <= NOTHING * size:
         return
     mistaken = Mistaken(name, feedback, values)
     if mistaken not in found:

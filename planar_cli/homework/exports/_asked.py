@@ -19,6 +19,8 @@ from planar_cli.units import parse_unit, pretty_unit
 AXES = ("x", "y")
 THINNEST = 0.2
 """An interval that is narrowed to less than this share of itself misses honest rounding: it is given up."""
+NOTHING = 1e-9
+"""A component below this part of its vector is what is left of zero."""
 APART = 0.999
 """Neighbouring intervals stop short of each other by the rest."""
 CHOICES = {"yes": ("yes", "no"), "no": ("yes", "no"), "true": ("true", "false"), "false": ("true", "false")}
@@ -165,6 +167,7 @@ def _mistaken(mistake: Mistaken, place: int, expected: Expected, right: Interval
     """The numbers of a mistake; around a zero without any scale as far as around the right one."""
     value = mistake.values[place]
     size = math.hypot(*mistake.values) if expected.kind == "vector" else abs(value)
+    value = 0.0 if abs(value) < NOTHING * size else value
     return Interval(value, _allowed(size, expected) or right.tolerance, mistake.name, mistake.feedback)
 
 

@@ -31,6 +31,21 @@ _OTHERS = {
 }
 
 
+_WHOLE = {
+    "m/s": ("km/h",),
+    "km/h": ("m/s",),
+    "ft/s": ("mph",),
+    "mph": ("ft/s",),
+    "rad/s": ("rpm",),
+    "rpm": ("rad/s",),
+    "N/m": ("N/mm",),
+    "kN/m": ("N/mm",),
+    "N/mm": ("N/m", "kN/m"),
+    "N*m": ("N*mm",),
+}
+"""Whole units that students take in place of another."""
+
+
 def spellings(unit: str) -> tuple[tuple[str, float], ...]:
     """A unit in its usual spellings, then others of its dimension in theirs; none for a pure number.
 
@@ -44,7 +59,7 @@ def spellings(unit: str) -> tuple[tuple[str, float], ...]:
     if unit == "1":
         return ()
     found: dict[str, float] = {}
-    for other in (unit, *_others(unit)):
+    for other in (unit, *_WHOLE.get(unit, ()), *_others(unit)):
         for name in _written(other):
             found.setdefault(name, _ratio(base, parse_unit(other)))
     return tuple(found.items())

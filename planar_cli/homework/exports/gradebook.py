@@ -11,6 +11,7 @@ from planar_cli.homework.paper import Result
 
 HEADER = (
     "student",
+    "variant",
     "problem",
     "find",
     "submitted",
@@ -29,11 +30,11 @@ class Gradebook(ResultExport):
     """A CSV table with one row for each find of each student.
 
     The file
-        `student,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit` is
-        that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from a
-        wrong earlier value), ungradable or missing. A submission that cannot be graded at all has one row without
-        problem and find. Texts that a spreadsheet would run as a formula begin with an apostrophe. It holds the key, so
-        it is for the lecturer.
+        `student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit`
+        is that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from a wrong
+        earlier value), ungradable or missing. A submission that cannot be graded at all has one row without problem
+        and find. Texts that a spreadsheet would run as a formula begin with an apostrophe. It holds the key, so it is
+        for the lecturer.
 
     To import it
         In any spreadsheet; for Excel with the byte order mark, so that it knows UTF-8.
@@ -53,6 +54,7 @@ def _rows(result: Result) -> list[tuple[str | float, ...]]:
     rows: list[tuple[str | float, ...]] = [
         (
             result.student,
+            result.variant,
             g.problem,
             g.find,
             g.submitted,
@@ -62,9 +64,9 @@ def _rows(result: Result) -> list[tuple[str | float, ...]]:
             g.score,
             g.max_score,
             g.told,
-            " ".join(filter(None, (g.message, g.feedback))),
+            "; ".join(filter(None, (g.message, g.feedback))),
         )
         for g in result.graded
     ]
     blank = [""] * 8
-    return rows + [(result.student, *blank, "ungradable", why) for why in result.wrong]
+    return rows + [(result.student, result.variant, *blank, "ungradable", why) for why in result.wrong]
