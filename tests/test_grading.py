@@ -149,9 +149,12 @@ def test_own_values_that_change_nothing_are_not_named() -> None:
     a, b, c = (replace(FORCE, find=f) for f in "abc")
     paper = Paper(0, (Task("p", "", "", (), (a, b, c)),))
     handed = Submission("s", 0, tuple(("p", find, f"{n} N") for find, n in (("a", 20), ("b", 30), ("c", 60))))
+    worded = replace(handed, answers=(*handed.answers[:2], ("p", "c", "60 N down the slope")))
     third = grade(handed, {0: paper}, Rules(), _of_both).graded[2]
     assert (third.verdict, third.told, third.score) == ("wrong", "carried", 1.0)
     assert third.message == "this follows rightly from your a and your b, which are not right"
+    told = grade(worded, {0: paper}, Rules(), _of_both).graded[2].message
+    assert told == f"{third.message}; not read: 'down the slope'"
     alone = grade(handed, {0: paper}, Rules(), _of_the_later).graded[2]
     assert alone.message == "this follows rightly from your b, which is not right"
 

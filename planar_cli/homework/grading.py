@@ -341,7 +341,7 @@ def _carried(
         carried=names,
         mistakes=(),
         feedback="",
-        message=f"this follows rightly from {earlier}, {which}",
+        message="; ".join((f"this follows rightly from {earlier}, {which}", *one.message.split("; ")[1:])),
     )
 
 

@@ -40,7 +40,7 @@ _NAMED = re.compile(r"^(?:[A-Za-z][A-Za-z0-9_]*\s*)?[=≈≃~]\s*")
 _BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
 _IN_BRACKETS = re.compile(r"(.*\S)\s*\(\s*([A-Za-z][A-Za-z -]*|[↺↻→←↑↓])\s*\)")
-_AT = re.compile(r"@|∠|\bat\b|\bangle\b")
+_AT = ("@", "∠", " at ", "angle")
 _ONLY_WORDS = re.compile(r"[A-Za-z][A-Za-z ,.;'’()-]*")
 _NO_END_OF_A_UNIT = frozenset({"in", "at", "a", "to", "per"})
 _OF_UNITS = frozenset({"per", "times", "or", "and", "by"})
@@ -147,7 +147,7 @@ def _word(text: str) -> Typed:
 def _number(text: str) -> Typed:
     if re.search(r"[0-9],[0-9]", text):
         raise Unreadable("a comma in a number can mean two things; write 1200 or 1.2")
-    if _AT.search(text) and (polar := _polar(text)) is not None:
+    if any(word in text for word in _AT) and (polar := _polar(text)) is not None:
         return polar
     plain, sense, axis, way = _without_direction(text)
     value, unit, figures, unread = _quantity(plain)
@@ -216,7 +216,7 @@ def _quantity(text: str) -> tuple[float, Unit | None, int, str]:
     plain = _PLAIN.fullmatch(text)
     if plain is not None:
         behind = plain[3] or ""
-        if re.match(r"/\s*[A-Za-z]", behind):
+        if behind.startswith("/") and behind[1:].lstrip()[:1].isalpha():
             # 4.1/s
             behind = f"1{behind}"
         if not behind.startswith(("*", "/", "+", "-", "^")):
