@@ -115,6 +115,14 @@ def test_the_key_tells_senses_as_the_page_does() -> None:
     assert told == ["12.26 rad/s² clockwise", "14.72 N upward", "14.72 m/s² downward"]
 
 
+def test_what_cannot_be_read_is_told_once(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "eve.yaml").write_text("answers: {slope: {a: 3 m/s^2\n")
+    run(["check", "--set", SET, str(tmp_path)])
+    told = capfd.readouterr().out
+    assert told.count("this cannot be graded:") == told.count("this mapping is never closed") == 1
+    assert "slope.a ungradable" not in told
+
+
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()

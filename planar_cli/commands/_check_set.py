@@ -200,15 +200,18 @@ def _lines(result: Result, for_student: bool) -> list[str]:
     """One submission in print: the score, and a line for all that is not right."""
     variant = f", variant {result.variant}" if result.variant else ""
     lines = [visible(f"{result.student}{variant}: {result.score:g} of {result.max_score:g}")]
+    # What keeps the whole from being graded is told once, below.
+    of_all = {f"this cannot be graded: {sentence}" for sentence in result.wrong}
     for g in result.graded:
-        if g.verdict == "right" and not g.message:
+        if (g.verdict == "right" and not g.message) or g.message in of_all:
             continue
         told = "; ".join(m for m in (g.message, g.feedback) if m)
         if len(g.mistakes) > 1 and not for_student:
             told += f"; it may be {' or '.join(g.mistakes)}"
         key = "" if for_student or not g.expected else f" (key: {g.expected})"
         lines.append(visible(f"  {g.problem}.{g.find} {g.told}: `{g.submitted}`{key}: {told}"))
-    return [*lines, *(visible(f"  {sentence}") for sentence in result.wrong)]
+    whole = "this cannot be graded: " if any(g.message in of_all for g in result.graded) else ""
+    return [*lines, *(visible(f"  {whole}{sentence}") for sentence in result.wrong)]
 
 
 def _print_report(report: ClassReport) -> None:
