@@ -8,31 +8,41 @@ A set is a file that lists problem files:
       - slope.yaml                                     a path, as seen from the set file
       - {file: gears.yaml, name: gears, points: 4}     points of a problem, shared by its finds
       - {file: rod.yaml, points: {alpha: 3, A_x: 1}}   or of each find; else each counts 1
+      - {file: stop.yaml, ask: {s: "the compression of the spring"}}    what a find asks, in your words
     text: Hand in by Friday.
     variants: {number: 30, seed: 7}
     students: [s101, s102]                             the first has variant 1, the second variant 2, …
     tolerance: 0.01                                    relative; else that of each file, else one per cent
     sigfig: 3                                          within 0.51 of the last of three figures, not a tolerance
-    figures: 3                                         so many figures are asked for; fewer are told
+    figures: 3                                         so many significant figures are asked for on the sheets
     credit: {unit: 0.5, no_unit: 0, sign: 0, precision: 0.9, carried: 1}
     decimal_comma: true                                12,5 is twelve and a half
 
 Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is
 given for the right number with a wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign
 or sense, with too few figures, and for what follows rightly from a wrong earlier value of the student's own (1 unless
-said otherwise).
+said otherwise). What is carried is the student's own value, put into the equations of the worked solution, so that a
+way by other equations may come to another number; a value of zero, or one that is far off, carries nothing.
+
+An answer with fewer than `figures` figures is told so, and has the credit for `precision`. With `decimal_comma` a
+semicolon parts the components of a vector, `[3,5; -4] m/s`; a point is a decimal point in any case.
 
 Variants
 
 Values of given names stand in the problem file, under `variants` or in `given` itself, where the first is that of the
 file (planar explain variants). A combination is taken only where the physics stays what it is: the same case (roll or
 slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake
-still clearly wrong. In `text`, `{m}` stands for the value of m.
+still clearly wrong. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
     planar key set.yaml                          the key, on the terminal
     planar key set.yaml -o out --format html     a sheet for each variant, and the key of all
     planar key set.yaml -o out --both            the key with the worked solutions too
     planar key set.yaml -o out --export moodle   questions for a course system
+
+A student learns the variant from the sheet: it stands in its title, in its file name, `sheet-07`, and in the example of
+how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, and need not
+write the variant. Sheets list the given values that vary or do not stand in the text. Sheets and keys that an earlier
+run wrote to the folder are removed if nobody changed them since (`.planar-key.json` there tells which they are).
 
 The formats are markdown, html, json and csv. The same seed gives the same files, byte for byte. A sheet as CSV can be
 filled in and handed in as it is.
