@@ -129,6 +129,7 @@ def test_lists_and_words() -> None:
         ("-9.43.6 1/s", "number"),
         ("3 km per fortnight", "number"),
         ("3 N or 4 N", "number"),
+        ("4 m/s to the left and down", "number"),
         ("2 m*sin(3 m)", "number"),
         ("5 m/s", "vector"),
         ("-5 m/s at 30 deg", "vector"),

@@ -151,6 +151,8 @@ def _number(text: str) -> Typed:
         return polar
     plain, sense, axis, way = _without_direction(text)
     value, unit, figures, unread = _quantity(plain)
+    if (sense or way) and any(word.strip("(),.") in _WAYS or word in _SENSES for word in unread.lower().split()):
+        raise Unreadable("two directions stand behind the number; write one of them, or a sign")
     value, said_twice = _once(value, sense or way, text)
     return Typed((value,), unit, (figures,), sense, axis, way, notes=(*said_twice, *_not_read(unread)))
 
