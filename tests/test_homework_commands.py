@@ -83,6 +83,24 @@ def test_a_sheet_tells_what_is_asked_and_how_to_hand_in(tmp_path: Path) -> None:
     assert "Give 3 significant figures" in page
 
 
+def test_the_example_of_a_sheet_can_be_read(tmp_path: Path) -> None:
+    from planar_cli.homework.homework import assembled, prepared
+    from planar_cli.homework.sheets import Handed, sheet
+    from planar_cli.homework.submissions import contents, submissions
+
+    path = tmp_path / "set.yaml"
+    path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")
+    homework_set = read_set(str(path))
+    homework = assembled(homework_set, [prepared(p, 0, 1, None) for p in homework_set.problems])
+    text = sheet(homework, Handed("sheet", 0, "O'Neil: 1"))
+    assert "x counts to the right, y upward" in text
+    filled = tmp_path / "filled.yaml"
+    filled.write_text(text.split("```")[1].removeprefix("text\n"))
+    (read,) = submissions(contents(str(filled)))
+    assert (read.student, read.wrong) == ("O'Neil: 1", ())
+    assert read.answers == (("slot", "v", "12.3 m/s"),)
+
+
 def test_what_stands_in_the_text_is_not_given_again() -> None:
     from planar_cli.homework.homework import prepared
 

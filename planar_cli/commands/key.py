@@ -4,8 +4,8 @@ FILES are problem files or folders (every .yaml and .yml file below). The answer
 the file states otherwise is marked. With --both all answers come first, then all solutions. The exit status is that of
 `planar solve`.
 
-One FILE may be a homework set (`planar explain homework`): then its variants are drawn, and with -o FOLDER a sheet for
-each variant and the key of all are written there; without, the key is printed. The same seed gives the same files.
+One FILE may be a homework set (`planar explain homework`): its variants are drawn, and with -o FOLDER a sheet for each
+variant or student and the key of all are written there; else the key is printed. The same seed gives the same files.
 """
 
 from __future__ import annotations

@@ -83,11 +83,12 @@ def _how_to_hand_in(homework: Homework, one: Handed) -> Iterable[str]:
     turning = next((a for a in answers if a[1].rotation), None)
     shown = list(dict.fromkeys([*answers[:1], *([turning] if turning else [])]))
     figures = homework.rules.figures
+    axes = "x counts to the right, y upward. " if any(e.axis or e.kind == "vector" for _, e in asked) else ""
     yield "## How to hand in"
     yield ""
     yield (
         "A YAML file with one line for each answer, as below: the number with its unit and, of a rotation, its sense "
-        f"(cw or ccw). Give {figures} significant figures. Numbers and senses here are made up."
+        f"(cw or ccw). {axes}Give {figures} significant figures. Numbers and senses here are made up."
     )
     yield from ("", "```text", f"student: {_quoted(one.student) or 'your name or number'}")
     yield from (f"variant: {one.variant}",) if one.variant else ()
@@ -107,7 +108,8 @@ def _example(expected: Expected, comma: bool) -> str:
     unit = f" {expected.unit}" if expected.unit != "1" else ""
     first, second = ("12,3", "4,56") if comma else ("12.3", "4.56")
     if expected.kind == "vector":
-        return f"[{first}; -{second}]{unit}" if comma else f"[{first}, -{second}]{unit}"
+        # In quotes: a bracket begins a list in YAML.
+        return f'"[{first}; -{second}]{unit}"' if comma else f'"[{first}, -{second}]{unit}"'
     if expected.kind != "number":
         return ""
     return f"{first}{unit}{' cw' if expected.rotation else ''}"
