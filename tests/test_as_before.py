@@ -17,7 +17,6 @@ from planar_cli.report.told_before import defined_once
     [
         ("simple-pendulum", "as before: the diagram and (1), that is (2) of case released"),
         ("disk-held-by-a-spring", "as before: (1) and (2), that is (2) and (3) of case let go"),
-        ("chain-5-symbols", "As before: (6) to (10), that is (5) to (9) of case root."),
         ("bicycle-driven-and-braked", "STEP 4 Kinematic analysis as from 1 to 2: (9) to (12), there (1) to (4)"),
     ],
 )

@@ -110,7 +110,7 @@ STEP 3  Solving the equations                           3 equations, 3 unknowns:
 Answer      α = 6.186 rad/s² clockwise
             F = 39.18 N to the right (as assumed)
 Check       residuals 0 in 4 equations · multibody solution agrees to 15 digits · N = 490.5 N > 0
-Discussion   The friction changes sign at k_G = √(R r) = 0.3674 m.
+Discussion  The friction changes sign at k_G = √(R r) = 0.3674 m.
 """
 
 NARROW = """\
@@ -130,7 +130,7 @@ Answer      α = 6.186 rad/s² clockwise
 Check       residuals 0 in 4 equations ·
             multibody solution agrees to
             15 digits · N = 490.5 N > 0
-Discussion   The friction changes sign
+Discussion  The friction changes sign
              at k_G = √(R r) = 0.3674 m.
 """
 
