@@ -175,11 +175,14 @@ def test_a_key_that_cannot_be_used(tmp_path: Path) -> None:
 # --- stopped ---------------------------------------------------------------------------------------------------------
 
 RUN = """
+import signal
 import sys
 from graders import grader
 from planar_cli.homework.batches import grade_files
 from planar_cli.homework.grader import Grading
 if __name__ == "__main__":
+    # Who is started in the background inherits that the signal is ignored.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     ran = grade_files([sys.argv[1]], Grading(grader, "key", 60), 2, sys.argv[2])
     print(ran.graded, ran.interrupted, flush=True)
     sys.exit(128 + ran.interrupted)

@@ -206,7 +206,7 @@ def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -
 
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page("block-coming-to-rest-by-dry-friction")
-    assert "from stops_2 to end, from end to stop:" not in told
+    assert "from stops_2 to end, from end to stop: a_P" not in told
     assert "from turn_1 to turn_2, from stops to stops_2: a_P = -(μ m g + k x_P)/m At stop: t_stop" in told
 
 

@@ -14,6 +14,8 @@ FILE = str(Path(__file__).parents[1] / "problems" / "motion" / "car-three-phases
 CHILD = """
 import os, signal, sys
 loaded = sys.argv.pop(1)
+# Who is started in the background inherits that the signal is ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 class Finder:
     def find_spec(self, name, path=None, target=None):
         if name == loaded:
