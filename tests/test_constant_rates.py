@@ -27,7 +27,7 @@ def test_an_acceleration_is_told_once_in_numbers() -> None:
 
 def test_what_is_asked_is_told_in_it() -> None:
     text = page("textbook/ex-1-10")
-    assert "a_t = R α = 0.6 · 0.1667 = 0.1 m/s²" in text
+    assert "a_t = R α = 0.6 · 0.16667 = 0.1 m/s²" in text
     assert "a_B, x = -R (α sin θ_2 + ω_2² cos θ_2)" in text
 
 

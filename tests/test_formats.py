@@ -130,8 +130,8 @@ Answer      α = 6.186 rad/s² clockwise
 Check       residuals 0 in 4 equations ·
             multibody solution agrees to
             15 digits · N = 490.5 N > 0
-Discussion  The friction changes sign
-             at k_G = √(R r) = 0.3674 m.
+Discussion  The friction changes sign at
+            k_G = √(R r) = 0.3674 m.
 """
 
 SUBSTITUTED = r"-\frac{100 (0.45 + 0.3)}{50 (0.45^{2} + 0.2^{2})}"
