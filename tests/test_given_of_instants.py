@@ -49,9 +49,9 @@ def test_a_direction_that_is_an_axis_is_said() -> None:
 
 def test_a_table_of_what_is_asked() -> None:
     """What stays where it is has no column."""
-    page = _page("systems/planetary-gear-with-three-planets")
-    assert "t in s theta(sun) in ° theta(spider) in °" in page
-    assert "x(planet_A)" not in page
+    page = _page("motion/dog-that-runs-at-a-cyclist")
+    assert "t in s x(cyclist) in m x(dog) in m y(dog) in m" in page
+    assert "y(cyclist)" not in page
 
 
 BOB = """
