@@ -215,15 +215,15 @@ def _ranges(run: Sequence[tuple[int, int]], printed: _Printed) -> str:
 
 
 def _places(before: Sequence[Block]) -> tuple[dict[int, str], str]:
-    """In which case the last equation of each number stands, and which case is the last."""
+    """In which case the last equation of each number stands, and the last equation of all."""
     found: dict[int, str] = {}
-    place = "of the first part"
+    place = last = "of the first part"
     for block in before:
         if isinstance(block, Heading) and block.label == CASE:
             place = f"of case {block.text}"
         elif isinstance(block, Equation) and block.number is not None:
-            found[block.number] = place
-    return found, place
+            found[block.number] = last = place
+    return found, last
 
 
 def _valued(block: Block) -> Line:

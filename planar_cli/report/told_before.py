@@ -34,7 +34,8 @@ def defined_once(blocks: Iterable[Block]) -> Iterator[Block]:
             key = "".join(map(_written, pieces_of((block.lead, block.sides))))
             follows = every[i + 1] if i + 1 < len(every) else None
             # T_1 = 0 of a second balance is known; what stands alone under its heading stays.
-            again = key in step and not _is_work(block)
+            # What refers to a number above is said wherever it is put in.
+            again = key in step and not _is_work(block) and block.note != line("as above")
             if key in said or (again and isinstance(kept, Equation | Paragraph) and isinstance(follows, Equation)):
                 continue
             step.add(key)
