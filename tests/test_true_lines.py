@@ -20,7 +20,11 @@ def page(name: str) -> str:
     [
         ("rigid-bodies/beam-on-two-ropes", "a_B = α × r_B/A = [0, 3 (-4.905)] = [0, -14.715] m/s²", "ρ = "),
         ("rigid-bodies/bar-on-two-slanting-cords", "-0.75462 + 0.6 (-11.319)] = [-1.307, -7.546] m/s²", "ρ = "),
-        ("rigid-bodies/plate-on-parallel-links", "a_G = a_Ct e_t = [4.248, -2.4525] m/s²", "ρ = "),
+        (
+            "rigid-bodies/plate-on-parallel-links",
+            "a_G = a_Ct e_t = [0.8660 · 4.905, -0.5 · 4.905] = [4.248, -2.4525] m/s²",
+            "ρ = ",
+        ),
         ("particles/pendulum-tension", "ρ = l = 1.2 m", "√(l² + 4 y_P²)/2 ="),
         ("textbook/ex-1-13", "ρ = (1 + y′²)^(3/2)/y″ = (1 + 2²)^(3/2)/1 = 11.18 m", "ρ = 11.18 m\n\n"),
         ("particles/skier-in-a-parabolic-dip", "y′ = 2 c x_1 = 2 · 0.00625 · 40 = 0.5", "ρ = (1 + 4 c²"),
