@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
+from planar_cli.commands._counter import counter
 from planar_cli.commands._output import write_files
 from planar_cli.options import WrongUsage
 from planar_cli.problem.show import visible
@@ -43,7 +43,7 @@ def checked_set(
         from planar_cli.commands._tolerances import tolerances_of
 
         return tolerances_of(tuple(p.path for p in homework_set.problems), timeout)
-    homework = made_ready(homework_set, jobs, timeout, None, _progress(len(homework_set.problems), "problems solved"))
+    homework = made_ready(homework_set, jobs, timeout, None, counter(len(homework_set.problems), "problems solved"))
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     if options["matches"]:
@@ -62,17 +62,6 @@ def _false_matches(homework_set: HomeworkSet, homework: Homework) -> int:
         f"{found.ambiguous} for several"
     )
     return cli.SOLVED
-
-
-def _progress(total: int, what: str) -> Any:
-    """A counter on standard error, if somebody looks at it."""
-
-    def told(done: int) -> None:
-        if sys.stderr.isatty():
-            end = "\r\033[K" if done == total else ""
-            echo(f"\r{done} of {total} {what}{end}", err=True, end="")
-
-    return told
 
 
 class _Class:

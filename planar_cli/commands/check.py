@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
@@ -84,11 +84,12 @@ def command(
 
 
 def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float) -> int:
+    from planar_cli.commands._counter import counter
     from planar_cli.homework.checking import check_files
     from planar_cli.problem.files import problem_files
 
     paths = list(problem_files(files))
-    checked = check_files(paths, jobs, timeout, _progress(len(paths)))
+    checked = check_files(paths, jobs, timeout, counter(len(paths), "problems checked"))
     if form == "json":
         _print_json(checked)
     elif form == "terminal":
@@ -100,17 +101,6 @@ def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float) -> in
 
         echo(written(checked, form), end="")
     return max(STATUS[c.outcome] for c in checked)
-
-
-def _progress(total: int) -> Callable[[int], None]:
-    """A counter on standard error, if somebody looks at it."""
-
-    def told(done: int) -> None:
-        if sys.stderr.isatty():
-            end = "\r\033[K" if done == total else ""
-            echo(f"\r{done} of {total} problems checked{end}", err=True, end="")
-
-    return told
 
 
 def _row(checked: Checked) -> tuple[str, str, str, str]:

@@ -34,8 +34,10 @@ from planar_cli.problem.variations import Variation, variations_of
 from planar_cli.records import changing, record
 from planar_cli.replay.numbers import Numbers
 
-AT_ONCE = 4
-"""So many combinations are tried for each variant that is wanted."""
+AT_MOST = 4
+"""So many combinations are tried for each variant that is wanted, where each is solved by itself."""
+SPARE, AT_LEAST = 1.5, 500
+"""Carried out together are so many for each variant that is wanted, and no fewer than that."""
 NUDGE, STEEP = 1e-5, 40.0
 """A datum is changed by the first part of it; an answer may change by so many times as much."""
 SAME = 1e-7
@@ -89,7 +91,8 @@ def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
         return found
     drawn = draws(varied, f"{seed}/{problem.name}")
     if problem.is_written:
-        while len(found.taken) < count and (some := list(islice(drawn, AT_ONCE * count))):
+        together = max(int(SPARE * count), AT_LEAST)
+        while len(found.taken) < count and (some := list(islice(drawn, together))):
             _take_written(problem, some, count, found)
         if _solved_anew_agree(problem, found.taken):
             return found
@@ -224,7 +227,7 @@ def _solved_anew_agree(problem: WorkedProblem, taken: Sequence[Variant]) -> bool
 
 def _take_solved(problem: WorkedProblem, drawn: Iterator[Draw], count: int, found: Variants) -> None:
     base = {e.find: e for e in base_expected(problem)}
-    for draw in islice(drawn, AT_ONCE * count):
+    for draw in islice(drawn, AT_MOST * count):
         if len(found.taken) >= count:
             return
         found.tried += 1

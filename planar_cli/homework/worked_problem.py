@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -139,13 +140,15 @@ def _part(part: PartSolution, problem: Problem) -> Part:
 
 def base_numbers(problem: Problem, values: Mapping[str, str]) -> dict[str, float]:
     """Values as a file writes them, in the base units of the problem."""
-    found = {}
-    for name, text in values.items():
-        number = number_of(parse_side(text, Mark("<variant>", 1, 1)))
-        if number is not None:
-            value, unit = number
-            found[name] = float(value) * in_base(unit, problem.us)
-    return found
+    numbers = {name: _base_number(text, problem.us) for name, text in values.items()}
+    return {name: number for name, number in numbers.items() if number is not None}
+
+
+@lru_cache(maxsize=4096)
+def _base_number(text: str, us: bool) -> float | None:
+    """One value; None: it is no number. Many variants have few values."""
+    number = number_of(parse_side(text, Mark("<variant>", 1, 1)))
+    return None if number is None else float(number[0]) * in_base(number[1], us)
 
 
 class Carried:
@@ -376,11 +379,9 @@ def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, value
     """A mistake, where it gives a number that is clearly another one than the right one."""
     if len(values) != len(right.values) or not all(map(math.isfinite, values)):
         return
-    off = math.hypot(*(a - b for a, b in zip(values, right.values, strict=True)))
     size = math.hypot(*right.values)
-    reversed_too = math.hypot(*(a + b for a, b in zip(values, right.values, strict=True)))
     least = APART * right.tolerance * size
-    if off <= least or (len(values) == 1 and reversed_too <= least):
+    if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
         return
     if not any(values) or math.hypot(*values) <= NOTHING * size:
         return

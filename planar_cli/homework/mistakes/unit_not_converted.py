@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake
@@ -29,13 +30,19 @@ class UnitNotConverted(Mistake):
     kind: ClassVar[str] = "unit-not-converted"
 
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
-        asked = parse_unit(expected.unit)
-        for other in (b if _same(parse_unit(a), asked) else a for a, b in PAIRS if _is_one_of(asked, a, b)):
-            factor = _size(asked) / _size(parse_unit(other))
+        for other, factor in _taken_for(expected.unit):
             told, due = WORDS.get(other, other), WORDS.get(expected.unit, expected.unit)
             yield f"the number is one in {told}, not in {due}", tuple(v * factor for v in expected.values)
             said = f"the number was converted from {told} to {due}, but it was in {due} already"
             yield said, tuple(v / factor for v in expected.values)
+
+
+@lru_cache(maxsize=256)
+def _taken_for(unit: str) -> tuple[tuple[str, float], ...]:
+    """The other unit of each pair, with how many of it the unit is."""
+    asked = parse_unit(unit)
+    others = (b if _same(parse_unit(a), asked) else a for a, b in PAIRS if _is_one_of(asked, a, b))
+    return tuple((other, _size(asked) / _size(parse_unit(other))) for other in others)
 
 
 def _is_one_of(asked: Unit, *units: str) -> bool:
