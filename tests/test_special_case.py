@@ -19,9 +19,18 @@ def test_a_case_whose_result_is_known(stem: str, words: str) -> None:
     assert words in page_of_file(stem)
 
 
-def test_none_where_it_says_nothing() -> None:
-    """Without rotation nothing moves."""
-    assert " With w = 0" not in page_of_file("ball-in-a-rotating-tube-in-letters")
+@pytest.mark.parametrize("stem", ["ball-in-a-rotating-tube-in-letters", "atwood-let-go"])
+def test_none_where_it_says_nothing_or_another_check_stands(stem: str) -> None:
+    """Without rotation nothing moves; the place by constant acceleration is a check already."""
+    assert " With w = 0" not in page_of_file(stem)
+    assert " With m_A = m_B" not in page_of_file(stem)
+
+
+def test_none_where_a_state_is_never_reached() -> None:
+    """Equal weights that are let go never get to the second state."""
+    page = page_of_file("atwood-let-go")
+    assert "Discussion" not in page
+    assert "Check y_A,2 = y_A,1 - (m_A - m_B) g t_2² / (2 (m_A + m_B)) = -1 m - s" in page
 
 
 def test_a_case_that_the_file_assumes_not_to_be_is_none() -> None:

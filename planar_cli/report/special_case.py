@@ -49,7 +49,9 @@ def special_case(part: PartSolution, phrases: Phrases) -> Line:
     assumed = list(assumed_in_file(part)) if part.instants else []
     best: list[tuple[Found, sp.Expr]] = []
     words: Line = ()
-    for case in (c for c in _cases(letters, phrases) if not any(_rules_out(r, c) for r in assumed)):
+    for case in _cases(letters, phrases):
+        if any(_rules_out(r, case) for r in assumed) or any(_is_never(_formula(f), case) for f in answers):
+            continue
         told = [(f, value) for f in answers if (value := _in_case(_formula(f), case)) is not None]
         if _weight(told) > _weight(best):
             best, words = told, case.words
@@ -105,6 +107,11 @@ def _rules_out(relation: sp.Expr, case: _Case) -> bool:
     difference = relation.lhs - relation.rhs
     value = simplified(sp.sympify(difference).xreplace(dict(case.values)))
     return bool(value.is_positive if relation.rel_op in ("<", "<=") else value.is_negative)
+
+
+def _is_never(formula: sp.Expr, case: _Case) -> bool:
+    """Does it grow beyond bounds: does the state to which it belongs never come, as of equal weights let go?"""
+    return bool(formula.xreplace(dict(case.values)).has(sp.zoo, sp.oo))
 
 
 def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:

@@ -11,6 +11,7 @@ from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.motion_phrases import settled_phrases
+from planar_cli.report.with_units import with_units
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation
 
@@ -18,7 +19,7 @@ SHORT = 10
 
 
 def time_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """In letters, or in numbers where these would hide units; empty where the page goes over the place at that time
+    """In letters, with the units of numbers among them, or in numbers alone; empty where the page goes over the place at that time
     itself, or it is long.
     """
     relations = [e for leg in motion.route.steps for e in leg.relations]
@@ -52,7 +53,9 @@ def _told(e: Relation, motion: MotionTrace, phrases: Phrases) -> Line:
         return line(Math(place), " = ", phrases.math(formula), " = ", phrases.math(result))
     numeric = settled_phrases(motion, phrases)
     if not numeric.has_numbers(formula + place):
-        return ()
+        spelled = with_units(result, phrases.ledger.units[place].dimension, phrases)
+        clean = is_clean(phrases.ledger, place, formula)
+        return line(Math(place), " = ", phrases.math(formula), " = ", spelled) if spelled and clean else ()
     value = numeric.shown(place)
     put = numeric.substituted(formula, value)
     return line(Math(place), " = ", phrases.math(formula), *(p for m in put for p in line(" = ", m)), " = ", value)

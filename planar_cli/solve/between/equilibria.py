@@ -84,7 +84,8 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
         text = f"{extreme.state}: `{extreme.text}` nowhere: it does not become less on both sides"
         raise NoSolution([Diagnostic(extreme.mark, "PL630", text, hint)])
     if len(whole) > 1:
-        places = "; ".join(_place(b, [course.stops[s.name] for s in states], course.sought()) for b in whole[:6])
+        stops = [course.stops[s.name] for s in states]
+        places = "; ".join(_place(b, whole, stops, course.sought()) for b in whole[:6])
         hint = "say which is meant: give the coordinate, or an inequality"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
     return Equilibria(states, demands, (*equations, *drawn), whole[0])
@@ -309,9 +310,14 @@ def _holds(demand: Demand, number: Valuation) -> bool:
 
 
 def _distinct(branches: list[Branch], angles: set[sp.Symbol], natural: Mapping[sp.Symbol, Decimal]) -> list[Branch]:
-    """One of each position; an angle may differ by turns, and the smallest is taken."""
+    """One of each position; an angle may differ by turns, and the smallest is taken, π rather than -π."""
+
+    def turned(branch: Branch) -> tuple[Decimal, int]:
+        own = [v for a, v in branch.values.items() if a in angles]
+        return round(sum(map(abs, own), Decimal(0)), 12), sum(v < 0 for v in own)
+
     found: list[Branch] = []
-    for b in sorted(branches, key=lambda b: sum(abs(b.values[a]) for a in angles if a in b.values)):
+    for b in sorted(branches, key=turned):
         if not any(_same(b, other, angles, natural) for other in found):
             found.append(b)
     return found
@@ -327,14 +333,14 @@ def _same(one: Branch, other: Branch, angles: set[sp.Symbol], natural: Mapping[s
     return True
 
 
-def _place(branch: Branch, stops: list[Stop], sought: Iterable[sp.Symbol]) -> str:
-    """The places of one branch in words, and what is sought."""
+def _place(branch: Branch, all_of_them: list[Branch], stops: list[Stop], sought: Iterable[sp.Symbol]) -> str:
+    """The places of one branch in words, as far as they are not as drawn in every one, and what is sought."""
     found = [f"{s.name} = {branch.values[s]:.6g}" for s in sought if s in branch.values]
     others = {own for stop in stops for own in stop.letters.values()}
     for stop in stops:
         for letter, own in stop.letters.items():
             value = branch.values.get(own)
-            if value:
+            if value is not None and any(b.values.get(own) for b in all_of_them):
                 formula = branch.formulas.get(own)
                 told = formula is not None and not formula.free_symbols & others
                 found.append(f"{letter.name} = {formula if told else round(value, 6)}")

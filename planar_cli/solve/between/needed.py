@@ -37,8 +37,9 @@ def wanted_of(
     finds = {e for of_state in asked.values() for parts in of_state.values() for e in parts}
     known = unknowns_of(regime)
     names = _of_turnings(course, regime)
-    if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
-        names |= _rates(regime, regime.free)
+    for name in (s.name for s, _ in course.modes.equilibria if course.readers[s.name].regime is regime):
+        # A travel that swings nowhere, like that of a free cart, has no equation of motion to be told.
+        names |= _rates(regime, course.swings[name].speeds if name in course.swings else regime.free)
     laws = [law for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws]
     # By the letters of their own speeds: the start of a stretch may have been put into them.
     own = {law.v for law in laws}
