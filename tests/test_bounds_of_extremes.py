@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import assert_close
 
+from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -36,3 +37,26 @@ def test_a_force_that_stays_below_its_limit(limit: str) -> None:
     assert_close(solution.parts[0].found[0], 200)
     page = " ".join(Terminal(400).render(narrate(solution)).split())
     assert "k is largest where its bound is reached, " + limit.replace(">=", "=").replace("<", "=") in page
+
+
+BANKED = """
+title: Banked curve
+plane: vertical
+given: {m: 1200 kg, R: 80 m, beta: 10 deg, mu_s: 0.3}
+unknowns: {v: m/s}
+points: {P: [0, 0]}
+surfaces: {road: {through: P, angle: -beta}}
+bodies: {car: {particle: P, mass: m}}
+joints:
+  - contact: {between: [car, road], at: P, mu_s: mu_s, name: C}
+instant: [mode(C) = stick, a(P).x = -v^2/R, v is largest]
+find: {v: v}
+"""
+
+
+def test_what_the_other_relations_fix_is_not_largest() -> None:
+    """On a road that is fixed in the drawing a car that sticks has no acceleration, so that v = 0 is all there is."""
+    problem, wrong = load_text(BANKED)
+    assert problem is not None, wrong
+    with pytest.raises(NoSolution, match=r":11:53: PL613 the other relations fix v already, at 0: nothing is left"):
+        solve_problem(problem)

@@ -11,6 +11,7 @@ from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
+from planar_cli.equation.plain import longer
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Name, Number, Scaled, Side
 from planar_cli.problem.geometry import Vec
@@ -28,6 +29,21 @@ def is_plain(value: sp.Expr) -> bool:
     """Is it r + √2 l/2 or -√3 l/2: lengths of the file with numbers for factors, which cancel against others?"""
     terms = [t.as_independent(*t.free_symbols, as_Add=False) for t in sp.Add.make_args(value)]
     return len(terms) <= MOST and all(length.is_Symbol for _, length in terms)
+
+
+def is_along_one_line(value: sp.Expr) -> bool:
+    """Is it e cos β + R sin β or (R + r) sin β: lengths of the file along one slope and across it? What is resolved
+    along the slope gets its lengths back: x cos β - y sin β = e.
+    """
+    turns = value.atoms(sp.cos, sp.sin)
+    angles = {f.args[0] for f in turns}
+    if len(angles) != 1 or angles.pop().is_number:
+        return False
+    # As a sum over cos β and sin β, with lengths alone before them.
+    before = [sp.factor_terms(value.coeff(f)) for f in turns]
+    whole = sp.Add(*(value.coeff(f) * f for f in turns))
+    lettered = all(t.free_symbols and not t.has(sp.cos, sp.sin) for b in before for t in sp.Add.make_args(b))
+    return lettered and all(not longer(b, 1) for b in before) and sp.expand(value - whole) == 0
 
 
 @record

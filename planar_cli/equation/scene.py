@@ -19,7 +19,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.marks import own_mark
-from planar_cli.equation.places import AsDrawn, Jets, is_plain
+from planar_cli.equation.places import AsDrawn, Jets, is_along_one_line, is_plain
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.equation.written_angles import WrittenAngles
 from planar_cli.errors import Mark, refuse
@@ -160,8 +160,10 @@ class Scene(Decided):
         return jets
 
     def _named(self, value: sp.Expr, name: str) -> sp.Expr:
-        """A long coordinate gets a name, unless letters must stay visible in the answer."""
-        if self.ledger.symbolic or not longer(value, WORDY) or is_plain(value) or self.rests_on_sought(value):
+        """A long coordinate gets a name, unless letters must stay visible in the answer, or terms of it cancel."""
+        if self.ledger.symbolic or not longer(value, WORDY) or self.rests_on_sought(value):
+            return value
+        if is_plain(value) or is_along_one_line(value):
             return value
         return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
 

@@ -337,7 +337,7 @@ class MotionTelling:
         """A formula of a letter or its square, with the units of the numbers that stand in it by themselves."""
         if not formula.is_number and not is_clean(self.found.ledger, own, formula):
             dimension = common_dimension(self.found.ledger, own)
-            found = None if dimension is None else with_units(formula, dimension, self.phrases)
+            found = None if dimension is None else with_units(self.phrases.neat(formula), dimension, self.phrases)
             if found is not None:
                 return found
         return self.phrases.math(formula)

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import groupby
+
 import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.system import System
+from planar_cli.joints.base import Joint
 from planar_cli.problem.keys import RopeStop
+from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import GROUND, with_article
 from planar_cli.report.blocks import Line, line
+from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 
@@ -31,8 +37,7 @@ def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Li
         return ()
     if all(a.could_extract_minus_sign() for a in found.args) or sp.Add.make_args(found)[0].could_extract_minus_sign():
         found = -found
-    called = f"{w.lead[:1].upper()}{w.lead[1:]}"
-    return line(f"{called}, ", phrases.math(found), f" = const., differentiated{' twice' if twice else ''}:")
+    return line(f"{begun(w.lead)}, ", phrases.math(found), f" = const., differentiated{' twice' if twice else ''}:")
 
 
 def _of_all(w: Written, system: System) -> sp.Expr:
@@ -41,16 +46,35 @@ def _of_all(w: Written, system: System) -> sp.Expr:
     return system.first.row_velocity(rows[0]) if len(rows) == 1 else w.left - w.right
 
 
-def wound(w: Written, system: System) -> str:
-    """`keeps its length and does not slip on the wheel`, of a rope that is wound on a body."""
-    if w.source != "row" or not w.lead.endswith(KEEPS):
-        return ""
-    called = w.lead.removesuffix(KEEPS).strip()
-    own = (j for j in system.scene.problem.joints if j.called == called)
-    bodies = list(dict.fromkeys(with_article(drum) for j in own for drum in drums(j)))
+def wound(w: Written, system: System, written: Sequence[Written]) -> str:
+    """`The cord keeps its length and does not slip on the wheel:`, of one that is wound on a body; "" of another
+    relation. `written`: the relations of its stage; ropes on the same bodies that follow each other have one sentence.
+    """
+    joints, bodies = _wound(w, system)
     if not bodies:
         return ""
-    return f"{called[:1].upper()}{called[1:]} keeps its length and does not slip on {' and on '.join(bodies)}:"
+    runs = (list(run) for on, run in groupby(written, lambda x: _wound(x, system)[1]) if on == bodies)
+    joints = next((tuple(j for x in run for j in _wound(x, system)[0]) for run in runs if w in run), joints)
+    called, drum = _in_a_row(joints), " and on ".join(map(with_article, bodies))
+    if len(joints) > 1:
+        return f"{begun(called)} keep their lengths and do not slip on {drum}:"
+    return f"{begun(called)} {KEEPS} and does not slip on {drum}:"
+
+
+def _wound(w: Written, system: System) -> tuple[tuple[Joint, ...], tuple[str, ...]]:
+    """The rope of which a relation tells, and the bodies on which it is wound; none of another relation."""
+    called = w.lead.removesuffix(KEEPS).strip() if w.source == "row" and w.lead.endswith(KEEPS) else ""
+    own = tuple(j for j in system.scene.problem.joints if called and j.called == called)
+    return own, tuple(dict.fromkeys(drum for j in own for drum in drums(j)))
+
+
+def _in_a_row(joints: Sequence[Joint]) -> str:
+    """`the cords A and B`; `the left cord and the right cord`."""
+    called = [j.called for j in joints]
+    nouns, names = {c.split(" ")[1] for c in called}, [c.split(" ", 2)[-1] for c in called]
+    if len(called) > 1 and len(nouns) == 1 and all(nouns <= {j.kind, *j.nouns} for j in joints):
+        return f"the {nouns.pop()}s {listed(names, 'and')}"
+    return listed(called, "and")
 
 
 def drums(joint: object) -> list[str]:

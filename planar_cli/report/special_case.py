@@ -23,7 +23,7 @@ from planar_cli.report.presumed import assumed_in_file
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.units import MASS, PURE
+from planar_cli.units import MASS, PURE, TIME
 
 LONGEST, SHORT, MOST = 40, 3, 2
 """Operations of an answer; factors of what it comes to; answers told of one case."""
@@ -50,7 +50,7 @@ def special_case(part: PartSolution, phrases: Phrases) -> Line:
     best: list[tuple[Found, sp.Expr]] = []
     words: Line = ()
     for case in _cases(letters, phrases):
-        if any(_rules_out(r, case) for r in assumed) or any(_is_never(_formula(f), case) for f in answers):
+        if any(_rules_out(r, case) for r in assumed) or any(_is_never(f, case) for f in answers):
             continue
         told = [(f, value) for f in answers if (value := _in_case(_formula(f), case)) is not None]
         if _weight(told) > _weight(best):
@@ -109,9 +109,10 @@ def _rules_out(relation: sp.Expr, case: _Case) -> bool:
     return bool(value.is_positive if relation.rel_op in ("<", "<=") else value.is_negative)
 
 
-def _is_never(formula: sp.Expr, case: _Case) -> bool:
-    """Does it grow beyond bounds: does the state to which it belongs never come, as of equal weights let go?"""
-    return bool(formula.xreplace(dict(case.values)).has(sp.zoo, sp.oo))
+def _is_never(found: Found, case: _Case) -> bool:
+    """Is it a time that grows beyond bounds: does its state never come, as of equal weights that are let go?"""
+    value = _formula(found).xreplace(dict(case.values))
+    return found.unit.dimension == TIME and bool(value.has(sp.zoo, sp.oo))
 
 
 def _in_case(formula: sp.Expr, case: _Case) -> sp.Expr | None:

@@ -274,7 +274,7 @@ class Telling:
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         level = level_of(w, stage, self.scene.ledger)
-        words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w)))]
+        words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w, stage)))]
         if any(isinstance(b, Equation) for b in words):
             self.numeric.components[id(stage.algebra), w.number] = self.vectors.components
         if self.vectors.components and w.place in self.scene.points:
@@ -364,7 +364,7 @@ class Telling:
         )
         return f"Without friction at {smooth}:" if smooth and w.right == 0 else ""
 
-    def _relation_words(self, w: Written) -> str:
+    def _relation_words(self, w: Written, stage: Stage) -> str:
         if w.source == "given":
             often = ("", ", differentiated", ", differentiated twice")[w.times]
             return self._at_limit(w) or f"Given: {w.words or w.lead}{often}{turned(w)}"
@@ -383,7 +383,7 @@ class Telling:
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
-        if told := wound(w, self.system):
+        if told := wound(w, self.system, [x for b in stage.blocks for x in b.equations]):
             return told
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"

@@ -19,8 +19,8 @@ SHORT = 10
 
 
 def time_check(motion: MotionTrace, phrases: Phrases) -> Line:
-    """In letters, with the units of numbers among them, or in numbers alone; empty where the page goes over the place at that time
-    itself, or it is long.
+    """In letters, with the units of numbers among them, or in numbers alone; empty where the page goes over the place
+    at that time itself, or it is long.
     """
     relations = [e for leg in motion.route.steps for e in leg.relations]
     for e in relations:
