@@ -43,19 +43,24 @@ class DataTelling:
             return self._differentiated(w, stated, Equation((letter, value), number))
         self.told.add(w.lead)
         if not w.right.is_number or w.right == 0:
-            role = self.scene.ledger.roles.get(w.right)
-            sought = role is not None and role.kind is Kind.SOUGHT
-            lead = self._unknown(w.right) if sought else GIVEN
+            lead = self._unknown(w.right) if self._is_sought(w.right) else GIVEN
             return [Equation((letter, value, *self._worked_out(w)), number, lead)]
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
 
+    def restates(self, w: Written) -> bool:
+        """Is it a number, or a letter with one, that stands under Given already?"""
+        return w.given and not w.times and (w.right.is_number or (w.right.is_Symbol and not self._is_sought(w.right)))
+
+    def _is_sought(self, expr: sp.Expr) -> bool:
+        role = self.scene.ledger.roles.get(expr)
+        return role is not None and role.kind is Kind.SOUGHT
+
     def _worked_out(self, w: Written) -> tuple[Inline | Line, ...]:
         """A formula with its numbers and its value, where nothing in it is sought that the instant does not give."""
-        roles = self.scene.ledger.roles
-        sought = {s for s in w.right.free_symbols if s in roles and roles[s].kind is Kind.SOUGHT}
+        sought = {s for s in w.right.free_symbols if self._is_sought(s)}
         short = (-w.right).is_Symbol or w.right.is_Symbol or w.right.is_number
         if short or self.phrases.symbolic or any(self._unknown(s) != GIVEN for s in sought):
             return ()
@@ -66,8 +71,8 @@ class DataTelling:
 
     def of_letter(self, w: Written, moving: frozenset[sp.Symbol], number: int) -> Equation | None:
         """given, w unknown: ω = w, where the file says that a velocity or acceleration is a letter which is sought."""
-        letters, roles = w.residual.free_symbols, self.scene.ledger.roles
-        sought = [s for s in letters if s in roles and roles[s].kind is Kind.SOUGHT]
+        letters = w.residual.free_symbols
+        sought = [s for s in letters if self._is_sought(s)]
         own = [s for s in letters if s in moving]
         if w.source != "given" or w.times or len(sought) != 1 or len(own) != 1 or len(letters) != 2:
             return None

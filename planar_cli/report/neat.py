@@ -89,7 +89,7 @@ class Neat:
         return any(
             isinstance(p, sp.Abs)
             or (p.is_Pow and (_holds_sum(p.base) or isinstance(p.base, sp.sin)))
-            or (p.is_Mul and any(_shares(a) or (_is_difference(a) and self.sign(a) < 0) for a in p.args))
+            or (p.is_Mul and any(_shares(a) or (_may_turn(a) and self._is_turned(a)) for a in p.args))
             or (p.is_Add and _square_inside(p) is not None)
             for p in sp.preorder_traversal(expr)
         )
@@ -109,8 +109,12 @@ class Neat:
     def _effort(self, term: sp.Expr) -> int:
         """How long a term is on the page. Bars count twice, as they hide a sign; r - R counts more than -(R - r)."""
         text = plain(term)
-        turned = sum(not s.as_coeff_Add()[0] and self.sign(s) < 0 for s in _sums(term))
+        turned = sum(not s.as_coeff_Add()[0] and self._is_turned(s) for s in _sums(term))
         return len(text) + text.count("|") + TURNED * turned
+
+    def _is_turned(self, total: sp.Expr) -> bool:
+        """Is it r - R or -R - r, surely negative, with a minus that can be put before it?"""
+        return self.sign(total) < 0 and any(t.could_extract_minus_sign() for t in total.args)
 
     def _put_together(self, term: sp.Expr) -> sp.Expr:
         """A product with each sum that is a factor of it as one letter."""
@@ -321,14 +325,9 @@ def _has_power(term: sp.Expr, letter: sp.Symbol, power: int) -> bool:
     return letter**power in sp.Mul.make_args(term)
 
 
-def _is_difference(total: sp.Expr) -> bool:
-    """Is it one letter less another?"""
-    return (
-        total.is_Add
-        and len(total.args) == 2
-        and sorted(t.is_Symbol for t in total.args) == [False, True]
-        and (any((-t).is_Symbol for t in total.args))
-    )
+def _may_turn(total: sp.Expr) -> bool:
+    """Is it two letters, one less the other or both with a minus?"""
+    return total.is_Add and len(total.args) == 2 and all(t.is_Symbol or (-t).is_Symbol for t in total.args)
 
 
 def _root_of(term: sp.Expr) -> sp.Expr | None:

@@ -181,9 +181,10 @@ class Telling:
         for stage in stages:
             written = [w for b in stage.blocks for w in b.equations]
             if written:
-                blocks.append(Paragraph(line("Velocities:")))
-                blocks += self._equations(written, stage)
-                blocks += self.solving.blocks(stage)
+                # What only stands under Given again, with nothing after it, wants no heading.
+                bare = last is None and all(map(self.data.restates, written))
+                blocks += [] if bare else [Paragraph(line("Velocities:"))]
+                blocks += [*self._equations(written, stage), *self.solving.blocks(stage)]
         if last is None:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
