@@ -31,6 +31,7 @@ def checked_set(
     path: str, files: tuple[str, ...], form: str, jobs: int, timeout: float, options: Mapping[str, Any]
 ) -> int:
     """Grade submissions and print what came of it."""
+    from planar_cli.commands._told_formulas import told_formulas
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
 
@@ -43,7 +44,8 @@ def checked_set(
         from planar_cli.commands._tolerances import tolerances_of
 
         return tolerances_of(tuple(p.path for p in homework_set.problems), timeout)
-    homework = made_ready(homework_set, jobs, timeout, None, counter(len(homework_set.problems), "problems solved"))
+    done = counter(len(homework_set.problems), "problems solved")
+    homework = made_ready(homework_set, jobs, timeout, None, done, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     if options["matches"]:

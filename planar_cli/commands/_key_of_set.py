@@ -32,6 +32,7 @@ def key_of_set(
     exports: tuple[str, ...],
 ) -> int:
     """Sheets, key and exports of a set."""
+    from planar_cli.commands._told_formulas import told_formulas
     from planar_cli.commands._worked_pages import page_of
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
@@ -46,7 +47,7 @@ def key_of_set(
         seed=homework_set.seed if seed is None else seed,
     )
     page = page_of if worked or both or exports else None
-    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, lambda done: None)
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, lambda done: None, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]

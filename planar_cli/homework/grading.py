@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.homework import typed
-from planar_cli.homework.named_mistakes import named
+from planar_cli.homework.named_mistakes import named, named_formula
 from planar_cli.homework.paper import (
     MISSING,
     RIGHT,
@@ -120,7 +120,8 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
         if expected.kind == "word":
             return _of_word(blank, answer.word == expected.text, rules), None
         if expected.kind in ("formula", "equation"):
-            return _of_word(blank, _same_formula(answer.formula, expected), rules), None
+            one = _of_word(blank, _same_formula(answer.formula, expected), rules)
+            return (named_formula(one, expected, answer.formula) if one.verdict == WRONG else one), None
         return _of_numbers(blank, expected, answer, rules)
     except Unreadable as why:
         return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {why}"), None

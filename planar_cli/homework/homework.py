@@ -6,7 +6,7 @@ import hashlib
 import json
 import pickle
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
@@ -34,13 +34,15 @@ from planar_cli.units import pretty_unit
 
 Page = Callable[[Solution], tuple[str, str]]
 """Writes a worked solution, as Markdown and as plain text."""
+Formulas = Callable[[Solution], dict[str, str]]
+"""Tells the answers in letters, by their finds."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
 
-def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -> Prepared:
-    """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted. PlanarError:
-    it has no solution.
+def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None, formulas: Formulas | None) -> Prepared:
+    """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted; `formulas`:
+    tells answers in letters, which else stand as a file writes them. PlanarError: it has no solution.
     """
     solved = read_and_solve(problem.path, problem.name)
     _check_finds(problem, solved)
@@ -55,7 +57,8 @@ def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None) -
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
-    asked = [_with_points(problem, _in_words(problem, e)) for e in rows]
+    told = formulas(solved.solution) if formulas is not None and any(e.formula for e in base) else {}
+    asked = [_with_points(problem, _in_words(problem, _as_told(e, base, told))) for e in rows]
     made = [_task(problem, solved, d, e, page) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
@@ -98,6 +101,15 @@ def _check_finds(problem: SetProblem, solved: WorkedProblem) -> None:
     if wrong:
         text = f"{problem.path} has no find '{wrong[0]}'"
         raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
+
+
+def _as_told(expected: Sequence[Expected], base: Sequence[Expected], told: Mapping[str, str]) -> tuple[Expected, ...]:
+    """Answers in letters that are those of the file itself, as they are told of that."""
+    same = {e.find: e.formula for e in base}
+    return tuple(
+        replace(e, text=told[e.find]) if e.formula and e.find in told and e.formula == same.get(e.find) else e
+        for e in expected
+    )
 
 
 def _in_words(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:
@@ -176,12 +188,19 @@ def _students(homework: HomeworkSet) -> tuple[tuple[str, int], ...]:
 
 
 def made_ready(
-    homework: HomeworkSet, jobs: int, timeout: float, page: Page | None, told_done: Callable[[int], None]
+    homework: HomeworkSet,
+    jobs: int,
+    timeout: float,
+    page: Page | None,
+    told_done: Callable[[int], None],
+    formulas: Formulas | None = None,
 ) -> Homework:
-    """A set made ready on several workers, which import `page` by its name. PlanarError: a problem of it is no good."""
+    """A set made ready on several workers, which import `page` and `formulas` by their names. PlanarError: a problem
+    of it is no good.
+    """
     from planar_cli.homework.supervisor import Supervisor
 
-    items = [(p, homework.variants, homework.seed, page) for p in homework.problems]
+    items = [(p, homework.variants, homework.seed, page, formulas) for p in homework.problems]
     ended = Supervisor(_attempt, jobs, timeout, told_done).run(items)
     found: list[Prepared] = []
     wrong: list[Diagnostic] = []
@@ -196,7 +215,9 @@ def made_ready(
     return assembled(homework, found)
 
 
-def _attempt(item: tuple[SetProblem, int, int, Page | None]) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+def _attempt(
+    item: tuple[SetProblem, int, int, Page | None, Formulas | None],
+) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
     try:
         return prepared(*item)
     except (FileProblem, NoSolution) as error:

@@ -1,4 +1,4 @@
-"""A wrong number that a typical mistake gives: the mistake is named, where just one gives it."""
+"""A wrong number or formula that a typical mistake gives: the mistake is named, where just one gives it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planar_cli.homework.paper import Expected, Graded
+from planar_cli.homework.paper import Expected, Graded, Mistaken
 from planar_cli.homework.typed import Typed
 
 FEWEST = 3
@@ -22,7 +22,17 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
     told = [f for f, v in zip(answer.figures, values, strict=False) if v]
     if not told or min(told) < FEWEST:
         return one
-    fits = [m for m in expected.mistakes if _same(m.values, values, answer.figures)]
+    return _told(one, [m for m in expected.mistakes if _same(m.values, values, answer.figures)])
+
+
+def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
+    """The same of a wrong formula."""
+    from planar_cli.homework.typed_formula import same_formula
+
+    return _told(one, [m for m in expected.mistakes if same_formula(text, m.formula, expected.letters)])
+
+
+def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
     # Mistakes that come to the same number by the same words are one.
     names = tuple(dict.fromkeys(m.name for m in fits))
     feedback = fits[0].feedback if len(names) == 1 else ""

@@ -20,6 +20,8 @@ class Mistaken:
     feedback: str
     """A sentence to the student."""
     values: tuple[float, ...]
+    formula: str = ""
+    """Of a formula: itself, as a problem file would write it; it has no values."""
 
 
 @record

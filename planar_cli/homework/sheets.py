@@ -224,7 +224,8 @@ def _task_data(task: Task, with_answers: bool) -> dict[str, object]:
     for e in task.expected:
         asked = {"find": e.find, "asked": e.asked, "kind": e.kind, "unit": e.unit, "points": e.points}
         told = {"answer": e.text, "values": list(e.values), "tolerance": e.tolerance} if with_answers else {}
-        finds.append({**asked, **told})
+        formula = {"formula": e.formula} if with_answers and e.formula else {}
+        finds.append({**asked, **told, **formula})
     return {"problem": task.problem, "title": task.title, "text": task.text, "given": list(task.given), "finds": finds}
 
 

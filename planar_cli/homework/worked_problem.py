@@ -21,6 +21,7 @@ from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.paper import Expected, Mistaken
+from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.nodes import Node, read_file
 from planar_cli.problem.parser import parse_side
@@ -317,17 +318,18 @@ def base_expected(problem: WorkedProblem) -> tuple[Expected, ...]:
 
 
 def _with_formula(made: Expected, part: Part, one: Found) -> Expected:
-    """A formula, as a problem file writes it, with its letters."""
+    """A formula, as a problem file writes it, with its letters and what mistakes make of it."""
     expr = sp.sympify((one.expressions or (sp.S.Zero,))[0])
     if len(one.expressions or ()) != 1:
         raise Undecided(f"{one.name} is no single formula; a homework asks for its components one by one")
     ledger = _ledger(part)
     letters = tuple((s.name, _unit_text(ledger, s)) for s in sorted(expr.free_symbols, key=lambda s: s.name))
     if isinstance(expr, sp.Eq):
-        text = f"{sp.sstr(expr.lhs)} = {sp.sstr(expr.rhs)}".replace("**", "^")
+        text = f"{as_written(expr.lhs)} = {as_written(expr.rhs)}"
         return replace(made, formula=text, letters=tuple((n, "1") for n, _ in letters), text=text)
-    text = sp.sstr(expr).replace("**", "^")
-    return replace(made, formula=text, letters=letters, text=text)
+    text = as_written(expr)
+    mistakes = wrong_formulas(expr, letters, part.problem, ledger) if ledger is not None else ()
+    return replace(made, formula=text, letters=letters, text=text, mistakes=mistakes)
 
 
 def _ledger(part: Part) -> Any:
@@ -370,7 +372,7 @@ def with_mistakes(
                     for feedback, slip in mistake.slips(one_expected):
                         _add(found[k][i], one_expected, name, feedback, slip)
     return [
-        tuple(replace(e, mistakes=tuple(m)) for e, m in zip(paper, mistakes, strict=True))
+        tuple(replace(e, mistakes=(*e.mistakes, *m)) for e, m in zip(paper, mistakes, strict=True))
         for paper, mistakes in zip(papers, found, strict=True)
     ]
 
