@@ -40,7 +40,9 @@ FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
 
-def prepared(problem: SetProblem, variants: int, seed: int, page: Page | None, formulas: Formulas | None) -> Prepared:
+def prepared(
+    problem: SetProblem, variants: int, seed: int, page: Page | None, formulas: Formulas | None = None
+) -> Prepared:
     """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted; `formulas`:
     tells answers in letters, which else stand as a file writes them. PlanarError: it has no solution.
     """

@@ -16,7 +16,7 @@ from planar_cli.report.between import dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
-from planar_cli.report.clean import common_dimension, is_clean
+from planar_cli.report.clean import is_clean
 from planar_cli.report.conditions_of_states import is_own_name
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.extremes import aims_told
@@ -56,7 +56,7 @@ from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
-from planar_cli.report.with_units import with_units
+from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import that_vanish, without_zeros
 from planar_cli.solve.between.trace import (
@@ -318,29 +318,19 @@ class MotionTelling:
         if letter is not None:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
-                return self.phrases.math(own), self._spelled(own, self._neat(own - residual))
+                return self.phrases.math(own), in_units_held(own, self._neat(own - residual), self.phrases)
         if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
-            own = letter_of(e, self.found.ledger)
-            if own in route.plain:
+            if letter in route.plain:
                 explicit = e.span.explicit.xreplace(route.plain)
-                explicit = explicit if own in self.found.route.plain else self._neat(explicit)
-                explicit = explicit if route.plain[own] else that_vanish(explicit, self._open)
-                return self.phrases.math(explicit), self.phrases.math(route.plain[own])
+                explicit = explicit if letter in self.found.route.plain else self._neat(explicit)
+                explicit = explicit if route.plain[letter] else that_vanish(explicit, self._open)
+                return self.phrases.math(explicit), self.phrases.math(route.plain[letter])
         if e.span is not None and e.span.unevaluated:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
             right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
             return self.phrases.math(left), self.phrases.math(right)
         left, right = balanced(e, residual)
-        return self.phrases.math(left), self._spelled(left, right)
-
-    def _spelled(self, own: sp.Expr, formula: sp.Expr) -> Math:
-        """A formula of a letter or its square, with the units of the numbers that stand in it by themselves."""
-        if not formula.is_number and not is_clean(self.found.ledger, own, formula):
-            dimension = common_dimension(self.found.ledger, own)
-            found = None if dimension is None else with_units(self.phrases.neat(formula), dimension, self.phrases)
-            if found is not None:
-                return found
-        return self.phrases.math(formula)
+        return self.phrases.math(left), in_units_held(left, right, self.phrases)
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:
         return expr if longer(expr, LONGEST) else in_times(simplified(expr), self.found)
@@ -359,7 +349,7 @@ class MotionTelling:
             return self.phrases.math(r.unknown), *known, *radians, self._shown(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if formula is not None and (not formula.is_number or phrases.symbolic):
-            sides.append(self._spelled(r.unknown, formula))
+            sides.append(in_units_held(r.unknown, formula, self.phrases))
             if not formula.is_Symbol:
                 sides += phrases.substituted(formula, self._shown(r))
         if not phrases.symbolic:

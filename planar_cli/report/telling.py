@@ -17,6 +17,7 @@ from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Parag
 from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
+from planar_cli.report.derivatives_after import derivatives_after
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, in_numbers, places
 from planar_cli.report.given_components import vector_before
@@ -182,8 +183,8 @@ class Telling:
             written = [w for b in stage.blocks for w in b.equations]
             if written:
                 # What only stands under Given again, with nothing after it, wants no heading.
-                bare = last is None and all(map(self.data.restates, written))
-                blocks += [] if bare else [Paragraph(line("Velocities:"))]
+                if last is not None or not all(map(self.data.restates, written)):
+                    blocks.append(Paragraph(line("Velocities:")))
                 blocks += [*self._equations(written, stage), *self.solving.blocks(stage)]
         if last is None:
             return blocks
@@ -388,14 +389,3 @@ class Telling:
             return told
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
-
-
-def derivatives_after(relations: list[Written]) -> list[Written]:
-    """The same, what the file gives before its derivatives, in the places that they had together."""
-    found = list(relations)
-    for words in dict.fromkeys(w.words or w.lead for w in relations if w.source == "given" and w.times):
-        places = [i for i, w in enumerate(relations) if w.source == "given" and (w.words or w.lead) == words]
-        own = sorted((relations[i] for i in places), key=lambda w: w.times)
-        for i, w in zip(places, own, strict=True):
-            found[i] = w
-    return found

@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
 from planar_cli.report.blocks import Math, Value
-from planar_cli.report.clean import Mixed, dimension_of, is_clean
+from planar_cli.report.clean import Mixed, common_dimension, dimension_of, is_clean
 from planar_cli.report.numbers import quantity
 from planar_cli.report.ordering import BEHIND, NUMBER
 from planar_cli.report.words import Phrases
@@ -32,6 +32,16 @@ def with_units(expr: sp.Expr, dimension: Dimension, phrases: Phrases) -> Math | 
     except Mixed:
         return None
     return Math(found, spelled.texts) if len(spelled.texts) <= MOST else None
+
+
+def in_units_held(own: sp.Expr, formula: sp.Expr, phrases: Phrases) -> Math:
+    """A formula of a letter, or of its square, with the units of the numbers that stand in it by themselves."""
+    if not formula.is_number and not is_clean(phrases.ledger, own, formula):
+        dimension = common_dimension(phrases.ledger, own)
+        found = None if dimension is None else with_units(phrases.neat(formula), dimension, phrases)
+        if found is not None:
+            return found
+    return phrases.math(formula)
 
 
 def led(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
