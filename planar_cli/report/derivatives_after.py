@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_cli.solve.instant.algebra import Written
+from planar_cli.solve.instant.written import Written
 
 
 def derivatives_after(relations: list[Written]) -> list[Written]:

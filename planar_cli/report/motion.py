@@ -319,12 +319,12 @@ class MotionTelling:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
                 return self.phrases.math(own), in_units_held(own, self._neat(own - residual), self.phrases)
-        if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
-            if letter in route.plain:
-                explicit = e.span.explicit.xreplace(route.plain)
-                explicit = explicit if letter in self.found.route.plain else self._neat(explicit)
-                explicit = explicit if route.plain[letter] else that_vanish(explicit, self._open)
-                return self.phrases.math(explicit), self.phrases.math(route.plain[letter])
+        explicit = e.span.explicit if e.span is not None and not e.span.unevaluated else None
+        if explicit is not None and letter in route.plain:
+            explicit = explicit.xreplace(route.plain)
+            explicit = explicit if letter in self.found.route.plain else self._neat(explicit)
+            explicit = explicit if route.plain[letter] else that_vanish(explicit, self._open)
+            return self.phrases.math(explicit), self.phrases.math(route.plain[letter])
         if e.span is not None and e.span.unevaluated:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
             right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
