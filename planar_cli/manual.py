@@ -54,7 +54,9 @@ def topics() -> str:
     seen: dict[str, list[str]] = {}
     for topic, page in pages().items():
         seen.setdefault(page, []).append(topic)
-    lines += [f"  {', '.join(names):<22}{page.partition(chr(10))[0]}" for page, names in seen.items()]
+    named = {", ".join(names): page.partition("\n")[0] for page, names in seen.items()}
+    width = max(22, *(len(names) + 2 for names in named))
+    lines += [f"  {names:<{width}}{page}" for names, page in named.items()]
     for shelf in SHELVES:
         width = max(22, *(len(kind) + 2 for kind in kinds(shelf)))
         lines += ["", f"Kinds of {shelf.rpartition('.')[2]}:"]

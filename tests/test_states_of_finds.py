@@ -39,3 +39,13 @@ def test_a_state_belongs_to_what_stands_just_before_it() -> None:
     assert "`W @ 1`: W is the same at every state, and tension(cable) has none" in told[0].message
     (value,) = solve(BRAKED + "find: {part: tension(cable) @ 1/W}")["part"].values or ()
     assert float(value) == pytest.approx(1.777, rel=1e-3)
+
+
+def test_nor_does_a_bracket_of_constants_have_a_state() -> None:
+    _, told = load_text(BRAKED + "find: {part: tension(cable)/(2*W) @ 1}")
+    assert [(d.code, d.mark.line) for d in told] == [("PL435", 15)]
+    assert "`(…) @ 1`: what stands in the bracket is the same at every state, and tension(cable) has none" in str(
+        told[0].message
+    )
+    (value,) = solve(BRAKED + "find: {part: (tension(cable)/(2*W)) @ 1}")["part"].values or ()
+    assert float(value) == pytest.approx(1.777 / 2, rel=1e-3)

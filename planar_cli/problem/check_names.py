@@ -112,16 +112,16 @@ def points_found(scope: Scope) -> Iterator[Diagnostic]:
     """Every point that a point, surface or body names exists."""
     for point in scope.problem.points:
         for name in points_of_place(point.place):
-            yield from _missing(name, scope.points, "point", point.mark)
+            yield from _missing_point(name, scope, point.mark)
     for surface in scope.problem.surfaces:
         if isinstance(surface.shape, Line):
-            yield from _missing(surface.shape.through, scope.points, "point", surface.mark)
+            yield from _missing_point(surface.shape.through, scope, surface.mark)
         if isinstance(surface.shape, Circle):
-            yield from _missing(surface.shape.center, scope.points, "point", surface.mark)
+            yield from _missing_point(surface.shape.center, scope, surface.mark)
         yield from _missing(surface.body, scope.bodies, "body", surface.mark)
     for body in scope.problem.bodies:
         for used in (*own_points(body.shape), *body.points, body.about):
-            yield from _missing(used, _beside(body, scope), "point", body.mark)
+            yield from _missing_point(used, scope, body.mark, body)
 
 
 def _beside(body: Body, scope: Scope) -> Iterable[str]:
@@ -149,6 +149,14 @@ def points_of_place(place: Place) -> tuple[str, ...]:
             return (*place.ends, *center, *(n for n in (place.through, place.towards) if n))
         case _:
             return ()
+
+
+def _missing_point(name: str | None, scope: Scope, mark: Mark, body: Body | None = None) -> Iterator[Diagnostic]:
+    """The same of a point; those that the file does not name are not told. `body`: to be placed there."""
+    known = list(scope.points if body is None else _beside(body, scope))
+    hidden = {p.name for p in scope.problem.points if p.unnamed}
+    if name not in known:
+        yield from _missing(name, (n for n in known if n not in hidden), "point", mark)
 
 
 def _missing(name: str | None, known: Iterable[str], what: str, mark: Mark) -> Iterator[Diagnostic]:

@@ -345,9 +345,9 @@ def points_held_are_carried(scope: Scope) -> Iterator[Diagnostic]:
         for point in sorted((named & scope.points.keys()) - owned):
             if _moves_with_coordinate({point}, scope):
                 text = f"{point} is written with a coordinate, but belongs to no body that could hold the {member.kind}"
-                yield Diagnostic(
-                    member.mark, "PL463", text, f"put one there: `bodies: {{slider: {{particle: {point}}}}}`"
-                )
+                hint = f"give it to the body on which it lies, `points: [{point}]`, or put one there: "
+                hint += f"`bodies: {{slider: {{particle: {point}}}}}`"
+                yield Diagnostic(member.mark, "PL463", text, hint)
 
 
 def places_on_surfaces(scope: Scope) -> Iterator[Diagnostic]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.joints.base import Joint
@@ -195,16 +195,32 @@ def finds_say_when(scope: Scope) -> Iterator[Diagnostic]:
 
 
 def states_of_what_varies(scope: Scope) -> Iterator[Diagnostic]:
-    """`N(C)/W @ 1` reads W at state 1, which is the same at every state, and leaves open at which N(C) is meant."""
+    """`N(C)/W @ 1` and `N(C)/(m*g) @ 1` read at state 1 what is the same at every state, and leave open at which N(C)
+    is meant.
+    """
     constants = {s.name for s in (*scope.problem.given, *scope.problem.symbols) if _is_constant(s)}
     for find in scope.problem.find if scope.states else ():
         what = find.found.what
-        idle = [n for n in walk(what) if isinstance(n, Name) and n.at is not None and n.name in constants]
-        if idle and (open_one := next(_without_state(what), None)) is not None:
-            text = f"`{idle[0].name} @ {idle[0].at}`: {idle[0].name} is the same at every state, and {open_one.word}"
-            text += f"({'/'.join(open_one.things)}) has none"
-            hint = f"`@` belongs to what stands just before it: `{open_one.word}(…) @ {idle[0].at}/{idle[0].name}`"
-            yield Diagnostic(idle[0].mark, "PL435", text, hint)
+        idle = next((n for n in walk(what) if _is_idle(n, constants)), None)
+        if isinstance(idle, Name | Grouped) and (open_one := next(_without_state(what), None)) is not None:
+            asked = f"{open_one.word}({'/'.join(open_one.things)})"
+            told = idle.name if isinstance(idle, Name) else "(…)"
+            named = told if isinstance(idle, Name) else "what stands in the bracket"
+            text = f"`{told} @ {idle.at}`: {named} is the same at every state, and {asked} has none"
+            hint = f"`@` belongs to what stands just before it: `{open_one.word}(…) @ {idle.at}/{told}`"
+            yield Diagnostic(idle.mark, "PL435", text, hint)
+
+
+def _is_idle(node: Tree, constants: Collection[str]) -> bool:
+    """Is a state told of a constant, or of a bracket in which there are only constants?"""
+    if isinstance(node, Name):
+        return node.at is not None and node.name in constants
+    if not isinstance(node, Grouped):
+        return False
+    inside = list(walk(node.operand))
+    return not any(
+        isinstance(n, Quantity) or (isinstance(n, Name) and n.name not in {*constants, "g", "pi"}) for n in inside
+    )
 
 
 def _is_constant(symbol: Symbol) -> bool:

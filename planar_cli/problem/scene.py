@@ -126,9 +126,12 @@ Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims | Tip
 
 @record
 class Point:
+    """`unnamed`: the file writes its place where it is used, and no name for it."""
+
     name: str
     place: Place
     mark: Mark
+    unnamed: bool = False
 
 
 @record

@@ -240,8 +240,9 @@ def _scene(whole: Fields, given: tuple[Symbol, ...], numbers: frozenset[str]) ->
     touching = with_touching_points(
         standing.joints, read_body, read_surface, DrawnDirections(given, read_point), names_c, report
     )
+    read_point = tuple(replace(p, unnamed=p.name in unnamed) for p in read_point)
     return (
-        (*read_point, *standing.points, *touching[1]),
+        (*read_point, *(replace(p, unnamed=True) for p in (*standing.points, *touching[1]))),
         read_surface,
         read_body,
         touching[0],

@@ -37,6 +37,7 @@ from planar_cli.solve.curves.paths import CurveReader, without_told_places
 from planar_cli.solve.curves.unsigned import divided, unsigned
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.placed import told_throughout
+from planar_cli.solve.diagnosis.unheld import unheld
 from planar_cli.solve.instant.verify import differs
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.passages import Passage, Tale, beside, sides_of
@@ -229,6 +230,9 @@ class FormulaReader:
         for ours, theirs in zip(raw, _values(find, self.regime.general.quantities), strict=True):
             one, other = value(self.regime.closed(ours.xreplace(rates))), value(theirs)
             if abs(one - other) > AGREE * max(abs(one), abs(other), Decimal("1e-20")):
+                points = (p for q in quantities_in(find.found.what) for p in q.things)
+                if (loose := unheld(self.regime.general.trial.system, points)) is not None:
+                    raise NoSolution([loose])
                 text = f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}"
                 raise differs(find.mark, text)
         self.compared += len(raw)
