@@ -44,7 +44,7 @@ from planar_cli.problem.scene import (
     Surface,
     TwoFacts,
 )
-from planar_cli.problem.shapes import attached, closest_first, own_points
+from planar_cli.problem.shapes import attached, closest_first, fixed_points, own_points
 
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
@@ -85,7 +85,7 @@ class Scene(Decided):
         self.cancelling = reader.cancelling
         self.arms = Arms(self)
         self._valuations = None
-        self.owners = self._owners()
+        self.owners, self.fixed = self._owners(), fixed_points(problem)
         demand_caught(self)
         if displacement is not None:
             self._displace(displacement)

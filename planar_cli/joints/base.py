@@ -54,6 +54,10 @@ class Joint(Entry, ABC):
         """What holds the other partner where no key `between` names it: a body, a surface, the ground."""
         return None
 
+    def fixes(self) -> str | None:
+        """The name of the point of a body that it keeps in its place on the ground all the time."""
+        return None
+
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         """What is wrong with it in this problem, beyond what its keys and names tell."""
         return ()

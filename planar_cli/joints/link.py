@@ -64,7 +64,7 @@ class Link(Joint):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the link has no direction")
         length = scene.value(self.length) if self.length is not None else scene.length(reach)
         direction = reach / length
-        joining = swing(self.name, (a, start), (b, end), direction, 1 / length)
+        joining = swing(scene, self.name, (a, start), (b, end), direction, 1 / length)
         actions = (Action(start.body, start.point, direction), Action(end.body, end.point, -direction))
         push = Push(f"S_{self.name}", "tension", self.name, f"{a}{b}", actions)
         return (Mode("", "", Facts((joining,), pushes=(push,))),)

@@ -61,6 +61,9 @@ class Pin(Joint):
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return tuple((self.at, body) for body in self.between)
 
+    def fixes(self) -> str | None:
+        return self.at if "ground" in self.between and self.during is None else None
+
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         hub = "ground" if "ground" in self.between else self.between[0]
         movers = [scene.carrier(b) for b in self.between if b != hub]

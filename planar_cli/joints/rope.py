@@ -142,7 +142,7 @@ class Rope(Joint):
             tie = segments[0]
             ends = ((self.path[0].name, tie.start), (self.path[1].name, tie.end))
             curvature = 0 if tie.length is None else 1 / tie.length
-            taut = Facts((swing(self.name, *ends, tie.direction, curvature),), pushes=(push,))
+            taut = Facts((swing(scene, self.name, *ends, tie.direction, curvature),), pushes=(push,))
         pulls = Test(self.name, "the tension pulls", ((push.name, 1),))
         shortens = Test(self.name, "the ends do not move apart", row=row, sense=-1)
         return (

@@ -20,7 +20,7 @@ from planar_cli.problem.expression import Name, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
-from planar_cli.problem.shapes import attached, closest_first, own_points
+from planar_cli.problem.shapes import attached, closest_first, fixed_points, own_points
 from planar_cli.records import record
 from planar_cli.units import LENGTH, parse_unit
 
@@ -89,6 +89,7 @@ class Carried:
         self._axes: dict[str, tuple[float, Vec]] = {}
         self.places: dict[str, Place] = {name: self._place(name) for name in self.drawn}
         self.owners, self.own_points = self._owners()
+        self.fixed = fixed_points(self.problem)
         self._points: dict[str, Vec] = {}
         self.own_variables: dict[str, tuple[Term, Term]] = {}
         self.curve_variables: dict[str, Term] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any, Protocol
 
 from planar_cli.errors import Mark
@@ -67,6 +67,10 @@ class Setting(Protocol):
     def edges(self, body: str, point: Vec) -> list[Outline]: ...
     def rigid(self, body: str) -> bool: ...
     def owner(self, point: str, apart_from: str = "") -> str: ...
+    @property
+    def fixed(self) -> Collection[str]:
+        """The points of bodies that joints keep in their places on the ground."""
+
     def center(self, body: str) -> Vec: ...
     def hub(self, body: str, point: Vec) -> Vec:
         """The centre of the rim through a point of a body, about which a cord there is wound."""

@@ -45,6 +45,11 @@ def drawn_by(body: Body) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*own_points(body.shape), *body.points)))
 
 
+def fixed_points(problem: Problem) -> frozenset[str]:
+    """The points of bodies that joints keep in their places on the ground all the time."""
+    return frozenset(p for joint in problem.joints if (p := joint.fixes()) is not None)
+
+
 def attached(problem: Problem) -> Iterator[tuple[str, str]]:
     """Points with what carries them: as joints and loads tell, and of surfaces on bodies those that nothing else has.
 
