@@ -13,16 +13,17 @@ from planar_cli.problem.setting import Setting
 def swing(
     scene: Setting, joint: str, start: tuple[str, Anchor], end: tuple[str, Anchor], direction: Vec, curvature: Any
 ) -> Joining:
-    """The start slides along a circle about the end (with no curvature: straight across the direction).
+    """The end slides along a circle about the start, as a bob about the point from which it hangs, but where the end
+    alone is fixed (with no curvature: straight across the direction).
 
     `start`, `end`: the name of each point and its anchor; `direction`: unit vector from start to end. The circle bends
-    towards the end: with the tangent t = -k × direction, its normal k × t is the direction itself. What swings about
-    a fixed point of a body that turns there has nothing of the turning.
+    towards its centre: with the tangent t = k × direction, its normal k × t is -direction. What swings about a fixed
+    point of a body that turns there has nothing of the turning.
     """
     fixed = [anchor.body == "ground" or name in scene.fixed for name, anchor in (start, end)]
     if sum(fixed) == 1:
         start, end = ((n, replace(a, body="ground") if f else a) for (n, a), f in zip((start, end), fixed, strict=True))
-    if start[1].body == "ground":
+    if end[1].body == "ground":
         start, end, direction = end, start, -direction
-    path = Path(-direction.turned(), curvature)
-    return Joining(joint, start[1].body, end[1].body, start[1].point, start[0], path, far=end[0])
+    path = Path(direction.turned(), curvature)
+    return Joining(joint, end[1].body, start[1].body, end[1].point, end[0], path, far=start[0])

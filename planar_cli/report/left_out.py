@@ -179,7 +179,8 @@ def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
         return line(SENSES[key][0 if positive else 1])
     ending = [r for r in found.regimes if any(b == stop for _, b in r.stretches)]
     here = ending or [r for r in found.regimes if any(a == stop for a, _ in r.stretches)]
-    way = _way(found, here[0].solution.trial.system, r, speed, stop) if here else ""
+    system = here[0].solution.trial.system if here else None
+    way = (_way(found, system, r, speed, stop) or _round(system, speed, positive)) if system is not None else ""
     sense = "in the positive sense" if positive else "in the negative sense"
     return line(f"it moves {way or sense} there")
 
@@ -202,6 +203,14 @@ def _way(found: MotionTrace, system: System, r: Result, speed: sp.Symbol, stop: 
     return " ".join(
         filter(None, ({1: "upward", -1: "downward"}.get(up), {1: "to the right", -1: "to the left"}.get(across)))
     )
+
+
+def _round(system: System, speed: sp.Symbol, positive: bool) -> str:
+    """How something goes that slides along a circle: with the centre on the left of the tangent counterclockwise."""
+    edge = next((e for e in system.tree.edges if e.slide == speed), None)
+    path = edge.joining.path if edge is not None and edge.joining is not None else None
+    bend = 0 if path is None else system.scene.sign(path.curvature)
+    return ("counterclockwise" if (bend > 0) == positive else "clockwise") if bend else ""
 
 
 def _found_later(found: MotionTrace, r: Result) -> set[sp.Symbol]:
