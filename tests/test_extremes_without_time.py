@@ -30,7 +30,7 @@ def test_the_least_speed_to_a_target() -> None:
         "tan(2 β) = -10/3 = -3.333",
         "β = (π - arctan(10/3))/2 = 53.35°",
         "v_0 = 10 √(2 g / (5 sin(2 β) - 3 cos² β))",
-        "t_window = 40/(v_0 cos β)",
+        "t_window = (40 m)/(v_0 cos β)",
     )
 
 

@@ -47,7 +47,7 @@ def test_the_shortest_period_is_derived_from_its_formula() -> None:
 
 def test_sines_and_cosines_near_an_equilibrium() -> None:
     assert "from there, θ = -90° + δ, cos θ ≈ δ, its" in _page("oscillations/pivot-of-the-shortest-period")
-    assert "from there, θ = -180° + δ, sin θ ≈ -δ, its" in _page("oscillations/connecting-rod-on-a-knife-edge")
+    assert "from there, θ = 180° + δ, sin θ ≈ -δ, its" in _page("oscillations/connecting-rod-on-a-knife-edge")
 
 
 HUNG = """

@@ -218,7 +218,6 @@ def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) ->
     quantities = seeker.system.quantities()
     side = quantities.evaluator.value(extremes[0].side)
     targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
-    _demand_choice(seeker, side, targets)
     limits, beyond = seeker.told_limits(targets), list[Sought]()
     for count in range(1, MOST_LIMITS + 1):
         for chosen in itertools.combinations(limits, count):
@@ -243,22 +242,22 @@ def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) ->
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))
     best = _preferred([s for s in held if s is best or not _better(best, s, extremes[0].sense)])
+    _demand_choice(seeker, side, targets, best)
     return replace(best, others=[s for s in held if s is not best])
 
 
-def _demand_choice(seeker: Seeker, side: sp.Expr, targets: set[sp.Symbol]) -> None:
-    """NoSolution: the other relations fix already what is to be largest or smallest, without any limit."""
+def _demand_choice(seeker: Seeker, side: sp.Expr, targets: set[sp.Symbol], best: Sought) -> None:
+    """NoSolution: the other relations fix already what is largest or smallest, and no limit has a part in it."""
     free = [s for s in seeker.branches(targets, ()) if not s.objection and s.trial.outcomes]
     values = [s.trial.outcomes[0].value.extended(s.branch.algebra.value.values)(side) for s in free]
-    if len(values) != 1:
+    found = best.objective or Decimal(0)
+    if len(values) != 1 or abs(values[0] - found) > CLOSE * max(abs(found), Decimal(1)):
         return
     extreme = seeker.instant.statements.extremes[0]
     wanted, most = extreme.text.split(" is ")
     at = "" if seeker.ledger.symbolic else f", at {values[0]:.4g}"
     text = f"the other relations fix {wanted} already{at}: nothing is left for which it could be {most}"
-    hint = (
-        "leave out what fixes it, or state as free what may still vary: what rests on fixed ground has no acceleration"
-    )
+    hint = "leave out what fixes it, or declare what may still vary: what sticks to fixed ground has no acceleration"
     raise NoSolution([Diagnostic(extreme.mark, "PL613", text, hint)])
 
 
