@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
+from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
@@ -126,6 +127,15 @@ class AskedTelling:
         """Letters of states that are zero."""
         return {s: f for s, f in self.found.route.formulas.items() if f == 0}
 
+    def _of_changes(self, part: sp.Expr) -> sp.Expr:
+        """What is lost or gained, without the terms of letters that only keep their values from state to state."""
+        kept = {s: f for s, f in self.found.route.formulas.items() if f.is_Symbol and f in self.found.general}
+        put = part.xreplace(kept)
+        if put == part or longer(part, LONGEST):
+            return part
+        short = simplified(put)
+        return short if 2 * operations(short) < operations(part) else part
+
     def _requests(self) -> Iterator[Request]:
         """What is asked that may have a line here."""
         elsewhere = {*self.found.passing, *told_at_states(self.found), *periods_told(self.found).values()}
@@ -140,7 +150,7 @@ class AskedTelling:
         for asked in self._requests():
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
-            parts = [self._signed(_without(p.xreplace(places), self._zeros)) for p in asked.parts]
+            parts = [self._signed(self._of_changes(_without(p.xreplace(places), self._zeros))) for p in asked.parts]
             became = any(
                 p.is_Symbol and (untold(p, self.found) is not None or not (raw.is_Symbol or raw.is_number))
                 for p, raw in zip(parts, asked.parts, strict=True)

@@ -26,6 +26,7 @@ from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
+from planar_cli.report.spread import spread
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
@@ -156,7 +157,7 @@ class BetweenTelling:
         whole = [sp.Add(*(e for e in side if e is not None)) for side in (left, right)]
         if not left or any(longer(side, LONGEST) for side in whole) or sum(map(operations, whole)) > MOST_LETTERS:
             return ()
-        return tuple(Math(side) for side in whole)
+        return tuple(Math(spread(side)) for side in whole)
 
     def _equation(
         self,

@@ -26,6 +26,7 @@ from planar_cli.report.blocks import (
     line,
 )
 from planar_cli.report.blow_limits import blow_limits
+from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
@@ -109,7 +110,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_primes(list(without_ritual(in_one_line(list(defined_once(own))))))
+        own = without_primes(list(without_ritual(carried_out(in_one_line(list(defined_once(own)))))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":

@@ -24,6 +24,7 @@ from planar_cli.report.durations import over_durations
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.notation import plain
 from planar_cli.report.pythagoras import of_one
+from planar_cli.report.spread import spread
 
 LONGEST = 90
 """A product of more operations stays as it is."""
@@ -41,6 +42,9 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
+        return spread(self._neat(expr))
+
+    def _neat(self, expr: sp.Expr) -> sp.Expr:
         expr = with_positive_divisors(expr)
         expr = of_one(multiplied(divided_out(of_ratios(expr, self.ledger))))
         if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):

@@ -45,7 +45,11 @@ class SpanTelling:
     varying: Collection[sp.Symbol]
 
     def blocks(self, found: SpanIntegral) -> Iterator[Block]:
-        """How one came about that is no answer by itself."""
+        """How one came about that is no answer by itself. Of one impulse of a blow, and of none, all was said there."""
+        (first, *more) = found.pieces
+        told = first.how == "blow" and not more and found.duration == 1
+        if told and (first.integrand == 0 or _is_letter(first.integrand)):
+            return
         q = found.quantity
         assert isinstance(q.at, tuple)
         about = "/".join(q.things)
@@ -224,3 +228,7 @@ def _times(times: tuple[Decimal, ...]) -> list[Any]:
         shown += [", "] if n else []
         shown.append(Value(t, "s"))
     return [*shown, ", …, ", Value(times[-1], "s")] if len(times) > MOST else shown
+
+
+def _is_letter(expr: sp.Expr) -> bool:
+    return bool(expr.is_Symbol or (-expr).is_Symbol)

@@ -28,6 +28,7 @@ from planar_cli.report.counted import as_vector
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
+from planar_cli.report.ties import tie_words
 from planar_cli.report.told import Across
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
@@ -86,7 +87,10 @@ class VectorTelling:
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
-            return [*self._reach(joining, level), Paragraph(line(*self._taut(joining, level), ":"))]
+            return [
+                *self._reach(joining, level),
+                Paragraph(line(*tie_words(joining, level, self._called(joining), self.system), ":")),
+            ]
         reach = self._reach(joining, level)
         known = projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
@@ -101,20 +105,6 @@ class VectorTelling:
             blocks += self.point(joining.base, joining.point, self._beside(joining), level, apart)
             blocks += coincident(self._beside(joining), joining.base, self.valued)
         return blocks
-
-    def _taut(self, j: Joining, level: str) -> Line:
-        """What a link or a taut cord between two points says."""
-        named = self._called(j)
-        own = Name(f"{level[0]}_{index_of(j.place)}")
-        if j.base == GROUND and level == "velocity":
-            return line(f"{named} keeps its length, so that along it ", own, " has no component")
-        if j.base == GROUND:
-            return line(f"{named} keeps its length; along it ", own, f" is the normal acceleration of {j.place}")
-        if level == "velocity":
-            return line(f"{named} keeps its length, so that along it the velocities of both ends agree")
-        return line(
-            f"{named} keeps its length; along it the accelerations of its ends differ by v²/l of their relative motion"
-        )
 
     def frame_of(self, w: Written) -> tuple[str, str] | None:
         """The point and the turning body along which it slides, of a relation that holds a Coriolis acceleration."""

@@ -1,0 +1,39 @@
+"""A common denominator that was made for one term is taken back into the sum: m a² + 2/5 m R² + I, not
+1/5 (5 m a² + 2 m R² + 5 I).
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+
+def spread(expr: sp.Expr) -> sp.Expr:
+    """The same value, term by term."""
+    if not expr.is_Add and not expr.is_Mul:
+        return expr
+    terms = [_term(t) for t in sp.Add.make_args(expr)]
+    same = all(a is b for a, b in zip(terms, sp.Add.make_args(expr), strict=True))
+    return expr if same else sp.Add(*terms)
+
+
+def _term(term: sp.Expr) -> sp.Expr:
+    number, rest = term.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest)
+    sums = [f for f in factors if f.is_Add]
+    if not number.is_Rational or number.q == 1 or len(sums) != 1:
+        return term
+    (total,) = sums
+    shared = _shared(total, int(number.q))
+    if shared == 1:
+        return term
+    inside = sp.Add(*(_term(t / shared) for t in total.args))
+    return sp.Mul(number * shared, *(inside if f is total else f for f in factors))
+
+
+def _shared(total: sp.Expr, denominator: int) -> int:
+    """The largest part of the denominator that divides the numbers of half of the terms; 1: there is none."""
+    numbers = [t.as_coeff_Mul()[0] for t in total.args]
+    if not all(n.is_Integer for n in numbers):
+        return 1
+    divisors = (d for d in range(denominator, 1, -1) if denominator % d == 0)
+    return next((d for d in divisors if 2 * sum(n % d == 0 for n in numbers) >= len(numbers)), 1)
