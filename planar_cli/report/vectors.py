@@ -87,10 +87,9 @@ class VectorTelling:
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
-            return [
-                *self._reach(joining, level),
-                Paragraph(line(*tie_words(joining, level, self._called(joining), self.system), ":")),
-            ]
+            own = Name(f"{level[0]}_{index_of(joining.place)}")
+            words = tie_words(joining, level, self._called(joining), own, self.system)
+            return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
         reach = self._reach(joining, level)
         known = projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
