@@ -21,6 +21,7 @@ from planar_cli.equation.plain import letters
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
+from planar_cli.solve.between.flat_roots import better_told
 from planar_cli.solve.between.integrals_that_hold import taken_out
 from planar_cli.solve.between.linked import independent, linked_blocks
 from planar_cli.solve.between.root_beside import root_beside
@@ -138,6 +139,10 @@ class Chain:
                 continue
             if self.truth and not found:
                 continue
+            if len(block) == 1 and found:
+                here = self.value.extended(found[0][0])
+                if better_told(block[0], sought[0], rest, here, self.natural):
+                    continue
             tried = True
             others = tuple(e for e in left if e not in block)
             for after, forms, step in found:

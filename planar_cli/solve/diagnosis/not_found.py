@@ -20,6 +20,8 @@ from planar_cli.solve.instant.plan import Planner
 from planar_cli.solve.instant.seeker import LOOSE, Seeker
 from planar_cli.solve.multibody.linear import solve
 
+FIXED = "the other relations fix"
+"""How the objection begins that nothing is left of which there could be a largest or smallest value."""
 UNITS = {"a": "m/s^2", "alpha": "rad/s^2"}
 """What an acceleration is measured in, by its word."""
 
@@ -38,6 +40,12 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     hanging = [o for o in said if LOOSE in o]
     if extremes and "contradiction" in said and (undriven := _undriven(instant, extremes[0])) is not None:
         return undriven
+    if extremes and (fixed := next((o for o in said if o.startswith(FIXED)), "")):
+        text = f"{fixed}: nothing is left for which it could be {extremes[0].text.split(' is ')[1]}"
+        hint = (
+            "leave out what fixes it, or declare what may still vary: what sticks to fixed ground has no acceleration"
+        )
+        return Diagnostic(extremes[0].mark, "PL613", text, hint)
     if extremes and (beyond := next((o for o in said if o.endswith(STILL)), "")):
         wanted, word = extremes[0].text.split(" is ")
         text = f"{wanted} has no {word} value: where an assumption reaches its limit, {beyond}"

@@ -19,7 +19,7 @@ from planar_cli.equation.form import Nonlinear
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.clash import clash
-from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols, untold
+from planar_cli.solve.diagnosis.not_found import FIXED, contradiction, not_found, open_symbols, untold
 from planar_cli.solve.instant.beyond import not_bounded
 from planar_cli.solve.instant.impending import drawn_against_the_slip
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -242,23 +242,22 @@ def _best_of(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) ->
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))
     best = _preferred([s for s in held if s is best or not _better(best, s, extremes[0].sense)])
-    _demand_choice(seeker, side, targets, best)
+    if fixed := _fixed(seeker, side, targets, best):
+        best.objection = fixed
+        rejected.append(best)
+        return None
     return replace(best, others=[s for s in held if s is not best])
 
 
-def _demand_choice(seeker: Seeker, side: sp.Expr, targets: set[sp.Symbol], best: Sought) -> None:
-    """NoSolution: the other relations fix already what is largest or smallest, and no limit has a part in it."""
+def _fixed(seeker: Seeker, side: sp.Expr, targets: set[sp.Symbol], best: Sought) -> str:
+    """The objection that the other relations fix already what is largest or smallest, and no limit has a part in it."""
     free = [s for s in seeker.branches(targets, ()) if not s.objection and s.trial.outcomes]
     values = [s.trial.outcomes[0].value.extended(s.branch.algebra.value.values)(side) for s in free]
     found = best.objective or Decimal(0)
     if len(values) != 1 or abs(values[0] - found) > CLOSE * max(abs(found), Decimal(1)):
-        return
-    extreme = seeker.instant.statements.extremes[0]
-    wanted, most = extreme.text.split(" is ")
-    at = "" if seeker.ledger.symbolic else f", at {values[0]:.4g}"
-    text = f"the other relations fix {wanted} already{at}: nothing is left for which it could be {most}"
-    hint = "leave out what fixes it, or declare what may still vary: what sticks to fixed ground has no acceleration"
-    raise NoSolution([Diagnostic(extreme.mark, "PL613", text, hint)])
+        return ""
+    wanted = seeker.instant.statements.extremes[0].text.split(" is ")[0]
+    return f"{FIXED} {wanted} already" + ("" if seeker.ledger.symbolic else f", at {values[0]:.4g}")
 
 
 def _preferred(held: list[Sought]) -> Sought:
