@@ -52,6 +52,10 @@ def polar_of(asked: list[Use]) -> dict[tuple[str, str], int]:
     return found
 
 
+SIZES = frozenset({"v", "a"})
+"""Of these the components in polar coordinates tell as well."""
+
+
 def kinds_of(use: Use) -> set[str]:
     """What is asked of a point along its path: its speed (v), the size of its acceleration (a), t, n, rho."""
     quantity, kinds = use.quantity, {p.kind for p in use.quantity.parts}
@@ -62,12 +66,17 @@ def kinds_of(use: Use) -> set[str]:
     return {"v"} if quantity.word == "v" and "mag" in kinds else set()
 
 
-def along_paths(asked: list[Use], polar: Iterable[tuple[str, str]]) -> list[str]:
-    """Points of which something along the path is asked and that are not told in polar coordinates."""
+def along_paths(asked: list[Use], polar: Iterable[tuple[str, str]]) -> list[tuple[str, list[Use]]]:
+    """Points of which something along the path is asked that is not told in polar coordinates, as sizes are, with
+    that.
+    """
     around = {point for point, _ in polar}
-    return list(
-        dict.fromkeys(u.quantity.things[0] for u in asked if kinds_of(u) and u.quantity.things[0] not in around)
-    )
+    found: dict[str, list[Use]] = {}
+    for use in asked:
+        point = use.quantity.things[0]
+        if kinds_of(use) - (SIZES if point in around else frozenset()):
+            found.setdefault(point, []).append(use)
+    return list(found.items())
 
 
 def tells(find: Find, names: Collection[str], finds: Iterable[Find]) -> bool:

@@ -33,6 +33,7 @@ from planar_cli.solve.curves.kinds_asked import (
     polar_of,
     wanted_of,
 )
+from planar_cli.solve.curves.natural_letters import natural_rows
 from planar_cli.solve.curves.on_fixed_line import Guided, components, guided
 from planar_cli.solve.curves.rolled import rolled
 from planar_cli.solve.passages import (
@@ -108,7 +109,7 @@ class Story:
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates(bool(rows[2])))))
         passages += [Passage(HEADINGS[n], tuple(rows[n]), (RATES, SECOND_RATES)[n - 1]) for n in (1, 2)]
-        passages += [p for point in along_paths(asked, polar) for p in self._path_passages(point, asked)]
+        passages += [p for point, own in along_paths(asked, polar) for p in self._path_passages(point, own)]
         return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
 
     def _rolling(self) -> Iterator[Passage]:
@@ -272,6 +273,11 @@ class Story:
             kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in kinds_of(u)}]
             pairs = {n: ((dx, place.x.rate), (dy, place.y.rate)) for n in kinds if n == 1}
             pairs |= {n: ((ddx, place.x.second), (ddy, place.y.second)) for n in kinds if n == 2}
+            wanted = {kind for use in asked if use.quantity.things[0] == point for kind in kinds_of(use)}
+            if natural := wanted - {"v", "a"}:
+                rates = (Vec(place.x.rate, place.y.rate), Vec(place.x.second, place.y.second))
+                yield Passage("Along the path:", tuple(natural_rows(point, rates, {"v", *natural}, self.clean)), ALONG)
+                kinds = [n for n in kinds if n == 2 and "a" in wanted]
             yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])))
         if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
             return
