@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from planar_cli.equation.plain import simplified
 from planar_cli.records import record
 from planar_cli.report.fractional_powers import absorbed, with_whole_powers
+from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import factor_key, term_key
 
@@ -333,9 +334,14 @@ def _with_coefficient(q: Any, above: list[Formula], below: list[Formula], togeth
     letters = [f for f in above if not _is_numeric(f)]
     if coefficient.above != _ONE:
         numbers.insert(0, coefficient.above)
-    if together or below or not letters or (len(letters) == 1 and not isinstance(letters[0], Call)):
+    if together or below or not letters or (len(letters) == 1 and not _stands_apart(letters[0])):
         return Quotient(_times([*numbers, *letters]), _times([coefficient.below, *below]))
     return _times([Quotient(_times(numbers), coefficient.below), *letters])
+
+
+def _stands_apart(node: Formula) -> bool:
+    """Does a number stand before it as a fraction: 1/2 sin β, 4/5 v_B/A, whose name has a stroke of its own?"""
+    return isinstance(node, Call) or (isinstance(node, Variable) and "/" in plain_name(node.name))
 
 
 def _is_numeric(node: Formula) -> bool:
