@@ -113,8 +113,9 @@ class Neat:
     def _effort(self, term: sp.Expr) -> int:
         """How long a term is on the page. Bars count twice, as they hide a sign; r - R counts more than -(R - r)."""
         text = plain(term)
-        turned = sum(not s.as_coeff_Add()[0] and self._is_turned(s) for s in _sums(term))
-        return len(text) + text.count("|") + TURNED * turned
+        # That 1 comes before cos θ decides only between two that are as long.
+        turned = sum(1 if s.as_coeff_Add()[0] else TURNED for s in _sums(term) if self._is_turned(s))
+        return len(text) + text.count("|") + turned
 
     def _is_turned(self, total: sp.Expr) -> bool:
         """Is it r - R or -R - r, surely negative, with a minus that can be put before it?"""
@@ -330,8 +331,11 @@ def _has_power(term: sp.Expr, letter: sp.Symbol, power: int) -> bool:
 
 
 def _may_turn(total: sp.Expr) -> bool:
-    """Is it two letters, one less the other or both with a minus?"""
-    return total.is_Add and len(total.args) == 2 and all(t.is_Symbol or (-t).is_Symbol for t in total.args)
+    """Is it two letters, one less the other or both with a minus, or cos θ - 1?"""
+    if not total.is_Add or len(total.args) != 2:
+        return False
+    number, rest = total.as_coeff_Add()
+    return all(t.is_Symbol or (-t).is_Symbol for t in total.args) or bool(number and _turns(rest))
 
 
 def _root_of(term: sp.Expr) -> sp.Expr | None:

@@ -53,11 +53,15 @@ def special_case(part: PartSolution, phrases: Phrases) -> Line:
         if any(_rules_out(r, case) for r in assumed) or any(_is_never(f, case) for f in answers):
             continue
         told = [(f, value) for f in answers if (value := _in_case(_formula(f), case)) is not None]
+        # That nothing comes of an angle of zero is no news; that equal weights stay at rest is.
+        if all(value == 0 for _, value in told) and not all(v.is_Symbol for v in case.values.values()):
+            continue
         if _weight(told) > _weight(best):
             best, words = told, case.words
-    shown = [
-        line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(best[:MOST])
-    ]
+    # What something comes to tells more than that another is nothing.
+    chosen = sorted(best, key=lambda told: told[1] == 0)[:MOST]
+    told = [(f, value) for f, value in best if (f, value) in chosen]
+    shown = [line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(told)]
     return line(*words, ": ", *(piece for one in shown for piece in one), ".") if shown else ()
 
 

@@ -33,7 +33,7 @@ def _term(term: sp.Expr) -> sp.Expr:
 def _shared(total: sp.Expr, denominator: int) -> int:
     """The largest part of the denominator that divides the numbers of half of the terms; 1: there is none."""
     numbers = [t.as_coeff_Mul()[0] for t in total.args]
-    if not all(n.is_Integer for n in numbers):
+    if not all(n.is_Integer for n in numbers) or any(t.is_number for t in total.args):
         return 1
     divisors = (d for d in range(denominator, 1, -1) if denominator % d == 0)
     return next((d for d in divisors if 2 * sum(n % d == 0 for n in numbers) >= len(numbers)), 1)
