@@ -7,6 +7,10 @@ from __future__ import annotations
 import sympy as sp
 
 
+SMALL = 6
+"""Over letters, (2 g h + v²) / (2 h), such a denominator stays where it is."""
+
+
 def spread(expr: sp.Expr) -> sp.Expr:
     """The same value, term by term."""
     if not expr.is_Add and not expr.is_Mul:
@@ -21,6 +25,8 @@ def _term(term: sp.Expr) -> sp.Expr:
     factors = sp.Mul.make_args(rest)
     sums = [f for f in factors if f.is_Add]
     if not number.is_Rational or number.q == 1 or len(sums) != 1:
+        return term
+    if number.q <= SMALL and any(f.as_base_exp()[1].could_extract_minus_sign() for f in factors):
         return term
     (total,) = sums
     shared = _shared(total, int(number.q))
