@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import sympy as sp
 
-
 SMALL = 6
 """Over letters, (2 g h + v²) / (2 h), such a denominator stays where it is."""
 
