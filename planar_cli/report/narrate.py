@@ -310,7 +310,11 @@ def _stretches(part: PartSolution, instant: InstantSolution) -> str:
     assert part.motion is not None
     moving, own = {(since, stop) for since, stop, _ in part.motion.stretches}, part.motion.regime(instant).stretches
     told = [s for s in own if s in moving or s[0] == s[1] or not s[1]]
-    return ", ".join(_stretch(since, stop) for since, stop in told or own)
+    whole: list[tuple[str, str]] = []
+    for since, stop in told or own:
+        goes_on = bool(whole) and since == whole[-1][1] != stop
+        whole = [*whole[:-1], (whole[-1][0], stop)] if goes_on else [*whole, (since, stop)]
+    return ", ".join(_stretch(since, stop) for since, stop in whole)
 
 
 def _only_after(part: PartSolution, instant: InstantSolution) -> bool:

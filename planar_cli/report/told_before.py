@@ -117,7 +117,7 @@ class ToldBefore:
         dropped: dict[str, list[str]] = {}
         whole = next((where for where, old in self.told if [s.key() for s in old] == [s.key() for s in sections]), None)
         if sections and whole is not None:
-            yield Paragraph(line(f"As {whole}."))
+            yield Paragraph(line(f"The same steps as {whole}."))
             return
         for section in sections:
             needed = set(section.numbers()) & set().union(
