@@ -39,7 +39,10 @@ def wanted_of(
     names = _of_turnings(course, regime)
     for name in (s.name for s, _ in course.modes.equilibria if course.readers[s.name].regime is regime):
         # A travel that swings nowhere, like that of a free cart, has no equation of motion to be told.
-        names |= _rates(regime, course.swings[name].speeds if name in course.swings else regime.free)
+        swinging = _rates(regime, course.swings[name].speeds if name in course.swings else regime.free)
+        idle = _rates(regime, regime.free) - swinging
+        said = [e for e in said if e in finds or not (e.is_Symbol and e.name in idle)]
+        names |= swinging
     laws = [law for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws]
     # By the letters of their own speeds: the start of a stretch may have been put into them.
     own = {law.v for law in laws}
