@@ -130,7 +130,7 @@ def test_a_rope_tells_the_length_that_it_keeps() -> None:
 def test_a_ball_on_a_string_is_summed_across_it() -> None:
     page = _page("momentum/pendulum-on-a-wagon")
     assert "ball, perpendicular to the string:" in page
-    assert "m g cos φ_wagon = m a_ball,wagon,t + m a_O sin φ_wagon" in page, "in the sense of its terms"
+    assert "m g cos φ_ball = m a_O sin φ_ball - m a_ball,wagon,t" in page, "in the sense of its terms"
 
 
 def test_a_momentum_by_the_speed_of_another_body_has_its_line() -> None:

@@ -183,8 +183,8 @@ def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) 
 
 
 @pytest.mark.parametrize("stem", ["car-on-a-circle-in-letters", "racing-car-from-rest-on-a-circle"])
-def test_no_way_is_told_that_rests_on_letters_or_on_a_place_found_later(stem: str) -> None:
-    assert "the positive root, as it moves in the positive sense there" in page(stem)
+def test_where_a_way_rests_on_letters_or_on_a_place_found_later_the_sense_is_told(stem: str) -> None:
+    assert "the positive root, as it moves counterclockwise there" in page(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [

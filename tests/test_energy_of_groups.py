@@ -83,6 +83,7 @@ def test_one_group_comes_to_a_top_while_the_other_flies_off() -> None:
     assert sp.count_ops(found["v_0"].expressions[0]) <= 16, "what is the same above and below is cancelled"
 
 
+@pytest.mark.slow
 def test_where_the_other_is_asked_nothing_is_left_out() -> None:
     with pytest.raises(NoSolution):
         solve(TURNS_OVER.replace("omega_2: omega(rod) @ 2", "x: x(ball) @ 3"))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from conftest import ROOT
 
 from planar_cli.commands._told_formulas import told_formulas
 from planar_cli.homework.grading import grade
@@ -15,13 +14,33 @@ from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
 from planar_cli.homework.wrong_formulas import as_written
 
+SLOPE = """
+title: Block that slides down, in letters
+text: >-
+  A block is let go on a slope of the angle beta on which it slides; the coefficient of friction is mu. Find its speed
+  after the length L, and the normal force.
+plane: vertical
+symbols: {m: kg, beta: deg, mu: 1, L: m}
+assume: [mu < tan(beta)]
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu, name: C}
+states:
+  1: [at rest]
+  2: [path_length(block) @ 1->2 = L]
+find: {v: v(block).mag @ 2, N: N(C)}
+"""
 RIGHT = "sqrt(2*g*L*(sin(beta) - mu*cos(beta)))"
 
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path = tmp_path_factory.mktemp("letters") / "set.yaml"
-    path.write_text(f"problems: [{ROOT / 'tests' / 'homework' / 'letters.yaml'}]\n")
+    folder = tmp_path_factory.mktemp("letters")
+    path = folder / "set.yaml"
+    (folder / "letters.yaml").write_text(SLOPE)
+    path.write_text("problems: [letters.yaml]\n")
     homework_set = read_set(str(path))
     return assembled(homework_set, [prepared(p, 0, 1, None, told_formulas) for p in homework_set.problems])
 

@@ -122,7 +122,7 @@ def test_a_pendulum_at_an_instant() -> None:
 
 def test_the_page_says_what_it_is() -> None:
     page = page_of(solved(PENDULUM + "instant: [at rest]\nfind: {alpha: alpha(rod)}\n", "lagrange"))
-    assert "T = 1/8 (m l² + 4 I) ω²" in page
+    assert "T = 1/2 (1/4 m l² + I) ω²" in page
     assert "V = 1/2 m g l sin θ" in page
     assert "d/dt ∂L/∂ω - ∂L/∂θ:" in page
     assert "ΣM" not in page

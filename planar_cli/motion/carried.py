@@ -88,8 +88,7 @@ class Carried:
         self._frames: dict[str, Vec] = {}
         self._axes: dict[str, tuple[float, Vec]] = {}
         self.places: dict[str, Place] = {name: self._place(name) for name in self.drawn}
-        self.owners, self.own_points = self._owners()
-        self.fixed = fixed_points(self.problem)
+        (self.owners, self.own_points), self.fixed = self._owners(), fixed_points(problem)
         self._points: dict[str, Vec] = {}
         self.own_variables: dict[str, tuple[Term, Term]] = {}
         self.curve_variables: dict[str, Term] = {}

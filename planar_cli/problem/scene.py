@@ -126,12 +126,10 @@ Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims | Tip
 
 @record
 class Point:
-    """`unnamed`: the file writes its place where it is used, and no name for it."""
-
     name: str
     place: Place
     mark: Mark
-    unnamed: bool = False
+    unnamed: bool = False  # the file writes its place where it is used, and no name for it
 
 
 @record
