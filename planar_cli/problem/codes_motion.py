@@ -120,7 +120,8 @@ _FORMULAS = {
     "PL651": (
         "A find without an instant is a formula in the time and the coordinates of the file. This one depends on a "
         "place or velocity that the file neither calls a coordinate nor gives as a function of time. Give the start "
-        "of the motion in `states`, write the point with a coordinate, or say in `motion` how it moves."
+        "of the motion in `states`, write the point with a coordinate, say in `motion` how it moves, or hold by a "
+        "joint the body to which it belongs."
     ),
 }
 

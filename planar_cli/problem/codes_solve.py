@@ -75,7 +75,8 @@ _SOLVE = {
     ),
     "PL613": (
         "What is to be largest or smallest has no extreme value: no assumption of a contact, rope or guide "
-        "reaches its limit, however far it is taken. State what must not be lost, such as `mode(C) = stick`."
+        "reaches its limit, however far it is taken. State what must not be lost, such as `mode(C) = stick`. Or the "
+        "other relations fix it already, so that there is nothing to choose."
     ),
     "PL614": (
         "The answer depends on a mass or a moment of inertia that the file does not give: `mass: any` is for "
