@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from planar_cli.homework.paper import Expected, Graded, Mistaken
 from planar_cli.homework.typed import Typed
+from planar_cli.homework.unreadable import Unreadable
 
 FEWEST = 3
 """A number of fewer figures fits too many mistakes to tell of any."""
@@ -29,7 +30,14 @@ def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
     """The same of a wrong formula."""
     from planar_cli.homework.typed_formula import same_formula
 
-    return _told(one, [m for m in expected.mistakes if same_formula(text, m.formula, expected.letters)])
+    def is_it(wrong: str) -> bool:
+        try:
+            return same_formula(text, wrong, expected.letters)
+        except Unreadable:
+            # Where the two have no values in common nothing is told of the mistake; the answer is wrong all the same.
+            return False
+
+    return _told(one, [m for m in expected.mistakes if is_it(m.formula)])
 
 
 def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:

@@ -59,9 +59,9 @@ def special_case(part: PartSolution, phrases: Phrases) -> Line:
         if _weight(told) > _weight(best):
             best, words = told, case.words
     # What something comes to tells more than that another is nothing.
-    chosen = sorted(best, key=lambda told: told[1] == 0)[:MOST]
-    told = [(f, value) for f, value in best if (f, value) in chosen]
-    shown = [line("; " if i else "", Name(f.name), " = ", phrases.math(value)) for i, (f, value) in enumerate(told)]
+    chosen = sorted(sorted(range(len(best)), key=lambda i: best[i][1] == 0)[:MOST])
+    pairs = ((k, *best[i]) for k, i in enumerate(chosen))
+    shown = [line("; " if k else "", Name(f.name), " = ", phrases.math(value)) for k, f, value in pairs]
     return line(*words, ": ", *(piece for one in shown for piece in one), ".") if shown else ()
 
 

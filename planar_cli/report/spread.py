@@ -38,7 +38,12 @@ def _term(term: sp.Expr) -> sp.Expr:
 def _shared(total: sp.Expr, denominator: int) -> int:
     """The largest part of the denominator that divides the numbers of half of the terms; 1: there is none."""
     numbers = [t.as_coeff_Mul()[0] for t in total.args]
-    if not all(n.is_Integer for n in numbers) or any(t.is_number for t in total.args):
+    if not all(n.is_Integer for n in numbers) or any(t.is_number or _has_root(t) for t in total.args):
         return 1
     divisors = (d for d in range(denominator, 1, -1) if denominator % d == 0)
     return next((d for d in divisors if 2 * sum(n % d == 0 for n in numbers) >= len(numbers)), 1)
+
+
+def _has_root(term: sp.Expr) -> bool:
+    """Is a root of a number among its factors, beside which a fraction reads worse: 3 √3 v/4?"""
+    return any(f.is_Pow and f.is_number for f in sp.Mul.make_args(term))

@@ -132,16 +132,19 @@ class Chain:
             yield Branch(values, formulas, steps, ())
             return
         tried = False
-        for block, sought in itertools.chain(self._blocks(rest), self._linked(rest)):
+        flat: list[tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]] = []
+        for block, sought in itertools.chain(self._blocks(rest), self._linked(rest), flat):
             try:
                 found = list(self._solve(block, sought, values, formulas))
             except Undecided:
                 continue
             if self.truth and not found:
                 continue
-            if len(block) == 1 and found:
+            if len(block) == 1 and found and (block, sought) not in flat:
                 here = self.value.extended(found[0][0])
                 if better_told(block[0], sought[0], rest, here, self.natural):
+                    # It comes again at the end, should no other equation be solved.
+                    flat.append((block, sought))
                     continue
             tried = True
             others = tuple(e for e in left if e not in block)

@@ -24,6 +24,7 @@ from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.curves.kinds_asked import (
     POLAR,
+    SIZES,
     Use,
     along_paths,
     asked_in,
@@ -269,20 +270,19 @@ class Story:
         }
         sizes = {s: number for s, number in known.items() if number is not None}
         dx, dy, ddx, ddy = (sp.Symbol(f"{axis}_{point}{d}", real=True) for d in DOTS[1:] for axis in "xy")
+        wanted = {kind for use in asked for kind in kinds_of(use)}
         if not sizes:
-            kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in {k for u in asked for k in kinds_of(u)}]
-            pairs = {n: ((dx, place.x.rate), (dy, place.y.rate)) for n in kinds if n == 1}
-            pairs |= {n: ((ddx, place.x.second), (ddy, place.y.second)) for n in kinds if n == 2}
-            wanted = {kind for use in asked if use.quantity.things[0] == point for kind in kinds_of(use)}
-            if natural := wanted - {"v", "a"}:
-                rates = (Vec(place.x.rate, place.y.rate), Vec(place.x.second, place.y.second))
-                yield Passage("Along the path:", tuple(natural_rows(point, rates, {"v", *natural}, self.clean)), ALONG)
-                kinds = [n for n in kinds if n == 2 and "a" in wanted]
+            parts = place.x.rate, place.y.rate, place.x.second, place.y.second
+            pairs = {1: ((dx, parts[0]), (dy, parts[1])), 2: ((ddx, parts[2]), (ddy, parts[3]))}
+            kinds = [n for n, kind in ((1, "v"), (2, "a")) if kind in wanted]
+            if (natural := wanted - SIZES) and None not in parts:
+                rows = natural_rows(point, (Vec(*parts[:2]), Vec(*parts[2:])), {"v", *natural}, self.clean)
+                yield Passage("Along the path:", tuple(rows), ALONG)
+                kinds = [n for n in kinds if n == 2]
             yield Passage("Magnitudes:", tuple(r for n in kinds for r in self._lettered(n, point, pairs[n])))
         if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
             return
         v, a_t, a_n = (sp.Symbol(f"{name}", real=True) for name in (f"v_{point}", f"a_{point}_t", f"a_{point}_n"))
-        wanted = {kind for use in asked if use.quantity.things[0] == point for kind in kinds_of(use)}
         lines = {v: sp.sqrt(dx**2 + dy**2)}
         if wanted - {"v"} and sizes.keys() >= {ddx, ddy}:
             lines |= {sp.Symbol(f"a_{point}", real=True): sp.sqrt(ddx**2 + ddy**2)} if "a" in wanted else {}
