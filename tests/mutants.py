@@ -111,7 +111,8 @@ class _Walk:
                 name = key.text + key.text[-1]
                 reason = A_NAME if keys and keys[-1] in NAMED | {"find", "cases"} else ""
                 yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", reason)
-                yield from self._inside(value, (*at, i), (*keys, key.text))
+                for mutant in self._inside(value, (*at, i), (*keys, key.text)):
+                    yield self._of_a_guide(mutant, node, at) if key.text == "point" else mutant
         else:
             for i, item in enumerate(node.items):
                 if _are_statements(keys):
@@ -120,6 +121,14 @@ class _Walk:
                     reason, against = _reason((*keys, "")), (*at, i, *below) if below else None
                     yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other, against)
                 yield from self._inside(item, (*at, i), keys)
+
+    def _of_a_guide(self, mutant: Mutant, guide: Mapping, at: Path_) -> Mutant:
+        """A guide along which its point moves anyhow says nothing more, and nothing less where another point has it."""
+        along = [(i, v.text) for i, (k, v) in enumerate(guide.pairs) if k.text == "along" and isinstance(v, Scalar)]
+        if mutant.kind != "name" or mutant.contrary or not along:
+            return mutant
+        (where, text), *_ = along
+        return replace(mutant, contrary=f"{text} + 90 deg", against=(*at, where))
 
     def _contrary_of(self, item: Node, keys: tuple[str, ...]) -> tuple[str | None, Path_]:
         """What says the contrary of an item of a list, and where below it.
@@ -203,9 +212,10 @@ class _Walk:
             return
         if tokens[i + 1].text == "(" and token.text in QUANTITIES:
             return
-        for names in self.names.values():
-            if token.text in names and len(names) > 1:
-                yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+        lists = [names for names in self.names.values() if token.text in names and len(names) > 1]
+        # What is called like a point at which it stands is in two lists, and may be exchanged for the same in both.
+        for other in dict.fromkeys(names[(names.index(token.text) + 1) % len(names)] for names in lists):
+            yield "name", other, token.start
 
 
 def _texts(node: Node) -> list[str]:

@@ -10,6 +10,7 @@ from planar_cli.problem.known_values import KnownValues, NoNumber
 from planar_cli.problem.scene import GROUND, At, Body, Particle
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
+from planar_cli.problem.shared_points import HOLDING
 from planar_cli.problem.unused import coordinates_behind, idle_coordinates, names_of
 from planar_cli.problem.walk import walk
 
@@ -22,9 +23,11 @@ def particles_have_one_point(scope: Scope) -> Iterator[Diagnostic]:
             if name not in particles or point in _points(particles[name]):
                 continue
             others = [b.name for b in scope.problem.bodies if b.name != name and point in _points(b)]
-            joined = any({name, point} <= scope.mentioned(joint) for joint in scope.problem.joints)
+            # A link or rope between two particles keeps them apart.
+            joined = any({name, point} <= scope.mentioned(j) for j in scope.problem.joints if j.kind in HOLDING)
             if others and not joined:
-                text = f"{point} is a point of {others[0]}; {load.called} acts on {name}, which is a particle elsewhere"
+                owner = "another particle" if others[0] in particles else f"a point of {others[0]}"
+                text = f"{point} is {owner}; {load.called} acts on {name}, which is a particle elsewhere"
                 hint = f"leave `at` out, or let it act on {others[0]}"
                 yield Diagnostic(load.mark, "PL465", text, hint)
 
@@ -52,7 +55,7 @@ def pins_hold_particles_where_they_are(scope: Scope) -> Iterator[Diagnostic]:
     problem = scope.problem
     particles = {b.name: b.shape for b in problem.bodies if isinstance(b.shape, Particle) and b.shape.place}
     for joint in problem.joints:
-        for point, name in joint.attachments() if joint.kind in ("pin", "weld") and joint.during is None else ():
+        for point, name in joint.attachments() if joint.kind in HOLDING and joint.during is None else ():
             place = particles[name].place if name in particles else None
             if place is None or point not in scope.points or place == point:
                 continue

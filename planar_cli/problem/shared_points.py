@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.joints.base import Joint
@@ -37,6 +37,13 @@ def shared_points_are_held(scope: Scope) -> Iterator[Diagnostic]:
         groups = _joined(bodies, (*here, *met))
         if len(groups) > 1:
             yield from list(_not_held(point, bodies, groups, here)) or _turned_apart(point, groups, held, scope)
+
+
+def carried_together(point: str, bodies: Sequence[str], joints: Iterable[Joint]) -> list[str]:
+    """Those of the bodies of a point that it moves with: the first, and what is held to that there."""
+    here = [j for j in joints if j.kind in HOLDING and getattr(j, "at", None) == point]
+    group = next(g for g in _joined(bodies, here) if bodies[0] in g)
+    return [b for b in bodies if b in group]
 
 
 def _joined(bodies: Iterable[str], joints: Iterable[Joint]) -> list[set[str]]:

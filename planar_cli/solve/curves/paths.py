@@ -21,6 +21,7 @@ from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod, with_article
+from planar_cli.problem.shared_points import carried_together
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, squared_radius, told_function
@@ -114,14 +115,16 @@ class CurveReader:
         general = self.regime.general
         at = self._point(name)
         drawn = {c.symbol: c.drawn for c in general.coordinates if c.drawn is not None}
-        owners = general.instant.scene.owners.get(name, [])
+        scene = general.instant.scene
+        owners = scene.owners.get(name, [])
         inside = at.x.free_symbols | at.y.free_symbols
         if name in general.displacement.spots or any(
             c.symbol in inside for c in general.coordinates if c.drawn is None
         ):
             return [at]
         start = Vec(at.x.subs(drawn), at.y.subs(drawn))
-        poses = [general.displacement.poses[o] for o in owners[1:] if o not in general.displacement.formula]
+        together = carried_together(name, owners, scene.problem.joints) if owners else []
+        poses = [general.displacement.poses[o] for o in together[1:] if o not in general.displacement.formula]
         return [at, *(p.point(start) for p in poses)]
 
     def _point(self, name: str) -> Vec:
