@@ -68,3 +68,24 @@ def test_velocities_that_contradict_each_other_in_equilibrium(
     )
     err = told(tmp_path, capsys, "oscillations/collar-on-a-turning-rod-with-spring.yaml", *changes)
     assert "PL607 `omega(rod) = 2*w`, but `omega(collar) = w` makes omega(rod) = 8 rad/s" in err
+
+
+def test_a_force_at_another_particle(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change = ("at: A, magnitude: F", "at: B, magnitude: F")
+    err = told(tmp_path, capsys, "particles/two-sliders-on-a-link.yaml", change)
+    assert ":16:5: PL465 B is another particle; the force B acts on A, which is a particle elsewhere" in err
+
+
+def test_the_path_of_what_slides_is_not_that_of_the_body_below_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The bead starts at a point that is the end of the rod as well, or its path is asked by the end of the rod."""
+    file = PROBLEMS / "motion/bead-flung-out-of-a-turning-rod-in-letters.yaml"
+    text = file.read_text(encoding="utf-8").replace("rod: {rod: [O, E]}", "rod: {rod: [O, P]}")
+    path = tmp_path / "changed.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert cli.run(["solve", str(path)]) == 0
+    assert "path: curve, r = r_0 cosh(θ)" in capsys.readouterr().out
+    path.write_text(text.replace("[O, P]", "[O, E]").replace("path(P)", "path(E)"), encoding="utf-8")
+    assert cli.run(["solve", str(path)]) == cli.DISAGREES
+    assert "the solution gives x^2 + y^2 = L^2" in " ".join(capsys.readouterr().out.split())

@@ -205,7 +205,13 @@ def _is_rounded(side: Side) -> bool:
 
 
 def _joined(exprs: tuple[Any, ...]) -> str:
-    return _listed([_cut(str(e)) if not longer(e, PRINTABLE) else TOO_LONG for e in exprs])
+    return _listed([_cut(_written(e)) if not longer(e, PRINTABLE) else TOO_LONG for e in exprs])
+
+
+def _written(expr: Any) -> str:
+    """A formula or the equation of a curve in the notation of a problem file."""
+    text = f"{expr.lhs} = {expr.rhs}" if isinstance(expr, sp.Eq) else str(expr)
+    return text.replace("**", "^")
 
 
 def _cut(text: str) -> str:

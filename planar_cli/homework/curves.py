@@ -34,8 +34,9 @@ def same_curve(stated: str, solved: tuple[Any, ...], evaluator: Evaluator, valua
     axes = {name: named.get(name, sp.Symbol(name, real=True)) for name in ("x", "y", *HODOGRAPH)}
     if set(named) & set(HODOGRAPH):
         axes |= {"x": axes["vx"], "y": axes["vy"]}
-    own = evaluator.ledger.symbols
-    axes |= {name: named.get(name, sp.Symbol(name, real=True)) for name in POLAR if name in named or name not in own}
+    if named and set(named) <= set(POLAR):
+        axes |= {name: named.get(name, sp.Symbol(name, real=True)) for name in POLAR}
+    axes |= {name: sp.Symbol(name, real=True) for name in POLAR if name not in {**evaluator.ledger.symbols, **axes}}
     ledger = replace(evaluator.ledger, symbols={**evaluator.ledger.symbols, **axes})
     plane = replace(evaluator, ledger=ledger)
     theirs = plane.value(relation.left) - plane.value(relation.right)

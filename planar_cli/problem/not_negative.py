@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from planar_cli.problem.expression import Binary, Extreme, Name, Number, Quantity, Scaled
-from planar_cli.problem.scene import Body, Composite, Problem, Shape
+from planar_cli.problem.scene import Body, Circle, Composite, Polar, Problem, Shape, TwoFacts
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.unused import names_of
 from planar_cli.problem.walk import Tree, children, walk
@@ -44,6 +44,15 @@ def not_negative(problem: Problem) -> frozenset[str]:
     braking = (n for d in problem.loads if d.opposes for n in _in_proportion(getattr(d, "magnitude", None)))
     named = _sought(problem, (*amounts, *sizes, *rates, *_turned(problem), *braking))
     return limits_of_friction(problem) | named | _squared(problem)
+
+
+def distances(problem: Problem) -> frozenset[str]:
+    """The names that stand alone for the distance of two points or for the radius of a circle, coordinates too."""
+    places = [p.place for p in problem.points]
+    found: list[object] = [d for place in places if isinstance(place, TwoFacts) for _, d in place.distances]
+    found += [place.distance for place in places if isinstance(place, Polar)]
+    found += [s.shape.radius for s in problem.surfaces if isinstance(s.shape, Circle)]
+    return frozenset(side.name for side in found if isinstance(side, Name))
 
 
 def _squared(problem: Problem) -> frozenset[str]:

@@ -7,8 +7,7 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
-from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Circle, Problem, TwoFacts
+from planar_cli.problem.not_negative import distances
 from planar_cli.report.assumed import broken_by
 from planar_cli.report.blocks import Block, Line, Paragraph, line
 from planar_cli.report.sides import said
@@ -97,19 +96,11 @@ def _of_size(instant: InstantSolution, choice: Any, own: int) -> Line:
     that is taken differs from it.
     """
     taken, other = (choice.roots[i].value for i in (choice.taken, own))
-    if other < 0 < taken and _is_distance(instant.instant.scene.problem, choice.symbol.name):
+    if other < 0 < taken and choice.symbol.name in distances(instant.instant.scene.problem):
         return line("a distance is not negative")
     if taken * other < 0:
         return line(f"it holds as well; the {'positive' if taken > 0 else 'negative'} one is taken")
     return line(f"it holds as well; the {'smaller' if abs(taken) < abs(other) else 'larger'} one is taken")
-
-
-def _is_distance(problem: Problem, name: str) -> bool:
-    """Is a letter by itself the distance of two points, or the radius of a circle?"""
-    places = (p.place for p in problem.points)
-    found = [d for place in places if isinstance(place, TwoFacts) for _, d in place.distances]
-    found += [s.shape.radius for s in problem.surfaces if isinstance(s.shape, Circle)]
-    return any(isinstance(side, Name) and side.name == name for side in found)
 
 
 def _objection(other: Any, phrases: Phrases) -> Line:

@@ -1,12 +1,11 @@
 """Branches of one instant that hold as well as each other: told as one where what is asked is the same, else refused.
 
 A speed that is given without its direction leaves pairs of roots. A sought constant takes the positive one of its
-roots; of what moves, the file says which way.
+roots; of what moves, the file says which way, and of a place, where it is.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -17,8 +16,9 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import display
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Number, Quantity, Relation
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.not_negative import distances
 from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.choosing import relation_between
 from planar_cli.solve.diagnosis.words import in_unit
@@ -58,8 +58,8 @@ def demand_one_way(instant: Instant, taken: Sought, asked: Asked, mark: Mark) ->
 
 
 def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark) -> None:
-    """NoSolution: equations in several unknowns hold in several ways, or forces balance in several positions, and the
-    answers differ. None is the usual one.
+    """NoSolution: equations in several unknowns hold in several ways, or what is given in several positions, and the
+    answers differ. A distance is not negative.
     """
     if not any(_of_place(instant, c) for c in taken.branch.choices):
         return
@@ -77,29 +77,16 @@ def _demand_one_place(instant: Instant, taken: Sought, asked: Asked, mark: Mark)
 
 
 def _of_place(instant: Instant, choice: Choice) -> bool:
-    """Is it one of roots that were looked for together, or a coordinate that equilibrium tells? So it is where nothing
-    is said but that an angle does not change, and that angle is none between 0 and 90 degrees, which is meant most.
-    """
-    if choice.symbol not in instant.scene.ledger.coordinates:
-        return choice.together
-    if choice.together or instant.statements.equilibrium:
-        return True
-    usual = 0 <= choice.roots[choice.taken].value <= Decimal(math.pi) / 2
-    return not usual and any(_stays(r) for r, _ in instant.statements.relations)
-
-
-def _stays(relation: Relation) -> bool:
-    """Does a relation say that an angular acceleration is zero?"""
-    for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
-        if isinstance(one, Quantity) and one.word in ("alpha", "ddot") and isinstance(other, Number):
-            return other.value == 0
-    return False
+    """Is it one of roots that were looked for together, or a coordinate, of which the file says where it is meant?"""
+    return choice.together or choice.symbol in instant.scene.ledger.coordinates
 
 
 def _negative(instant: Instant, s: Sought) -> int:
-    """How many sought constants are negative?"""
+    """How many sought constants and distances are negative?"""
     ledger, value = instant.scene.ledger, s.branch.algebra.value.values
-    return sum(value[c] < 0 for c in ledger.sought if c in value and c not in ledger.coordinates)
+    apart = distances(instant.scene.problem)
+    amounts = (c for c in ledger.sought if c not in ledger.coordinates or c.name in apart)
+    return sum(value[c] < 0 for c in amounts if c in value)
 
 
 def _told(instant: Instant, s: Sought) -> str:
