@@ -23,6 +23,7 @@ from planar_cli.report.extremes import aims_told
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import divides_by_zero, solved_for
+from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
@@ -198,9 +199,8 @@ class MotionTelling:
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
-                letter, value = leg.results[0].unknown, self._shown(leg.results[0])
-                yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self.number())
-                return
+                law = inside_an_integral(e, route, self.found, {*self.varying, *self._open}, self.phrases)
+                return (yield from by_trial_values(law, (r := leg.results[0]), self._shown(r), self.number()))
             if single and (says_zero(e, (r := leg.results[0]), route, ledger) or is_outright(e, r, route, ledger)):
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
                 return

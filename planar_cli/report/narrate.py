@@ -174,8 +174,10 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):
         blocks.append(Note("Discussion", case))
-    tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
-    if not tested and part.motion is None and part.tale is None:
+    # Where a mode is decided, or friction opposes sliding, other values may mean another mode.
+    systems = [instant.trial.system for instant in part.instants]
+    decided = any(s.skids() or any(mode.tests for mode in s.modes.values()) for s in systems)
+    if not decided and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
 

@@ -27,6 +27,7 @@ from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
 from planar_cli.solve.between.extremes import with_aims
+from planar_cli.solve.between.inside_integrals import inside_integrals, outside_integrals
 from planar_cli.solve.between.linked import independent
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.substitution import linear_step, same_as, square
@@ -124,7 +125,7 @@ class Router:
         """The way to all targets that can be derived."""
         targets = list(targets)
         best = self._cheapest(edges := self._edges())
-        for more in (self._rings, self._large):
+        for more in (self._rings, self._large, self._of_integrals):
             if any(t not in best and t not in self.plain for t in targets):
                 edges += more()
                 best = self._cheapest(edges)
@@ -227,6 +228,10 @@ class Router:
                     found.append(((e, f, g), unknowns, (a | b | c) - {*unknowns}, cost))
         return found
 
+    def _of_integrals(self) -> list[Edge]:
+        """What stands inside an integral over a way."""
+        return inside_integrals(self.equations, self._inside, self.residual, self.value)
+
     def _large(self) -> list[Edge]:
         """The larger blocks in which the numbers were found."""
         found: list[Edge] = []
@@ -287,7 +292,7 @@ class Router:
         if self.value.is_zero(rate):
             return None if x not in letters(rate) else self._double(rate, x)
         if residual.has(sp.Integral):
-            return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
+            return HIDDEN if equation.kind != "t(q)" or x in outside_integrals(residual) else None
         if x not in letters(rate):
             return 0.0
         return 0.3 if residual.is_polynomial(x) else HIDDEN * (2 if equation.kind == "t(q)" else 1)
@@ -386,8 +391,3 @@ def _is_high(derivation: Derivation) -> bool:
     """Is it of more than a square? Then it is not what the file says of its unknown, but follows from that."""
     residual, x = derivation.equations[0].residual, derivation.unknowns[0]
     return bool(residual.is_polynomial(x)) and sp.degree(residual, x) > 2
-
-
-def _outer(residual: sp.Expr) -> set[sp.Symbol]:
-    """Symbols outside of integrals."""
-    return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
