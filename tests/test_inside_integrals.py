@@ -1,4 +1,4 @@
-"""The start of a swing that takes so long to an angle: it stands inside the integral of the time, and is found by trial."""
+"""The start of a swing that takes so long to an angle stands inside the integral of the time: it is found by trial."""
 
 from __future__ import annotations
 
