@@ -28,13 +28,15 @@ def certain_sign(expr: sp.Expr) -> int:
         return sign
     if whole.is_Pow and whole.exp.is_Integer and whole.exp.is_odd:
         return certain_sign(whole.base)
+    if whole.is_Pow and whole.exp.is_Rational and whole.exp.q % 2 == 0:
+        return 1  # All is real here, and an even root is not negative.
     low, high = _range(whole)
     return 1 if low >= 0 else -1 if high <= 0 else 0
 
 
 def with_certain_signs(expr: sp.Expr) -> sp.Expr:
     """Without the bars, and the sign functions, of what has one sign whatever its letters are."""
-    signs = {s: certain_sign(s.args[0]) for s in expr.atoms(sp.Abs, sp.sign) if s.args[0].is_real}
+    signs = {s: certain_sign(s.args[0]) for s in expr.atoms(sp.Abs, sp.sign) if s.args[0].is_real is not False}
     told = {s: way * (s.args[0] if isinstance(s, sp.Abs) else 1) for s, way in signs.items() if way}
     return expr.xreplace(told) if told else expr
 

@@ -228,14 +228,17 @@ class Displacer:
             return self._on_curve(edge, shape)
         if isinstance(shape, Circle) or not self.scene.is_zero(path.curvature):
             radius = 1 / path.curvature
-            words = f"angle of {place} on its circle"
-            out = (start - self._center(shape, start, path)) if isinstance(shape, Circle) else -path.tangent.turned()
+            out = start - self.scene.point(shape.center) if isinstance(shape, Circle) else -path.tangent.turned()
             before = simplified(sp.atan2(out.y, out.x))
-            name = f"phi_{place}"
-            now = self._coordinate(name, "rad", before, edge.slide, 1 / radius, words, edge.body)
-            center = start + path.tangent.turned() * radius
-            on_circle: Vec = center + Pose(start, start, before, now).vector(start - center)
-            return on_circle
+            if edge.parent == GROUND and self.scene.problem.plane != "vertical":
+                # Where nothing depends on the height, speeds and their rates tell the way along the circle.
+                way, words = f"s_{place}", f"way of {place} along its path"
+                now = before + self._coordinate(way, "m", ZERO, edge.slide, sp.S.One, words, edge.body) / radius
+            else:
+                phi, words = f"phi_{place}", f"angle of {place} on its circle"
+                now = self._coordinate(phi, "rad", before, edge.slide, 1 / radius, words, edge.body)
+            center: Vec = start + path.tangent.turned() * radius
+            return Pose(start, start, before, now).vector(start - center) + center
         words = f"way of {place} along its path"
         t = path.tangent
         if self.scene.is_zero(t.y) and self.scene.is_zero(t.x - 1) and edge.parent == GROUND and not edge.backward:
@@ -247,9 +250,6 @@ class Displacer:
         s = self._coordinate(f"s_{place}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
         along: Vec = start + t * s + drift
         return along
-
-    def _center(self, shape: Circle, start: Vec, path: object) -> Vec:
-        return self.scene.point(shape.center)
 
     def _on_curve(self, edge: Edge, shape: Curve) -> Vec:
         joining = edge.joining

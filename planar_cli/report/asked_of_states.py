@@ -68,7 +68,7 @@ class AskedTelling:
         asked = list(self._asked())
         own = {s.symbol for _, _, s in asked if s is not None}
         for span in self.found.spans:
-            if span.symbol not in own and nil_of_blow(span) is None:
+            if span.symbol not in own and nil_of_blow(span) is None and not self._is_a_way(span):
                 yield from self.spans.blocks(span)
         decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
@@ -95,6 +95,13 @@ class AskedTelling:
                 last = _at(find)
                 yield Paragraph(line(at(last)))
             yield block
+
+    def _is_a_way(self, span: SpanIntegral) -> bool:
+        """Is a quantity over a span the place at its end, counted from its beginning?"""
+        if span.quantity.word != "path_length" or len(span.pieces) != 1 or span.formula is None:
+            return False
+        found = _without(span.formula, self._zeros)
+        return bool(found.is_Symbol) and untold(found, self.found) is None
 
     def _letter(self, letter: sp.Symbol, formula: sp.Expr) -> Equation:
         """A letter of a state in which something is told."""
@@ -151,13 +158,12 @@ class AskedTelling:
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
             parts = [self._signed(self._of_changes(_without(p.xreplace(places), self._zeros))) for p in asked.parts]
-            became = any(
-                p.is_Symbol and (untold(p, self.found) is not None or not (raw.is_Symbol or raw.is_number))
-                for p, raw in zip(parts, asked.parts, strict=True)
-            )
+            became = any(p.is_Symbol and untold(p, self.found) is not None for p in parts)
             formulas = (became or any(map(self._is_formula, parts))) and all(
                 p.is_Symbol or p == 0 or self._is_formula(p) for p in parts
             )
+            if len(parts) == 1 and parts[0].is_Symbol and not became:
+                continue  # The answer names the letter, which has its line.
             if all(s is not None for s in spans) or formulas:
                 for axis, part, span in zip(axes, parts, spans, strict=True):
                     yield asked, Part(axis, part), span

@@ -11,6 +11,7 @@ from planar_cli.problem.expression import (
     Name,
     Negate,
     Number,
+    Part,
     PointPair,
     Quantity,
     Relation,
@@ -154,8 +155,8 @@ def _quantity(asked: Quantity, figures: int) -> Line:
     name = f"{'m' if asked.word == MASS else LETTERS[asked.word]}_{thing}"
     if relative:
         base = line(blocks.Name(name), f"/{relative[0]}")
-    elif part is not None and part.kind in ("x", "y", "t", "n"):
-        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + part.kind))
+    elif part is not None and (axis := "t" if _is_tangential(part, thing) else part.kind) in ("x", "y", "t", "n"):
+        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + axis))
     else:
         base = line(blocks.Name(name))
     if part is None:
@@ -167,6 +168,11 @@ def _quantity(asked: Quantity, figures: int) -> Line:
     if part.kind in ("x", "y"):
         return line(base, f" along {part.kind}")
     return line(base, f" {part.kind} ", *_direction(part.direction, figures))
+
+
+def _is_tangential(part: Part, point: str) -> bool:
+    """Is it the component across the radius to the point itself?"""
+    return part.kind == "across" and isinstance(part.direction, PointPair) and part.direction.to == point
 
 
 def _direction(direction: Side | PointPair | None, figures: int) -> Line:
