@@ -41,7 +41,7 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
         same
         and not size
         and found.values is not None
-        and direction_words(found, found.values[0], phrases.ledger, phrases.value)
+        and direction_words(found, found.values[0], phrases.ledger, phrases.value, phrases.slopes)
     ):
         # Its direction says in which sense it counts.
         return Answer(found.name, said, "=")
@@ -94,6 +94,6 @@ def _signed(found: Found, phrases: Phrases) -> list[Inline]:
     if found.values is None:
         return []
     number = display(found.values[0], found.unit, phrases.ledger.us)
-    if number >= 0 or not direction_words(found, number, phrases.ledger, phrases.value):
+    if number >= 0 or not direction_words(found, number, phrases.ledger, phrases.value, phrases.slopes):
         return []
     return [Value(number, told_unit(found.unit, found.energy), phrases.figures), Text(", that is ")]

@@ -92,5 +92,9 @@ def _beyond(answer: Found, phrases: Phrases) -> str:
     """What there is beyond a zero. A speed that comes to zero may stay there: friction turns with it."""
     if answer.unit.dimension in (VELOCITY, RATE):
         return ""
-    other = direction_words(answer, -answer.values[0], phrases.ledger, phrases.value) if answer.values else ""
+    other = (
+        direction_words(answer, -answer.values[0], phrases.ledger, phrases.value, phrases.slopes)
+        if answer.values
+        else ""
+    )
     return f"; beyond it, it is {other}" if other else "; beyond it, it has the other sign"

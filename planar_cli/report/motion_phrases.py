@@ -7,13 +7,16 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.exact import Sample
+from planar_cli.report.slopes import slopes_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
 
 
 def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
     """The phrases in which a motion speaks: with numbers unless letters of the file remain, and none that was drawn."""
-    return Phrases(found.ledger, found.value, figures, found.symbolic, lettered=_drawn(found))
+    return Phrases(
+        found.ledger, found.value, figures, found.symbolic, lettered=_drawn(found), slopes=slopes_of(found.problem)
+    )
 
 
 def settled_phrases(found: MotionTrace, phrases: Phrases) -> Phrases:

@@ -49,6 +49,7 @@ from planar_cli.report.said import said, said_once, says_nothing
 from planar_cli.report.shown import place_drawn, place_of_rest
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
+from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.special_case import special_case
@@ -371,9 +372,10 @@ def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phr
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:
     """The phrases in which an instant speaks."""
-    ledger = instant.instant.scene.ledger
-    letters = frozenset(ledger.letters)
-    return Phrases(ledger, instant.value, figures, bool(letters) and _speaks_of(instant, letters), letters)
+    scene = instant.instant.scene
+    ledger, letters = scene.ledger, frozenset(scene.ledger.letters)
+    spoken = bool(letters) and _speaks_of(instant, letters)
+    return Phrases(ledger, instant.value, figures, spoken, letters, slopes=slopes_of(scene.problem))
 
 
 def _speaks_of(instant: InstantSolution, letters: frozenset[sp.Symbol]) -> bool:

@@ -9,13 +9,12 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.bounds import certain_sign
-from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Side
-from planar_cli.problem.walk import walk
+from planar_cli.problem.expression import Part, PointPair, Quantity, Side
 from planar_cli.report.numbers import rotation_words, vector_words
 from planar_cli.report.sides import number_of
+from planar_cli.report.slopes import Slope, direction_of, slope_words
 from planar_cli.solve.solution import Found
 from planar_cli.units import ANGULAR_MOMENTUM
 
@@ -24,13 +23,15 @@ TURNS = ("omega", "alpha", "moment", "H")
 MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
 
 
-def direction_words(found: Found, number: Decimal, ledger: Ledger, value: Valuation) -> str:
-    """Words for rotations and for parts along axes and given directions; empty of all else, and where there is no
-    number.
+def direction_words(
+    found: Found, number: Decimal, ledger: Ledger, value: Valuation, slopes: tuple[Slope, ...] = ()
+) -> str:
+    """Words for rotations and for parts along axes, given directions and `slopes`; empty of all else, and where there
+    is no number.
     """
     if not number or found.values is None:
         return ""
-    return _words(found, number > 0) or _oblique(found, number > 0, ledger, value)
+    return _words(found, number > 0) or _oblique(found, number > 0, ledger, value, slopes)
 
 
 def steepness_words(found: Found, degrees: Decimal) -> str:
@@ -46,23 +47,28 @@ def steepness_words(found: Found, degrees: Decimal) -> str:
     return f", that is {vector_words(Decimal(x), Decimal(y)).removeprefix('at ')}"
 
 
-def _oblique(found: Found, positive: bool, ledger: Ledger, value: Valuation) -> str:
-    """The direction of a part along a slanting line that the file gives by its angle."""
+def _oblique(found: Found, positive: bool, ledger: Ledger, value: Valuation, slopes: tuple[Slope, ...]) -> str:
+    """The direction of a part along a slanting line that the file gives by its angle, or across such a line."""
     what = found.find.found.what if found.find is not None else None
-    if not isinstance(what, Quantity) or what.word not in MOVES or len(what.parts) != 1:
+    if not isinstance(what, Quantity) or not _moves(found, what) or len(what.parts) != 1:
         return ""
     (part,) = what.parts
-    if part.kind != "along" or not isinstance(part.direction, Side):
+    if part.kind not in ("along", "across") or not isinstance(part.direction, Side):
         return ""
-    nodes = list(walk(part.direction))
-    if any(isinstance(node, Quantity) for node in nodes):
+    way = direction_of(part.direction, ledger, value)
+    if way is None:
         return ""
-    named = {ledger.symbols.get(node.name) for node in nodes if isinstance(node, Name) and node.name != "pi"}
-    if not all(symbol in ledger.values for symbol in named) or any(symbol in value.drawn for symbol in named):
+    if words := slope_words(part, positive, way, slopes, ledger, value):
+        return words
+    if part.kind == "across":
         return ""
-    angle = Evaluator(ledger, {}).value(part.direction)
-    cosine, sine = value(sp.cos(angle)), value(sp.sin(angle))
+    cosine, sine = value(way[0]), value(way[1])
     return vector_words(cosine, sine) if positive else vector_words(-cosine, -sine)
+
+
+def _moves(found: Found, what: Quantity) -> bool:
+    """Is it a vector that has a direction of its own?"""
+    return what.word in MOVES or (what.word == "impulse" and found.unit.dimension != ANGULAR_MOMENTUM)
 
 
 def sense_of_formula(found: Found, acute: Collection[sp.Symbol]) -> str:
@@ -94,7 +100,7 @@ def _words(found: Found, positive: bool) -> str:
     turns = what.word in TURNS or (what.word == "impulse" and found.unit.dimension == ANGULAR_MOMENTUM)
     if turns and not what.parts:
         return rotation_words(found.turn if positive else -found.turn)
-    if what.word in MOVES and len(what.parts) == 1:
+    if _moves(found, what) and len(what.parts) == 1:
         (part,) = what.parts
         if part.kind == "along" and isinstance(part.direction, PointPair):
             ends = (part.direction.origin, part.direction.to)

@@ -26,6 +26,7 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula, steepness_words
+from planar_cli.report.slopes import Slope
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.trigonometric_numbers import in_radians, right_angles, turned_angles
 from planar_cli.solve.passages import squared_radius
@@ -49,6 +50,8 @@ class Phrases:
     """The signs of speeds, where these are known all the time."""
     drawn: Valuation | None = None
     """The position of a motion in which arrows are drawn; None: the one of `value`."""
+    slopes: tuple[Slope, ...] = ()
+    """The fixed lines of the file by which directions are told."""
 
     @property
     def letters(self) -> bool:
@@ -267,7 +270,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         return _vector_line(numbers, unit, phrases.figures, place)
     if found.kind == "list":
         return tuple(x for n in numbers for x in (Text(", "), Value(n, unit, phrases.figures)))[1:]
-    words = direction_words(found, numbers[0], phrases.ledger, phrases.value)
+    words = direction_words(found, numbers[0], phrases.ledger, phrases.value, phrases.slopes)
     shown = abs(numbers[0]) if words else numbers[0]
     steep = "" if words else steepness_words(found, numbers[0])
     return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else steep))
