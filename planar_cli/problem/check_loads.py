@@ -26,7 +26,7 @@ def particles_have_one_point(scope: Scope) -> Iterator[Diagnostic]:
             # A link or rope between two particles keeps them apart.
             joined = any({name, point} <= scope.mentioned(j) for j in scope.problem.joints if j.kind in HOLDING)
             if others and not joined:
-                owner = "another particle" if others[0] in particles else f"a point of {others[0]}"
+                owner = "another particle" if others[0] == point else f"a point of {others[0]}"
                 text = f"{point} is {owner}; {load.called} acts on {name}, which is a particle elsewhere"
                 hint = f"leave `at` out, or let it act on {others[0]}"
                 yield Diagnostic(load.mark, "PL465", text, hint)

@@ -47,7 +47,7 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
             # A numbered line may be an equation that a letter stands in, rather than what gives it.
             given = [i for i in lines if not _is_numbered(found[i])] or lines
             shown = swallowed(expr, answer, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))
-            if given and not longer(expr, LONGEST):
+            if given and expr != 0 and not longer(expr, LONGEST):
                 found[given[-1]] = _ended(found[given[-1]], shown)
     return found
 

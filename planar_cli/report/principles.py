@@ -83,7 +83,7 @@ def _printed(page: Sequence[Block]) -> Printed:
 
 
 def _laws(uses: Uses, page: Printed) -> Iterator[str]:
-    moved = uses.kinetic or uses.energies or uses.momenta or uses.blows
+    moved = uses.kinetic or uses.energies or uses.momenta or uses.blows or uses.impulses
     if not moved and uses.relations:
         yield from _kinematics(uses, page)
     elif uses.coriolis or uses.beside:
@@ -121,7 +121,7 @@ def _of_forces(uses: Uses) -> str:
 
 
 def _momenta(uses: Uses) -> Iterator[str]:
-    if any(b.gain != 0 or not b.law.kept for b in uses.momenta):
+    if uses.impulses or any(b.gain != 0 or not b.law.kept for b in uses.momenta):
         yield "Impulse and momentum over a time."
     kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
     if any(b.law.lead != TURNING for b in kept):

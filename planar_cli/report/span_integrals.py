@@ -87,9 +87,10 @@ class SpanTelling:
         whole = None if turns or any(p.how == "blow" for p in pieces) else self._whole(found, shown)
         first = () if whole is None else (whole,)
         told = any(isinstance(side, Math) and not side.values for side in rest)
-        if told and len(last) > 1 and len(pieces) == 1 and self._is_steady(pieces[0]):
+        changes = whole is not None and all(p.how == "change" for p in pieces)
+        if changes or (told and len(last) > 1 and len(pieces) == 1 and self._is_steady(pieces[0])):
             # A constant force times the way, a constant rate times the time; several parts are told by their integrals.
-            first = ()
+            first, note = (), _changed(found.quantity) if changes else note
         elif whole is None and len(pieces) > 1:
             for piece, math in zip(pieces, shown, strict=True):
                 yield Equation((math, self._number(found, piece)))
@@ -173,13 +174,18 @@ class SpanTelling:
         return Value(display(number, own, self.phrases.ledger.us), shown, self.phrases.figures)
 
 
+def _changed(q: Quantity) -> Line:
+    """What the impulse of everything changes."""
+    return line("change of momentum" if q.parts else f"change of angular momentum about {q.things[1]}")
+
+
 def _joined(pieces: list[Piece]) -> list[Piece]:
     """Neighbours with one integrand as one."""
     found: list[Piece] = []
     for p in pieces:
         last = found[-1] if found else None
         same = last is not None and last.integrand == p.integrand and last.until == p.since and last.how == p.how
-        if last is not None and same and p.how == "difference" and not (p.turns or last.turns):
+        if last is not None and same and p.how in ("difference", "change") and not (p.turns or last.turns):
             limits, number = (last.limits[0], p.limits[1]), last.number + p.number
             found[-1] = replace(p, since=last.since, limits=limits, number=number, formula=None)
         else:

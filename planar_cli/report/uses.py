@@ -73,6 +73,8 @@ class Uses:
     wound: list[tuple[str, str]] = field(default_factory=list)
     """Cords that are wound on bodies, with these."""
     links: list[str] = field(default_factory=list)
+    impulses: bool = False
+    """Are impulses told by the momenta that they change?"""
     extreme: bool = False
     """Is something largest or smallest?"""
     at_limit: bool = False
@@ -282,6 +284,7 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
         found.integrated |= e.kind == "followed"
         found.extreme |= e.kind == "extreme"
     found.integrated |= any(p.how in ("integral", "quadrature", "flow") for s in motion.spans for p in s.pieces)
+    found.impulses |= any(p.how == "change" for s in motion.spans for p in s.pieces)
     found.swings |= bool(motion.oscillations)
 
 

@@ -140,7 +140,8 @@ class SpanSolver:
     def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, segment: ExactSegment) -> Piece:
         rates = self._rates(asked, segment)
         if asked.quantity.word != "path_length":
-            return self._integral(p, r, rates[0], segment, asked.quantity)
+            way = self._change if asked.changes else self._integral
+            return way(p, r, rates[0], segment, asked.quantity)
         speed, signed = signed_speed(rates[0], rates[1], segment.regime)
         if not signed:
             return self._integral(p, r, speed, segment, asked.quantity)
@@ -161,6 +162,14 @@ class SpanSolver:
         ends = [ta, *turns, tb]
         total = sum((abs(self._number(speed, segment, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
         return Piece(*_ends(p, r), speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
+
+    def _change(self, p: Stop, r: Stop, momentum: sp.Expr, segment: ExactSegment, q: Quantity) -> Piece:
+        """What changes a momentum between two states of a segment."""
+        begun, last = segment.number(momentum, self.value(p.t)), self.value(r.t)
+        ended = self.value.known(r.at(momentum)) if last == FOREVER else segment.number(momentum, last)
+        if ended is None:
+            raise self._endless(q, p, r)
+        return Piece(*_ends(p, r), momentum, "change", ended - begun, r.at(momentum) - p.at(momentum), momentum)
 
     def _integral(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment, q: Quantity) -> Piece:
         """∫ rate dt between two states of a segment."""

@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.records import record
-from planar_cli.solve.between.span_rates import rates_of
+from planar_cli.solve.between.span_rates import changed_by, rates_of
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
 from planar_cli.solve.regimes.gains import gained
@@ -24,10 +24,14 @@ SOON = Decimal("1e-20")
 
 @record
 class SpanQuantity:
-    """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out)."""
+    """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out).
+
+    `changes`: nothing is integrated, as it is the change of a momentum, which stands there.
+    """
 
     quantity: Quantity
     rates: Mapping[int, tuple[sp.Expr, ...]]
+    changes: bool = False
 
     @property
     def span(self) -> tuple[str, str]:
@@ -47,11 +51,12 @@ def ask_spans(course: RegimeSequence) -> dict[sp.Symbol, SpanQuantity]:
             if not isinstance(q.at, tuple) or symbol not in used:
                 continue
             rates: dict[int, tuple[sp.Expr, ...]] = {}
+            changes = bool(changed_by(q, reader.quantities()))
             for other in readers:
                 if id(other.regime) in moving and id(other.regime) not in rates:
                     rates[id(other.regime)] = rates_of(q, other)
                     other.exprs += rates[id(other.regime)] if _takes_time(course, q.at) else ()
-            found[symbol] = SpanQuantity(q, rates)
+            found[symbol] = SpanQuantity(q, rates, changes)
     return found
 
 
@@ -97,7 +102,7 @@ def _difference(
     if reader is not None and q.word != "count" and not any(i in blows for i in passed):
         rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
         rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
-        g = gained(rate, reader.regime)
+        g = rate if asked.changes else gained(rate, reader.regime)
     if g is None:
         text = f"{q.word}(…) @ {a.name}->{b.name} has no closed form here, so it can not fix a state"
         raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}")

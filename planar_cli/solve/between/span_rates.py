@@ -24,7 +24,8 @@ from planar_cli.solve.regimes.timeline import Reader
 def rates_of(q: Quantity, reader: Reader) -> tuple[sp.Expr, ...]:
     """The expressions that one quantity over a span needs, in the unknowns of the general position.
 
-    One rate; for a path length the two components of the velocity; for a count the residuals of the relation.
+    One rate; for a path length the two components of the velocity; for a count the residuals of the relation; for the
+    impulse of everything on a body no rate, but what it changes.
     """
     quantities = reader.quantities()
     match q.word:
@@ -43,7 +44,25 @@ def rates_of(q: Quantity, reader: Reader) -> tuple[sp.Expr, ...]:
             return (quantities.scalar(replace(q, word="power", at=None)).value,)
         case "heat":
             return (_heat(q.things[0], quantities, reader.regime),)
-    return (_push(q, quantities),)
+    return changed_by(q, quantities) or (_push(q, quantities),)
+
+
+def changed_by(q: Quantity, quantities: Quantities) -> tuple[sp.Expr, ...]:
+    """What the impulse of everything on a body, or on all of them, changes: its momentum, or that about a point at rest
+    or about the mass centre. Nothing: it is the impulse of a part of it, about a moving point, or a body that grows.
+    """
+    if q.word != "impulse":
+        return ()
+    scene, (name, *about) = quantities.scene, q.things
+    bodies = scene.bodies if name == "all" else {name: scene.bodies[name]} if name in scene.bodies else {}
+    if not bodies or any(b.varies for b in bodies.values()):
+        return ()
+    if q.parts:
+        return (_part(quantities.any(replace(q, word="momentum", parts=(), at=None)), q),)
+    still = scene.owner(about[0]) == GROUND and about[0] not in scene.bodies
+    if not still and (name == "all" or about[0] not in (name, scene.center_name(name))):
+        return ()
+    return (quantities.scalar(replace(q, word="H", at=None)).value,)
 
 
 def _part(found: Any, q: Quantity) -> sp.Expr:

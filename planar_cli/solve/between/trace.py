@@ -214,7 +214,7 @@ class Piece:
     integrand: sp.Expr
     """What is integrated over time."""
     how: str
-    """difference, integral, quadrature, flow or blow."""
+    """difference, integral, quadrature, flow or blow; change: of the momentum of what the impulse acts on."""
     number: Decimal
     """Its number."""
     formula: sp.Expr | None = None

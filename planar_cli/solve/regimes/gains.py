@@ -46,10 +46,14 @@ def _gains(regime: Regime) -> Iterator[tuple[sp.Expr, sp.Expr]]:
 def _share(rate: sp.Expr, change: sp.Expr, regime: Regime) -> sp.Expr | None:
     """The constant by which a term of a rate of gain is one of `rate` that no place tells; None: there is none."""
     letters = set(regime.letters)
-    loose = [t for t in sp.Add.make_args(rate) if not _is_linear(t, regime)]
-    for own in sp.Add.make_args(change) if loose else ():
-        if _is_linear(own, regime):
-            continue
+    terms, changes = sp.Add.make_args(rate), sp.Add.make_args(change)
+    loose = [t for t in terms if not _is_linear(t, regime)]
+    own_terms = [t for t in changes if not _is_linear(t, regime)]
+    if not loose:
+        # A force that depends on the place alone has no potential over the time: it is a part of a law of motion too.
+        loose = [t for t in terms if t.has(*letters) and not t.has(*regime.free)]
+        own_terms = [t for t in changes if t.has(*letters)]
+    for own in own_terms if loose else ():
         ratios = (simplified(term / own) for term in loose)
         found = next((r for r in ratios if not r.free_symbols & letters), None)
         if found is not None:
