@@ -18,6 +18,7 @@ from planar_cli.solve.between.extremes import stationary
 from planar_cli.solve.between.mass_centres import mass_centre_equations
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.following.departure import Departure
+from planar_cli.solve.regimes.along_curves import arc_lengths, curve_equations
 from planar_cli.solve.regimes.equations import (
     Equation,
     at_limits,
@@ -118,7 +119,8 @@ def all_equations(motion: MotionEquations) -> MotionEquations:
     first = [*_stated(motion), *_beginning(motion)]
     begun = {} if motion.departure is not None else begun_at(first, motion.first)
     written = [*first, *_moving(motion, begun, first), *motion.separations]
-    found = replace(motion, equations=_at_limits(motion, written))
+    equations = _at_limits(motion, written)
+    found = replace(motion, equations=equations, differences=arc_lengths(equations))
     return replace(found, equations=(*found.equations, *_stationary(found)))
 
 
@@ -256,6 +258,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr], data: Sequ
         standing = list(standing_equations(laws, start, stop, regime, known))
         found, known = [*found, *standing], known | standing_at(standing, known)
         found += list(symmetric_equations(start, stop, regime, begun))
+        curved = curve_equations(start, stop, regime, value)
+        found += [replace(e, offered=frozenset(motion.between.integrating)) for e in curved]
         between = [motion.stops[s.name] for s in motion.states[since + 1 : i]]
         orbits = orbit_equations(start, between, stop, regime, stated, data)
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in orbits]
