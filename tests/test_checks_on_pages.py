@@ -16,9 +16,8 @@ from planar_cli.report.narrate import narrate
         (
             "kinematics/collar-on-rotating-rod",
             [
-                "polar coordinates about O: a_r = r̈ - r ω² = -0.2 - 0.5 · 4² = -8.2 m/s²",
-                "a_θ = r α + 2 ṙ ω = 0.5 (-3) + 2 · 0.6 · 4 = 3.3 m/s²",
-                "√(a_r² + a_θ²) = 8.839 m/s² = |a_P|",
+                "x = r cos θ, differentiated twice: ẍ = r̈ cos θ - 2 ṙ ω sin θ - r α sin θ - r ω² cos θ",
+                "= -0.2 · 0.8192 - 2 · 0.6 · 4 · 0.5736 - 0.5 (-3) · 0.5736 - 0.5 · 4² · 0.8192 = -8.610 m/s² = a_Px",
             ],
         ),
         ("kinematics/ring-on-two-turning-rods", ["polar coordinates about A: a_r = r̈ - r ω² = -1.467 - 0.4 · 3²"]),

@@ -32,6 +32,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.polar_slides import SlideTelling
 from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.relative_motion import RelativeTelling
 from planar_cli.report.rolled_accelerations import RolledTelling
@@ -62,6 +63,7 @@ class AskedTelling:
         vectors.late = {u for s in instant.stages if s.level != "velocity" for b in s.blocks for u in b.unknowns}
         self.paths = PathTelling(vectors, phrases, self._once)
         self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
+        self.slides = SlideTelling(vectors, phrases)
         self.places = PlaceTelling(self.scene, phrases)
         self.relative = RelativeTelling(vectors, self._once, self.absolute, self._body_point)
 
@@ -205,6 +207,9 @@ class AskedTelling:
     def _moving(self, answer: Found, q: Quantity) -> Iterator[Block]:
         """The vectors that lead to it, then its component; its formula where no vector equation leads to it."""
         point, frame = q.things[0], self.system.quantities().frame_body(q)
+        if frame is not None and (coriolis := self.slides.coriolis(answer.name, q, self._values(answer, 0))):
+            yield coriolis
+            return
         if frame is not None:
             told = list(self.relative.seen(point, frame, q.word, True))
             name = {"v": "v_rel", "a": "a_rel", "coriolis": "a_cor"}[q.word]
@@ -249,7 +254,13 @@ class AskedTelling:
         found = self.vectors.sliding(body, at, place, level, rigid) if key not in self._told else None
         if found is not None:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
-            yield from self._joined(self.vectors.edges[self.vectors.carrier(self.vectors.edges[body].parent)], level)
+            frame = self.vectors.carrier(self.vectors.edges[body].parent)
+            if (polar := self.slides.told(body, place, frame, level)) is not None:
+                before, polar_sides, units = polar
+                yield from before
+                yield from self._once(key, polar_sides, vector, level, units)
+                return
+            yield from self._joined(self.vectors.edges[frame], level)
             yield from self.vectors.along(body)
             put = self._slid_in_numbers(body, at, level)
             sides = (line(Name(f"{level[0]}_{index_of(place)}")), found[0], *([put] if put else []))
@@ -323,10 +334,13 @@ class AskedTelling:
         numbers = [self.phrases.of_dimension(v, _dimension(q)) for v in vector]
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
-            size = size_of(vector, _dimension(q), self.phrases)
+            size = self.slides.size(name) or size_of(vector, _dimension(q), self.phrases)
             yield Equation((*own, line("|", Name(name), "|"), size, *values))
             return
         axis = self._axis(q)
+        if own and (way := self.slides.part(name, axis)):
+            yield Equation((*own, way, *values))
+            return
         counted = [*(n.number for n in numbers), *axis]
         figures = figures_of(counted, lambda x: x[0] * x[2] + x[1] * x[3], self.phrases.figures)
         symbols = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in ("0", "1", "cos0", "cos1")]

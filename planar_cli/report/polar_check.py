@@ -3,7 +3,8 @@
     about O: a_r = r̈ - r ω² = -0.2 - 0.5 · 4² = -8.2, a_θ = r α + 2 ṙ ω = 0.5 (-3) + 2 · 0.6 · 4 = 3.3,
     √(a_r² + a_θ²) = 8.839 m/s² = |a_P|
 
-The page works with the vectors of a turning frame, or with components along x and y.
+The page works with the vectors of a turning frame, or with components along x and y. Where it has the polar components
+itself, the place x = r cos θ differentiated twice gives the component along x once more.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.component_sums import Power, sum_of_products
+from planar_cli.report.polar_slides import polar_slide
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
@@ -74,6 +76,8 @@ def _told(instant: InstantSolution, phrases: Phrases, j: Joining, pin: Joining) 
     ]  # fmt: skip
     numbers = [phrases.of_dimension(x, d, d in (RATE, ANGULAR)).number for x, d in sizes]
     outward, reach, turn, gain, slide = numbers
+    if polar_slide(system, phrases, j.mover, j.place, j.base) is not None:
+        return _along_x(numbers, way, own, j.place, phrases)
     first = _sum((1, ((outward, 1),)), (-1, ((reach, 1), (turn, 2))), figures=phrases.figures)
     last = _sum((1, ((reach, 1), (gain, 1))), (1, ((Decimal(2), 1), (slide, 1), (turn, 1))), figures=phrases.figures)
     results = [phrases.of_dimension(x, ACCELERATION) for x in (along, across, _size(own))]
@@ -82,6 +86,25 @@ def _told(instant: InstantSolution, phrases: Phrases, j: Joining, pin: Joining) 
         ", ", Name("a_theta"), " = r α + 2 ṙ ω = ", last, " = ", results[1],
         "; √(", Name("a_r"), "² + ", Name("a_theta"), "²) = ", results[2],
         " = |", Name(f"a_{index_of(j.place)}"), "|",
+    )  # fmt: skip
+
+
+def _along_x(numbers: list[Decimal], way: Vec, own: Vec, place: str, phrases: Phrases) -> Line:
+    """ẍ = r̈ cos θ - 2 ṙ ω sin θ - r α sin θ - r ω² cos θ, with its numbers; nothing for a line along an axis."""
+    outward, reach, turn, gain, slide = numbers
+    if not way.x or not way.y:
+        return ()
+    worked = _sum(
+        (1, ((outward, 1), (way.x, 1))),
+        (-1, ((Decimal(2), 1), (slide, 1), (turn, 1), (way.y, 1))),
+        (-1, ((reach, 1), (gain, 1), (way.y, 1))),
+        (-1, ((reach, 1), (turn, 2), (way.x, 1))),
+        figures=phrases.figures,
+    )
+    letters = ["r̈ cos θ" if outward else "", "2 ṙ ω sin θ", "r α sin θ" if gain else "", "r ω² cos θ"]
+    return line(
+        "x = r cos θ, differentiated twice: ẍ = ", "" if outward else "-", " - ".join(x for x in letters if x),
+        " = ", worked, " = ", phrases.of_dimension(own.x, ACCELERATION), " = ", Name(f"a_{index_of(place)}x"),
     )  # fmt: skip
 
 

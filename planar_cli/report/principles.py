@@ -156,14 +156,16 @@ def _relative(uses: Uses, page: Printed) -> Iterator[str]:
     if page.coriolis or (uses.forces and uses.sliding):
         yield "Motion relative to a turning body: v_P = v_P′ + v_rel, a_P = a_P′ + a_rel + 2 ω × v_rel."
     elif uses.coriolis:
-        yield "Motion relative to a turning body: v_P = v_P′ + v_rel."
+        # What slides along a line through its pin is told in polar coordinates.
+        if "e_r" not in page.names:
+            yield "Motion relative to a turning body: v_P = v_P′ + v_rel."
     elif uses.beside:
         yield "Relative motion: v_B = v_A + v_B/A."
 
 
 def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
     """How the velocities of the points of bodies hang together."""
-    if page.levels and not uses.coriolis:
+    if page.levels and (not uses.coriolis or "e_r" in page.names):
         told = {"v": "v_B = v_A + ω × r_B/A", "a": "a_B = a_A + α × r_B/A - ω² r_B/A"}
         yield f"Rigid bodies: {', '.join(told[v] for v in 'va' if v in page.levels)}."
     elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:
