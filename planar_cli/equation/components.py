@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from planar_cli.equation.jets import Jet
+from planar_cli.equation.line_names import line_name
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, At, Particle, Place, Polar
 from planar_cli.records import record
@@ -40,7 +41,7 @@ class Components:
         """Along the line from the fixed point and across it, in words; along it in the sense of the acceleration."""
         if not self.origin:
             return []
-        line = f"{self.origin}{particle}"
+        line = line_name(self.origin, particle)
         way = -self.axis if self.accelerations[0].could_extract_minus_sign() else self.axis
         return [(way, f"along {line}"), (self.axis.turned(), f"along the perpendicular to {line}")]
 

@@ -66,7 +66,7 @@ def given_rows(problem: Problem, page: Mentioned, figures: int) -> tuple[tuple[L
     return (
         _listed(numbers),
         tuple(points_given(problem, page, figures)),
-        tuple(laws_given(problem, page, figures)),
+        tuple(laws_given(problem, figures)),
         *states,
     )
 

@@ -2,58 +2,151 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
-from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Name, Quantity, Relation, Side
+from planar_cli.problem.expression import (
+    AtRest,
+    Binary,
+    Equilibrium,
+    Extreme,
+    JustAfter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Relation,
+    Side,
+    Statement,
+    Word,
+)
+from planar_cli.problem.parser import parse_statement
 from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.turning_planes import goes_round
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import walk, written_alike
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, line
-from planar_cli.report.mentioned import Mentioned, pieces_of
-from planar_cli.report.sides import is_zero, number_of, said
-from planar_cli.report.spoken import WORDS
+from planar_cli.report.in_words import in_words, sign_of
+from planar_cli.report.sides import is_zero, number_of
 
-FORCES = ("N", "tension", "friction")
-"""What a state says of forces, as where something is about to lift: N = 0."""
-
-
-OF_BODIES, PLACES = ("mass",), ("x", "y", "r", "theta")
-"""What does not change, so that 2.5 m g is a datum; and what a law of motion may be a function of."""
+OF_MODES = {
+    "stick": "no slipping at {}",
+    "slip": "slipping at {}",
+    "apart": "no contact at {}",
+    "tip": "tipping at {}",
+    "taut": "{} taut",
+    "slack": "{} slack",
+}
+"""What a state says of a contact or a rope."""
+TURN = "theta"
+REVERSED = {">": "<", ">=": "<="}
 
 
 def states_given(problem: Problem, figures: int) -> Iterator[list[Line]]:
-    """A row for each state: relations with what is known on one side, rest, and what is largest or smallest."""
+    """A row for each state: all that the file says of it."""
     if not problem.states:
-        yield [d for r in problem.instant or () for d in _told(r, problem, figures, first=True)]
+        yield _row(problem.instant or (), problem, figures, first=True)
     for i, state in enumerate(problem.states):
         yield _of_state(state, problem, figures, first=not i)
 
 
 def _of_state(state: State, problem: Problem, figures: int, first: bool) -> list[Line]:
     """The data of a state behind its name."""
-    row = [d for r in state.relations for d in _told(r, problem, figures, first)]
+    row = _row(state.relations, problem, figures, first)
     return [line(f"{state.name}: ", row[0]), *row[1:]] if row else []
 
 
-def _told(statement: object, problem: Problem, figures: int, first: bool) -> Iterator[Line]:
-    """One statement; of the first state only what asks nothing."""
-    unknown = {s.name for s in problem.unknowns}
+def _row(statements: Sequence[Statement], problem: Problem, figures: int, first: bool) -> list[Line]:
+    """Each statement once; two bounds of one quantity as one, 0 < β < 90°. That the clock begins at nought is no
+    datum.
+    """
+    row, bounded = [], set[int]()
+    statements = list(dict.fromkeys(map(_as_written, statements)))
+    for i, statement in enumerate(statements):
+        if i in bounded or (first and isinstance(statement, Relation) and _begins_the_clock(statement)):
+            continue
+        upper = _upper_bound(statement, statements[i + 1 :])
+        if upper is None or not isinstance(statement, Relation):
+            row.append(_with_own_masses(_told(statement, problem, figures), problem))
+            continue
+        bounded.add(i + 1 + statements[i + 1 :].index(upper))
+        low = line(_right(statement, figures), f" {sign_of(REVERSED[statement.operator])} ")
+        row.append(line(low, _equation(upper, figures)))
+    return row
+
+
+def _as_written(statement: Statement) -> Statement:
+    """What is largest or smallest as the file says it, and not by its rates."""
+    if isinstance(statement, Relation) and statement.text.endswith((" is largest", " is smallest")):
+        return parse_statement(statement.text, statement.mark)
+    return statement
+
+
+def _upper_bound(statement: Statement, others: Sequence[Statement]) -> Relation | None:
+    """The relation that bounds the same quantity from above as a statement bounds from below."""
+    if not isinstance(statement, Relation) or statement.operator not in REVERSED:
+        return None
+    return next((r for r in others if isinstance(r, Relation) and _is_upper(r, statement.left)), None)
+
+
+def _is_upper(relation: Relation, side: Side) -> bool:
+    return relation.operator in ("<", "<=") and written_alike(relation.left, side)
+
+
+def _told(statement: Statement, problem: Problem, figures: int) -> Line:
+    """One statement."""
     match statement:
         case AtRest():
             where = " in the plane of the drawing, which goes round" if goes_round(problem) else ""
-            yield line(f"{statement.body} at rest{where}" if statement.body else f"at rest{where}")
-        case Equilibrium() if problem.motion and statement.body is None:
+            return line(f"{statement.body} at rest{where}" if statement.body else f"at rest{where}")
+        case Equilibrium():
             # What is driven moves on; what nothing drives stays where it is beside it.
-            yield line("in relative equilibrium")
-        case Extreme() if not first and (side := said(statement.side, figures)):
-            yield line(side, " largest" if statement.sense > 0 else " smallest")
-        case Relation(operator="=") if (
-            _gives(statement, unknown)
-            or (first and _names(statement, unknown))
-            or (not first and _says(statement, unknown))
-        ):
-            yield from (_with_own_masses(told, problem) for told in _equation(statement, figures))
+            relative = "relative " if problem.motion and statement.body is None else ""
+            return line(f"{statement.body} " if statement.body else "", f"in {relative}equilibrium")
+        case JustAfter():
+            return line(f"just after {statement.state}")
+        case Extreme():
+            return line(in_words(statement.side, figures), " largest" if statement.sense > 0 else " smallest")
+    left, right = statement.left, statement.right
+    if isinstance(left, Quantity) and isinstance(right, Word) and right.word in OF_MODES:
+        return line(OF_MODES[right.word].format(left.things[0]))
+    return _turned(statement, problem, figures) or _equation(statement, figures)
+
+
+def _turned(relation: Relation, problem: Problem, figures: int) -> Line:
+    """By how much a body has turned since an earlier state; nothing of another relation, or where only the number of a
+    letter tells in which sense.
+    """
+    left, right = relation.left, relation.right
+    if isinstance(left, Quantity) and isinstance(right, Binary) and right.operator in "+-":
+        left = Binary("-", left, right.left, left.mark)
+        right = right.right if right.operator == "+" else Negate(right.right, right.mark)
+    if relation.operator != "=" or not isinstance(left, Binary) or left.operator != "-":
+        return ()
+    now, then = left.left, left.right
+    if not (isinstance(now, Quantity) and isinstance(then, Quantity) and isinstance(then.at, str)):
+        return ()
+    if now.word != TURN or now.at is not None or now.parts or now.things != then.things or len(now.things) > 1:
+        return ()
+    sense, size = _sense_of(right, {s.name for s in problem.symbols})
+    if not sense:
+        return ()
+    way = "counterclockwise" if sense > 0 else "clockwise"
+    return line(f"{now.things[0]} has turned ", in_words(size, figures), f" {way} since {then.at}")
+
+
+def _sense_of(side: Side, positive: Collection[str]) -> tuple[int, Side]:
+    """+1 or -1 with the size of a side; 0: its letters may have either sign."""
+    if isinstance(side, Negate):
+        sense, size = _sense_of(side.operand, positive)
+        return -sense, size
+    if isinstance(side, Number):
+        sense = side.sense if side.value > 0 else -side.sense
+        return sense, replace(side, value=abs(side.value), sense=1)
+    known = {"pi", *positive}
+    parts = list(walk(side))
+    plain = all(isinstance(n, Number | Name) or (isinstance(n, Binary) and n.operator in "*/") for n in parts)
+    return int(plain and all(n.name in known for n in parts if isinstance(n, Name))), side
 
 
 def _with_own_masses(told: Line, problem: Problem) -> Line:
@@ -63,64 +156,23 @@ def _with_own_masses(told: Line, problem: Problem) -> Line:
     return tuple(blocks.Name("m") if isinstance(p, blocks.Name) and p.name == named else p for p in told)
 
 
-def _equation(relation: Relation, figures: int) -> Iterator[Line]:
-    left, right = said(relation.left, figures) or _named(relation.left), said(relation.right, figures)
+def _equation(relation: Relation, figures: int) -> Line:
+    """Both sides with what stands between them."""
+    return line(in_words(relation.left, figures), f" {sign_of(relation.operator)} ", _right(relation, figures))
+
+
+def _right(relation: Relation, figures: int) -> Line:
+    """Nought is nought in every unit but that of an angle."""
     number = number_of(relation.right)
-    right = line("0") if number is not None and not number[0] and number[1] != "deg" else right
-    if left and right:
-        yield line(left, " = ", right)
+    nought = number is not None and not number[0] and number[1] != "deg"
+    return line("0") if nought else in_words(relation.right, figures)
 
 
-def _named(side: Side) -> Line:
-    """What has no letters, or only where a diagram shows it: `the tension in cord`, `the way of P from 1 to 2`."""
-    if not isinstance(side, Quantity) or side.parts or len(side.things) != 1:
-        return ()
-    if side.word == "path_length" and isinstance(side.at, tuple):
-        return line(f"{WORDS[side.word].format(side.things[0])} from {side.at[0]} to {side.at[1]}")
-    return line(WORDS[side.word].format(side.things[0])) if side.word in FORCES and not side.at else ()
-
-
-def laws_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
-    """How something is driven: the number of its speed, or its law; letters stand on the page itself."""
-    unknown = {s.name for s in problem.unknowns}
+def laws_given(problem: Problem, figures: int) -> Iterator[Line]:
+    """What `motion` says, which holds all the time, or from one state to another."""
     for law in problem.motion:
-        relation = law.statement
-        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown, PLACES):
-            left = said(relation.left, figures)
-            names = {p.name for p in pieces_of(left) if isinstance(p, blocks.Name)}
-            number = number_of(relation.right) is not None and not is_zero(relation.right)
-            varies = _varies(relation.right, problem) and law.during is None
-            if varies or law.during is not None or (number and (page.numeric or page.words.isdisjoint(names))):
-                span = f" from {law.during[0]} to {law.during[1]}" if law.during is not None else ""
-                yield from (line(told, span) for told in _equation(relation, figures))
-
-
-def _varies(side: Side, problem: Problem) -> bool:
-    """Does time or a coordinate stand in it?"""
-    running = {"t", *(s.name for s in problem.coordinates)}
-    return any(isinstance(n, Name) and n.name in running for n in walk(side))
-
-
-def _names(relation: Relation, unknown: set[str]) -> bool:
-    """Does it say what a letter that is sought stands for: |v| = v_0?"""
-    return isinstance(relation.left, Quantity) and isinstance(relation.right, Name) and relation.right.name in unknown
-
-
-def _says(relation: Relation, unknown: set[str]) -> bool:
-    """Does a state say where it is, in letters that are known?"""
-    names = {n.name for side in (relation.left, relation.right) for n in walk(side) if isinstance(n, Name)}
-    return not names & unknown and any(isinstance(n, Quantity) for n in walk(relation.left))
-
-
-def _gives(relation: Relation, unknown: set[str], constant: Collection[str] = OF_BODIES) -> bool:
-    """Does it say what something is, without asking anything? That the clock begins at nought is no datum. `constant`:
-    quantities that may stand in what it is.
-    """
-    if not isinstance(relation.left, Quantity | Name) or _begins_the_clock(relation):
-        return False
-    nodes = list(walk(relation.right))
-    asked = any(isinstance(n, Quantity) and n.word not in constant for n in nodes)
-    return not asked and not any(isinstance(n, Name) and n.name in unknown for n in nodes)
+        span = f" from {law.during[0]} to {law.during[1]}" if law.during is not None else ""
+        yield line(_with_own_masses(_told(law.statement, problem, figures), problem), span)
 
 
 def _begins_the_clock(relation: Relation) -> bool:

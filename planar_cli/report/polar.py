@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.components import Components
+from planar_cli.equation.line_names import line_name
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.walk import walk
@@ -38,9 +39,8 @@ def polar_blocks(
         if edge.body in moved or any(word == "a" and names & things for word, things in asked):
             lines.append(("a", own.accelerations))
         if lines:
-            yield Paragraph(
-                line(f"{place} in polar coordinates about {own.origin}, ", Name("e_r"), f" along {own.origin}{place}:")
-            )
+            way = line_name(own.origin, place)
+            yield Paragraph(line(f"{place} in polar coordinates about {own.origin}, ", Name("e_r"), f" along {way}:"))
         for letter, parts in lines:
             settled = [p.xreplace(dict.fromkeys(zero, sp.S.Zero)) for p in parts]
             if any(p != 0 for p in settled):

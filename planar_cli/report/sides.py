@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from planar_cli.equation.line_names import line_name
 from planar_cli.problem.expression import (
     Binary,
     Function,
@@ -11,7 +12,6 @@ from planar_cli.problem.expression import (
     Name,
     Negate,
     Number,
-    Part,
     PointPair,
     Quantity,
     Relation,
@@ -92,7 +92,7 @@ def _said(side: Side, figures: int, place: int) -> Line:
         case Binary():
             return _combined(side, figures, place)
         case Function(at=None):
-            name = "√" if side.name == "sqrt" else side.name
+            name = {"sqrt": "√", "log": "ln"}.get(side.name, side.name)
             argument = _said(side.argument, figures, SUM)
             if len(argument) > 1 or side.name == "abs":
                 return line(f"{name}(", argument, ")")
@@ -155,8 +155,8 @@ def _quantity(asked: Quantity, figures: int) -> Line:
     name = f"{'m' if asked.word == MASS else LETTERS[asked.word]}_{thing}"
     if relative:
         base = line(blocks.Name(name), f"/{relative[0]}")
-    elif part is not None and (axis := "t" if _is_tangential(part, thing) else part.kind) in ("x", "y", "t", "n"):
-        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + axis))
+    elif part is not None and part.kind in ("x", "y", "t", "n"):
+        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + part.kind))
     else:
         base = line(blocks.Name(name))
     if part is None:
@@ -170,12 +170,7 @@ def _quantity(asked: Quantity, figures: int) -> Line:
     return line(base, f" {part.kind} ", *_direction(part.direction, figures))
 
 
-def _is_tangential(part: Part, point: str) -> bool:
-    """Is it the component across the radius to the point itself?"""
-    return part.kind == "across" and isinstance(part.direction, PointPair) and part.direction.to == point
-
-
 def _direction(direction: Side | PointPair | None, figures: int) -> Line:
     if isinstance(direction, PointPair):
-        return line(f"{direction.origin}{direction.to}")
+        return line(line_name(direction.origin, direction.to))
     return () if direction is None else _said(direction, figures, SUM)
