@@ -12,20 +12,18 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
-from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import is_endless, names_of_states, walk
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
-from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
-from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace
-from planar_cli.solve.contradicted import DIFFERENT, HINT, Seen, disagreement
+from planar_cli.solve.contradicted import DIFFERENT, HINT, Seen, disagreement, shown
 from planar_cli.solve.diagnosis.left_open import demand_told
+from planar_cli.solve.first_stretch import ALONG, CERTAIN, FAINT, FirstStretch, varies
 from planar_cli.solve.followable import closed, end_of, most_steps, not_followed
 from planar_cli.solve.following.departure import DEPARTS
 from planar_cli.solve.following.mode_search import AT_A_TOP
@@ -37,16 +35,11 @@ from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
 from planar_cli.solve.taken import Taken
 from planar_cli.solve.undriven import nothing_drives, standing_alone
-from planar_cli.units import Unit
 
-CERTAIN = 1e-6
-"""Numbers that are apart by less than this part of them, or of the scale of their kind, agree."""
 DIFFERS = 30.0
 """Numbers that are apart by less than so many estimated errors do not differ."""
 TOUCHING = 3e-6
 """What comes and goes within this part of the time is one touch: the root of some roundings."""
-FAINT = 1e-9
-"""Speeds below this part of their scale may be the rounding of rest."""
 AT_REST = (0.0, 0.0, 0.0)
 READ_OFF = "rests on a number that only the motion that was followed gives"
 NOT_ABLE = {
@@ -114,7 +107,7 @@ def _confirmed(
     taken = instance.taken
     asked = closed(problem, taken)
     values = {**numbers_of(earlier, taken.letters), **taken.letters}
-    times = None if problem.states[1:] else BEGINNING
+    alone = ALONG if any(varies(f, trace) for f in found) else BEGINNING
     settings = Settings(
         most_steps=most_steps(asked, taken),
         until=end_of(asked, taken),
@@ -122,7 +115,7 @@ def _confirmed(
         speeds=taken.speeds,
         momenta=True,
         estimate=False,
-        times=times,
+        times=None if problem.states[1:] else alone,
     )
     untold: tuple[Diagnostic, ...] = ()
     try:
@@ -227,12 +220,13 @@ class _Compared:
             return self._seen(f, f.word == answer.word, f.word, answer.word or answer.why, what)
         numbers = self._numbers(f)
         if numbers is None or answer.why:
-            return self._throughout(f, what)
+            assert not isinstance(what, Relation)
+            return FirstStretch(self.other.run, self.trace, self.instance).see(f, what)
         apart = max(abs(float(x) - y) for x, y in zip(numbers, answer.values, strict=True))
         size = max([*map(abs, answer.values), answer.scale])
         agrees = apart <= max(CERTAIN * size, DIFFERS * (answer.error or 0.0))
         others, us = [Decimal(repr(v)) for v in answer.values], self.problem.us
-        return self._seen(f, agrees, _shown(numbers, f.unit, us), _shown(others, f.unit, us), what)
+        return self._seen(f, agrees, shown(numbers, f.unit, us), shown(others, f.unit, us), what)
 
     def _seen(self, f: Found, agrees: bool, found: str, other: str, what: Side | Relation) -> Seen:
         if agrees:
@@ -266,7 +260,7 @@ class _Compared:
         if f.values is not None:
             return [Decimal(v) for v in f.values]
         found = [sp.sympify(e) for e in f.expressions or ()]
-        if not found or any(e.free_symbols & self.trace.varying for e in found):
+        if not found or varies(f, self.trace):
             return None
         try:
             return [self.instance.value(e) for e in found]
@@ -274,33 +268,6 @@ class _Compared:
             mark = self.problem.find[0].mark
             text = f"{mark.file}:{mark.line}: {f.name} is not confirmed: its formula has no value, {error}"
             raise Disagreement(text) from error
-
-    def _throughout(self, f: Found, what: Side | Relation) -> Seen:
-        """What holds throughout the motion, a number or a formula, at every state."""
-        assert not isinstance(what, Relation)
-        if f.values is None and not f.expressions:
-            return Seen(f.name, "its formula is not printed")
-        measures = self.other.run.measures
-        scale = Timetable(self.problem, measures).scale(what)
-        for moment in self.moments.values():
-            value = self.instance.value.extended(self._now(moment))
-            open_letters = {s for e in f.expressions or () for s in sp.sympify(e).free_symbols} - value.values.keys()
-            if f.values is None and open_letters:
-                return Seen(f.name, "its formula holds more than the time and coordinates")
-            numbers = [Decimal(v) for v in f.values or ()] or [value(sp.sympify(e)) for e in f.expressions or ()]
-            others = measures.at(what, moment)
-            apart = max(abs(float(x) - y) for x, y in zip(numbers, others, strict=True))
-            if apart > CERTAIN * max([*map(abs, others), scale]):
-                shown = _shown([Decimal(repr(v)) for v in others], f.unit, self.problem.us)
-                return Seen(f.name, "", shown, _shown(numbers, f.unit, self.problem.us), f"t = {moment.t:.9g} s")
-        return Seen(f.name)
-
-    def _now(self, moment: Moment) -> dict[sp.Symbol, Decimal]:
-        """Time and coordinates at a moment."""
-        known, measures = self.trace.ledger.symbols, self.other.run.measures
-        names = [n for n in ("t", *(c.name for c in self.problem.coordinates)) if n in known]
-        here = {n: measures.at(Name(n, None, Mark(self.problem.file, 1, 1)), moment)[0] for n in names}
-        return {known[n]: Decimal(repr(v)) for n, v in here.items()}
 
     # --- states that are not reached ---------------------------------------------------------------------------------
 
@@ -388,13 +355,3 @@ def _of_no_motion(f: Found) -> str:
         return "is infinite, and no motion is followed so far"
     words = [n.word for n in walk(f.find.found.what) if isinstance(n, Quantity)]
     return next((NOT_FOLLOWED[w] for w in words if w in NOT_FOLLOWED), "")
-
-
-# --- what is said ----------------------------------------------------------------------------------------------------
-
-
-def _shown(values: list[Decimal], unit: Unit, us: bool) -> str:
-    """Numbers in a unit, to more digits than agree."""
-    numbers = ", ".join(f"{float(display(v, unit, us)):.9g}" for v in values)
-    text = numbers if len(values) == 1 else f"[{numbers}]"
-    return f"{text} {unit.text}" if unit.text != "1" else text

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 
+from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instances import Instance
 from planar_cli.solve.instant.verify import Disagreement
-from planar_cli.units import parse_unit
+from planar_cli.units import Unit, parse_unit
 
 DIFFERENT = "PL720"
 HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
@@ -46,3 +47,10 @@ def _told(problem: Problem, wrong: list[Seen], drawn: str) -> Iterator[Diagnosti
         text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
         text += f"{drawn} ({s.where})" if s.where else drawn
         yield Diagnostic(marks[s.name], DIFFERENT, text, HINT)
+
+
+def shown(values: list[Decimal], unit: Unit, us: bool) -> str:
+    """Numbers in a unit, to more digits than agree."""
+    numbers = ", ".join(f"{float(display(v, unit, us)):.9g}" for v in values)
+    text = numbers if len(values) == 1 else f"[{numbers}]"
+    return f"{text} {unit.text}" if unit.text != "1" else text
