@@ -32,7 +32,7 @@ PARTS = (0.2, 0.45, 0.8)
 """The places between the states, in parts of the time."""
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
-STAYS = "nothing moves in the motion that was followed"
+STAYS = "the place of which it is a formula does not change in the motion that was followed"
 
 
 def varies(f: Found, trace: MotionTrace) -> bool:
@@ -68,12 +68,18 @@ class FirstStretch:
                 told = "no real value" if found is None else shown(found, f.unit, us)
                 other = shown([Decimal(repr(v)) for v in others], f.unit, us)
                 return Seen(f.name, "", other, told, f"t = {moment.t:.9g} s")
-        return Seen(f.name, "" if between or not formulas else STAYS)
+        return Seen(f.name, "" if not formulas or self._changes(formulas, between) else STAYS)
 
     def _agree(self, what: Side, found: list[Decimal], others: tuple[float, ...]) -> bool:
         scale = Timetable(self.run.problem, self.run.measures).scale(what)
         apart = max(abs(float(x) - y) for x, y in zip(found, others, strict=True))
         return apart <= CERTAIN * max([*map(abs, others), scale])
+
+    def _changes(self, formulas: list[sp.Expr], between: list[Moment]) -> bool:
+        """Do the time or the coordinates in these formulas change? Beside what moves others may rest."""
+        letters = {s for e in formulas for s in e.free_symbols}
+        places = [self._now(m) for m in (self.run.measures.moments[START], *between)]
+        return any(now[s] != places[0][s] for now in places for s in letters & now.keys())
 
     def _told(self, formulas: list[sp.Expr]) -> bool:
         """Do the letters, the time and the coordinates tell these formulas?"""

@@ -11,11 +11,11 @@ from planar_cli.equation.system import mode_of
 from planar_cli.errors import refuse
 from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.dimensions import Kind, dimension_of
-from planar_cli.problem.expression import Name, Quantity, Relation
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Find
+from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import names_of_states, walk
 from planar_cli.records import record
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import NONE_KEPT, KeptLetters, Reader, Stop
@@ -75,9 +75,20 @@ def _alone(motion: RegimeSequence, find: Find) -> Stop | None:
     states, what = motion.problem.states, find.found.what
     if len(states) != 1 or motion.states or is_curve(what) or isinstance(what, Relation):
         return None
-    if any(isinstance(q, Quantity) and q.word in RATES for q in walk(what)):
-        return None
-    return motion.stops[states[0].name]
+    return None if _is_rate(what) else motion.stops[states[0].name]
+
+
+def _is_rate(what: Side) -> bool:
+    """Does it rest on what vanishes in equilibrium?"""
+    return any(isinstance(q, Quantity) and q.word in RATES for q in walk(what))
+
+
+def asks_rates_throughout(problem: Problem) -> bool:
+    """Is a formula asked that is zero as long as nothing moves?"""
+    sides = [
+        f.found.what for f in problem.find if not isinstance(f.found.what, Relation) and not is_curve(f.found.what)
+    ]
+    return any(_is_rate(side) and not names_of_states(side) for side in sides)
 
 
 def asked_letters(asked: tuple[AskedFind, ...]) -> set[sp.Symbol]:

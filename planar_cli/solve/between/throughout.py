@@ -81,6 +81,13 @@ class Throughout:
             raise NoValue("the motion was not followed")
         return followed.onward
 
+    def _within(self, segment: FollowedSegment) -> float:
+        """How long after its beginning a stretch shows how it goes on [s]."""
+        if segment.t0 < segment.t1 < math.inf:
+            return 0.43 * (segment.t1 - segment.t0)
+        departure = self.course.departure
+        return 0.43 * scale_of(segment) if departure is None else departure.grown
+
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
         residual, span = equation.residual.xreplace(self.start), equation.span
@@ -93,8 +100,7 @@ class Throughout:
         assert self.followed is not None
         try:
             segment = self._leg(self.followed)
-            run = segment.t1 - segment.t0 if segment.t0 < segment.t1 < math.inf else scale_of(segment)
-            here = segment.at(segment.t0 + 0.43 * run)
+            here = segment.at(segment.t0 + self._within(segment))
         except NoValue:
             return None
         exact = {s: Decimal(repr(here[s])) for s in fixed}

@@ -23,6 +23,8 @@ from planar_cli.solve.regimes.regime import Regime
 
 SLIGHT = 1e-9
 """The touch in parts of a radian, or of the size of the scene, in the time in which it grows."""
+GROWN = 0.1
+"""Where it has come to in the same parts, the motion is no longer the touch."""
 DEPARTS = "released at rest in an unstable equilibrium: the limit of a slight touch"
 
 
@@ -32,6 +34,8 @@ class Departure:
 
     speed: sp.Symbol
     value: Decimal
+    grown: float
+    """After what time it has grown so far that it is seen [s]."""
 
 
 def departure_of(
@@ -60,7 +64,7 @@ def departure_of(
     )
     pace = math.sqrt(growth)
     slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
-    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)))
+    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), math.log(GROWN / SLIGHT) / pace)
 
 
 def resting_until_struck(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:

@@ -38,9 +38,10 @@ from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.following.by_ways import followed_by_ways
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.dated import told_by_what_follows
-from planar_cli.solve.following.departure import DEPARTS, departure_of, resting_until_struck
+from planar_cli.solve.following.departure import departure_of, resting_until_struck
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.following.foreseen import as_it_happens, foreseen
+from planar_cli.solve.following.kept_at_rest import asks_about_touch, told_of_rest
 from planar_cli.solve.following.known_prefix import Beginning, beginning
 from planar_cli.solve.following.mode_choice import Far, ModeChoice, assumed, at_a_top
 from planar_cli.solve.following.seen import Seen
@@ -63,7 +64,6 @@ from planar_cli.solve.regimes.regime_sequence import regime_sequence
 
 CHANGES = 40
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
-STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
 @changing
@@ -117,10 +117,10 @@ class ModeSearch(ModeChoice):
                 return SolvedMotion(course, finds, course.equilibria.branch, None, course.base())
             found = self._solve_departing(course, finds)
             if isinstance(found, SolvedMotion):
-                # A start alone, beside an equilibrium about which it swings, is no motion that would be told.
-                stays = self.stays and not course.regimes[0].free and len(course.states) > 1
-                why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
-                return replace(found, checks=(*found.checks, *why))
+                if self.unstable is None or self.sense or not asks_about_touch(course):
+                    why = told_of_rest(found, bool(self.sense), self.stays)
+                    return replace(found, checks=(*found.checks, *why))
+                found = self._departed(self.unstable, 1)
             modes = found
         for regime in sequence.regimes:
             regime.general.demand_unique(regime.undetermined)
@@ -145,7 +145,7 @@ class ModeSearch(ModeChoice):
 
     def _sooner(self, found: SolvedMotion) -> SolvedMotion:
         """The same, or the departure to the other side where that passes all states sooner."""
-        if self.sense < 1 or self.unstable is None:
+        if self.sense < 1 or self.unstable is None or len(found.course.states) == 1:
             return found
         self.by = ended(found)
         try:

@@ -185,6 +185,10 @@ def traced(
     try:
         scene = _prepared(problem, values, speeds, {s.name: v for s, v in start.items()})
         scene = _departing(course, scene, value, start)
+        departure = getattr(course, "departure", None)
+        if departure is not None and not problem.states[1:]:
+            # Until then the only state of the file is hardly left.
+            by = min(by, scene.start.t + (1 + BEYOND) * departure.grown)
         return _traced(scene, values, _end(problem, times, by), bool(problem.unknowns))
     except (FileProblem, NoSolution) as refused:
         return refused.diagnostics[0].message
@@ -233,7 +237,7 @@ def _traced(
     if most > PATIENT:
         tries[:0] = [(TOLERANCES[0], PATIENT), (TOLERANCES[1], PATIENT // 4)]
     times = None
-    if not scene.problem.states[1:]:
+    if not scene.problem.states[1:] and until is None:
         # Of what follows the only state the beginning is enough.
         times, most = AFTERWARDS
         tries = [(TOLERANCES[0], most)]
