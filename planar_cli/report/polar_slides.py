@@ -24,6 +24,8 @@ from planar_cli.report.told import RATES, Told
 from planar_cli.report.words import Phrases
 from planar_cli.units import ACCELERATION, LENGTH, PURE
 
+RADIUS, RATE, SECOND = Name("r"), Name("r_dot"), Name("r_ddot")
+"""The length r, how fast the length r changes, and how fast that changes."""
 SAME = Decimal("1e-9")
 """How closely two unit vectors agree that are one."""
 
@@ -151,20 +153,20 @@ def _velocity(told: Told, one: PolarSlide) -> tuple[list[Block], Line, Line]:
     """ṙ e_r + r ω e_θ, and the same with its numbers."""
     r, slide, _, omega, _ = one.numbers
     spin, radial, across = told.phrases.math(one.spin), Name("e_r"), Name("e_theta")
-    outward = line("ṙ ", radial, " + ") if slide else ()
+    outward = line(RATE, " ", radial, " + ") if slide else ()
     shown = line(_sum([(1, ((slide, 1),))], told), " ", radial, " + ") if slide else ()
     turned = _sum([(1, ((r, 1), (omega, 1)))], told)
-    return [], line(*outward, "r ", spin, " ", across), line(*shown, turned, " ", across)
+    return [], line(*outward, RADIUS, " ", spin, " ", across), line(*shown, turned, " ", across)
 
 
 def _acceleration(told: Told, one: PolarSlide) -> tuple[list[Block], Line]:
     """a_r and a_θ with their numbers, and a_r e_r + a_θ e_θ."""
     r, slide, rate, omega, alpha = one.numbers
     math, (outer, beside) = told.phrases.math, one.parts("acceleration")
-    centripetal = line("r ", math(one.spin**2))
-    outward = line("r̈ - ", *centripetal) if rate else line("-", *centripetal)
+    centripetal = line(RADIUS, " ", math(one.spin**2))
+    outward = line(SECOND, " - ", *centripetal) if rate else line("-", *centripetal)
     blocks: list[Block] = [_component(told, "a_r", outward, [(1, ((rate, 1),)), (-1, ((r, 1), (omega, 2)))], outer)]
-    turning, coriolis = line("r ", math(one.turning)), line("2 ṙ ", math(one.spin))
+    turning, coriolis = line(RADIUS, " ", math(one.turning)), line("2 ", RATE, " ", math(one.spin))
     across = line(*(turning if alpha else ()), " + " if alpha and slide else "", *(coriolis if slide else ()))
     vector = line(Name("a_r"), " ", Name("e_r"))
     if not alpha and not slide:
@@ -191,10 +193,11 @@ def _opened(told: Told, one: PolarSlide) -> Line:
     return line(
         f"{one.place} slides along {one.frame}, which turns about {one.pin}: ", Name("e_r"),
         f" from {one.pin} to {one.place}, ", Name("e_theta"), " 90° counterclockwise from it; ",
-        f"r = {one.pin}{one.place} = ",
+        RADIUS,
+        f" = {one.pin}{one.place} = ",
         Value(r, length.unit, length.figures),
-        *((", ṙ = ", minus, phrases.math(one.slide)) if slide else ()),
-        *((", r̈ = ", minus, phrases.math(one.rate)) if rate else ()),
+        *((", ", RATE, " = ", minus, phrases.math(one.slide)) if slide else ()),
+        *((", ", SECOND, " = ", minus, phrases.math(one.rate)) if rate else ()),
     )  # fmt: skip
 
 
@@ -207,9 +210,9 @@ def _coriolis(told: Told, one: PolarSlide, answer: str, shown: Sequence[Value]) 
     _, slide, _, omega, _ = one.numbers
     spin = told.phrases.math(one.spin)
     if slide * omega > 0:
-        letters, numbers = line("2 ṙ ", spin), _sum([(1, ((Decimal(2), 1), (slide, 1), (omega, 1)))], told)
+        letters, numbers = line("2 ", RATE, " ", spin), _sum([(1, ((Decimal(2), 1), (slide, 1), (omega, 1)))], told)
     else:
-        letters = line("2 |ṙ| |", spin, "|")
+        letters = line("2 |", RATE, "| |", spin, "|")
         numbers = _sum([(1, ((Decimal(2), 1), (abs(slide), 1), (abs(omega), 1)))], told)
     return Equation((line(Name(answer)), letters, line(numbers), *shown), None, note=line("across ", one.frame))
 

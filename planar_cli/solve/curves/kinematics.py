@@ -325,7 +325,7 @@ class Story:
         if line is not None:
             rows = [row for row in self._polar_rows(point, size, angle, 0) if sides_of(row)[0] == line.letter("r")]
             yield Passage(f"Distance of {point} from {origin or 'the origin'}:", tuple(rows))
-            yield components(line, level)
+            yield from components(line, level, self._on_line(f"r_{point}"))
             return
         rows = [row for n in range(level + 1) for row in self._polar_rows(point, size, angle, n)]
         yield Passage(

@@ -1,8 +1,9 @@
-"""Polar components of a point that moves along a fixed line: the velocity across the line is zero, which tells v_r from
-v_θ, and the acceleration across it a_r from a_θ, so that r need not be differentiated.
+"""Polar components of a point that moves along a fixed line: the acceleration across the line is zero, which tells a_r
+from a_θ, so that r need not be differentiated twice.
 
-v_θ = r θ̇          v_y = v_r sin θ + v_θ cos θ = 0          v_r = -v_θ/tan θ           of a point that keeps its y
-a_θ = r θ̈ + 2 v_r θ̇        likewise a_r = -a_θ/tan θ       (An Introduction to Planar Dynamics, 1.4.3)
+v_r = ṙ,  v_θ = r θ̇
+a_θ = r θ̈ + 2 v_r θ̇        a_y = a_r sin θ + a_θ cos θ = 0          a_r = -a_θ/tan θ   of a point that keeps its y
+(An Introduction to Planar Dynamics, 1.4.3)
 """
 
 from __future__ import annotations
@@ -50,26 +51,44 @@ def guided(
     return Guided(point, kept[0], size, angle, value) if len(kept) == 1 else None
 
 
-def components(g: Guided, level: int) -> Passage:
-    """v_θ and v_r, and at level 2 a_θ and a_r."""
+def components(g: Guided, level: int, length: tuple[sp.Expr, ...]) -> Iterator[Passage]:
+    """v_r and v_θ, and at level 2 a_θ and a_r. `length`: r by the coordinate that the point keeps, if it is told."""
     r, speed = g.letter("r"), g.letter("v_r")
-    _, omega, alpha = g.angle
+    theta, omega, alpha = g.angle
     size = g.size
     assert size.rate is not None
-    rows = [*_pair(g, "v", r * omega, size.value * omega, size.rate, {r: size.value, omega: omega})]
+    across, dimension = g.letter("v_theta"), LENGTH / TIME
+    kept = sp.Symbol(f"{g.keeps}_{g.point}", real=True)
+    turned = -r * omega / sp.tan(theta) if g.keeps == "y" else r * omega * sp.tan(theta)
+    rate = sp.diff(length[0], theta) * omega if length else turned
+    place = size.value * (sp.sin(theta) if g.keeps == "y" else sp.cos(theta))
+    own = _numbers(
+        g, {s: e for s, e in ((theta, theta), (omega, omega), (r, size.value), (kept, place)) if rate.has(s)}
+    )
+    letters = (speed, sp.Symbol(f"r_{g.point}_dot", real=True), rate)
+    velocities = (
+        Row("", letters, g.value(size.rate), dimension, False, own),
+        Row(
+            "",
+            (across, r * omega),
+            g.value(size.value * omega),
+            dimension,
+            False,
+            _numbers(g, {r: size.value, omega: omega}),
+        ),
+    )
+    yield Passage("Its velocity along r and across it:", velocities, RADIAL)
     if level == 2:
         assert size.second is not None
         told = {r: size.value, omega: omega, alpha: alpha, speed: size.rate}
         whole = size.value * alpha + 2 * size.rate * omega
         along = size.second - size.value * omega**2
-        rows += _pair(g, "a", r * alpha + 2 * speed * omega, whole, along, told)
-    other = {"x": "y", "y": "x"}[g.keeps]
-    what = "its velocity has" if level == 1 else "its velocity and its acceleration have"
-    return Passage(
-        f"{g.point} moves along {other}, so that {what} no {g.keeps} component; across r and along it:",
-        tuple(rows),
-        RADIAL,
-    )
+        way = {"x": "vertically", "y": "horizontally"}[g.keeps]
+        yield Passage(
+            f"{g.point} moves {way}, so that its acceleration has no {g.keeps} component, and r̈ need not be found:",
+            tuple(_pair(g, "a", r * alpha + 2 * speed * omega, whole, along, told)),
+            RADIAL,
+        )
 
 
 def _pair(
