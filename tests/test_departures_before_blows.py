@@ -62,6 +62,7 @@ def test_rod_that_strikes_in_its_centre_of_percussion() -> None:
     assert abs(float(number(found["A_y"]))) < 1e-9
 
 
+@pytest.mark.slow
 def test_what_rests_until_it_is_struck_moves_afterwards() -> None:
     found = solve(BOX)
     fast = sqrt(6 * G)
@@ -71,6 +72,7 @@ def test_what_rests_until_it_is_struck_moves_afterwards() -> None:
     assert float(number(found["s"])) == pytest.approx(hit**2 / (2 * 0.4 * G))
 
 
+@pytest.mark.slow
 def test_no_time_is_told_after_a_slight_touch() -> None:
     """It would be the time that the touch takes to grow."""
     problem, _ = load_text(BOX)

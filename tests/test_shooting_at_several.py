@@ -67,6 +67,7 @@ def test_too_little_is_said() -> None:
     assert shooting_at_several(problem, {}) is None
 
 
+@pytest.mark.slow
 def test_stiffness_and_damping_from_two_successive_crests() -> None:
     """delta = ln(x_0/x_1)/T, omega_n^2 = (2 pi/T)^2 + delta^2; what creeps has no crest, however near it is to rest."""
     text = """

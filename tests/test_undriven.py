@@ -65,6 +65,7 @@ def test_a_wind_that_two_states_tell() -> None:
     assert "felt" in _confirmed(WIND).finds
 
 
+@pytest.mark.slow
 def test_what_rests_on_a_place_is_not_compared() -> None:
     """How the rod lies in the later state nobody tells."""
     assert first(solve(TURNED)["b"]) == pytest.approx(3)
