@@ -20,10 +20,12 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     "words",
     [
-        "x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t) (3) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (3): t_stop = π √(m/k)",
-        "(4) x_stop = l cos(ω_0 t_stop) = l cos π = -l",
+        "x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t) x = l, ẋ = 0 at t = 0 (2) l cos(ω_0 t_middle) = 0 ω_0 t_middle = π/2",
+        "(3) ẋ_middle = -l ω_0 sin(ω_0 t_middle) = -l ω_0 sin(π/2) = -l √(k/m)",
+        "(4) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (4): t_stop = π √(m/k)",
+        "(5) x_stop = l cos(ω_0 t_stop) = l cos π = -l",
         "Answer eom: ẍ = -k x/m",
-        "U of the spring WP = 1/2 k l²",
+        "work and energy: U = 1/2 k l²; T_middle = 1/2 m ẋ_middle² = 1/2 k l²",
     ],
 )
 def test_a_block_on_a_spring(words: str) -> None:

@@ -19,8 +19,9 @@ from planar_cli.records import record
 
 EQUATION = "λ² + c λ + ω² = 0"
 """The characteristic equation in general letters."""
+UNDAMPED = f"no damping: two imaginary roots of {EQUATION}, c = 0"
 _WORDS = {
-    "undamped": f"no damping: two imaginary roots of {EQUATION}, c = 0",
+    "undamped": UNDAMPED,
     "unstable": f"negative stiffness: two real roots of opposite sign of {EQUATION}, ω² < 0",
     "drag": f"no stiffness: the roots 0 and -c of {EQUATION}, ω² = 0",
     "under-damped": f"under-damped: two complex roots of {EQUATION}",

@@ -6,16 +6,20 @@ x = l cos(ω_0 t),  ẋ = -l ω_0 sin(ω_0 t)
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Math, Name, line
+from planar_cli.report.at_quarters import date_blocks, is_asked
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.characteristic import UNDAMPED
+from planar_cli.report.notation import plain
+from planar_cli.report.origins import head
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Relation, Result, RouteStep, RouteTrace
+from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep, RouteTrace
 
 NATURAL = sp.Symbol("omega_0", positive=True)
 
@@ -67,24 +71,59 @@ def harmonic(e: Relation, route: RouteTrace, general: Mapping[sp.Symbol, sp.Symb
 
 
 class HarmonicTelling:
-    """Tells such motions; a place at a time of which ω_0 t is a number follows by its cosine."""
+    """Tells such motions, each once; what they reach at a time of which ω_0 t is a number follows by its cosine. `law`:
+    the blocks of the law of which a relation is an integral.
+    """
 
-    def __init__(self, general: Mapping[sp.Symbol, sp.Symbol], phrases: Phrases) -> None:
-        self.general, self.phrases = general, phrases
+    def __init__(self, found: MotionTrace, phrases: Phrases, law: Callable[[Relation], Iterator[Block]]) -> None:
+        self.found, self.phrases, self.law = found, phrases, law
         self._phases: dict[str, tuple[Harmonic, sp.Expr]] = {}
+        self._told: list[Harmonic] = []
+
+    def by_phase(self, leg: RouteStep, number: int) -> list[Block]:
+        """What follows by the phase at a state, without another law or a time that nothing asks for; empty of anything
+        else.
+        """
+        if told := self._reached(leg, number):
+            return told
+        (e, *more), (r, *_) = leg.relations, leg.results
+        if dated := date_blocks(leg, self.found, self.phrases, number):
+            return [*self.law(e), *dated]
+        if more or is_asked(leg, self.found, self._hangs_on_phase):
+            return []
+        motion = self.blocks(e, leg, self.found.route, number)
+        phase = self._phases.get(e.stop)
+        if not motion or phase is None or r.unknown != phase[0].time:
+            return []
+        heads = [Paragraph(head(e, self.found.ledger.symbols))] if len(motion) > 2 else []
+        return [*self.law(e), *heads, *motion]
+
+    def _hangs_on_phase(self, step: RouteStep, route: RouteTrace) -> bool:
+        (e, *more) = step.relations
+        return not more and harmonic(e, route, self.found.general) is not None
 
     def blocks(self, e: Relation, leg: RouteStep, route: RouteTrace, number: int) -> list[Block]:
         """The motion in letters, then the equation at the second state; empty of another relation."""
-        found = harmonic(e, route, self.general)
+        found = harmonic(e, route, self.found.general)
         if found is None:
             return []
-        t, rate = sp.Symbol("t", real=True), Name(f"{found.coordinate.name}_dot")
-        motion = line(Math(found.coordinate), " = ", self.phrases.math(found.place(t)))
-        moves = line(*motion, ",  ", rate, " = ", self.phrases.math(found.rate(t)))
         told = found.rate(found.time) if e.kind == "v(t)" else found.place(found.time)
         right = simplified(told.xreplace({NATURAL: sp.sqrt(found.square)}) + e.residual.xreplace(dict(route.plain)))
         phases = [block for r in leg.results for block in self._phase(found, r, e.stop)]
-        return [Equation((moves,)), Equation((self.phrases.math(told), self.phrases.math(right)), number), *phases]
+        own = Equation((self.phrases.math(told), self.phrases.math(right)), number)
+        return [*self._motion(found), own, *phases]
+
+    def _motion(self, found: Harmonic) -> list[Block]:
+        """x and ẋ over time, with what it begins with."""
+        every = replace(found, time=sp.S.Zero)
+        if every in self._told:
+            return []
+        self._told.append(every)
+        t, rate = sp.Symbol("t", real=True), Name(f"{found.coordinate.name}_dot")
+        motion = line(Math(found.coordinate), " = ", self.phrases.math(found.place(t)))
+        moves = line(*motion, ",  ", rate, " = ", self.phrases.math(found.rate(t)))
+        begun = line(Math(found.coordinate), " = ", self.phrases.math(found.a), ", ", rate, " = ")
+        return [Equation((moves,), None, (), line(*begun, self.phrases.math(found.b), " at ", Math(t), " = 0"))]
 
     def _phase(self, found: Harmonic, r: Result, state: str) -> list[Block]:
         """ω_0 t = π, before the time itself."""
@@ -96,16 +135,21 @@ class HarmonicTelling:
         self._phases[state] = (found, number)
         return [Equation((Math(NATURAL * found.time), Math(number)))]
 
-    def place(self, leg: RouteStep, number: int) -> list[Block]:
-        """x_stop = l cos(ω_0 t_stop) = l cos π = -l, instead of another law; empty of anything else."""
+    def _reached(self, leg: RouteStep, number: int) -> list[Block]:
+        """x_stop = l cos(ω_0 t_stop) = l cos π = -l, instead of another law; ẋ likewise. Empty of anything else."""
         (e, *more), (r, *others) = leg.relations, leg.results
         if more or others or e.stop not in self._phases or r.formula is None:
             return []
         found, phase = self._phases[e.stop]
-        if self.general.get(r.unknown) != found.coordinate or found.b != 0:
+        at_place = self.found.general.get(r.unknown) == found.coordinate
+        if found.b != 0 or not (at_place or (e.kind == "v(t)" and harmonic(e, self.found.route, self.found.general))):
             return []
-        if not identically_zero(found.a * sp.cos(phase) - r.formula):
+        factor, wave = (found.a, sp.cos) if at_place else (-found.a * NATURAL, sp.sin)
+        result = (factor * wave(phase)).xreplace({NATURAL: sp.sqrt(found.square)})
+        if not identically_zero(result - r.formula):
             return []
-        put = line(self.phrases.math(found.a), " cos ", Math(phase))
-        sides = (self.phrases.math(r.unknown), self.phrases.math(found.place(found.time)), put)
+        angle = sp.Symbol("phase", real=True)
+        put = Math(self.phrases.math(factor * wave(angle)).expr, {angle: plain(phase)})
+        told = found.place(found.time) if at_place else found.rate(found.time)
+        sides = (self.phrases.math(r.unknown), self.phrases.math(told), put)
         return [Equation((*sides, self.phrases.math(r.formula)), number)]

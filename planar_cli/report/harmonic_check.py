@@ -1,6 +1,8 @@
-"""A check that a person can make of simple harmonic motion: its greatest speed is amplitude times natural frequency.
+"""A check that a person can make of simple harmonic motion: its greatest speed is amplitude times natural frequency;
+or, where that is how it was found, the work done makes its kinetic energy.
 
 amplitude times natural frequency:  l √(k/m),  the size of ẋ_middle
+work and energy:  U = 1/2 k l²;  T_middle = 1/2 m ẋ_middle² = 1/2 k l²
 """
 
 from __future__ import annotations
@@ -8,7 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer, simplified
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
@@ -23,7 +25,23 @@ def harmonic_check(motion: MotionTrace, phrases: Phrases) -> Line:
     if not motion.symbolic:
         return ()
     laws = dict.fromkeys(law for _, _, laws in motion.stretches for law in laws)
-    return next((told for law in laws if (told := _told(law, motion, phrases))), ())
+    return next((told for law in laws if (told := _told(law, motion, phrases) or _energy(law, motion, phrases))), ())
+
+
+def _energy(law: Law, motion: MotionTrace, phrases: Phrases) -> Line:
+    """In letters, from rest, where the speed at the end followed from the place over time."""
+    dated = {e.stop for leg in motion.route.steps for e in leg.relations if e.law == law and e.kind in ("q(t)", "v(t)")}
+    for balance in motion.unused:
+        gain, after = _closed(balance.gain, motion), _closed(balance.after, motion)
+        own, start = balance.after.xreplace(dict(motion.route.plain)), _closed(balance.before, motion)
+        letters = [s for s in own.free_symbols if motion.general.get(s) == law.speed]
+        if balance.stop not in dated or start != 0 or not letters or longer(gain, SHORT) or longer(own, SHORT):
+            continue
+        if gain != 0 and identically_zero(gain - after):
+            told = line("work and energy: ", Name(balance.law.bring), " = ", phrases.math(gain), "; ")
+            kinetic = line(Name(f"{balance.law.letter}__{balance.stop}"), " = ", phrases.math(own))
+            return line(*told, *kinetic, " = ", phrases.math(simplified(after)))
+    return ()
 
 
 def _told(law: Law, motion: MotionTrace, phrases: Phrases) -> Line:

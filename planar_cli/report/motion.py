@@ -12,6 +12,7 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_function, by_tangent, by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
+from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.by_data import by_data
@@ -91,7 +92,7 @@ class MotionTelling:
         self.rates: list[ToldRate] = []
         self._laws = LawTelling(phrases, found.varying, found.regimes)
         self._open: set[sp.Symbol] = set()
-        self._swings = HarmonicTelling(found.general, phrases)
+        self._swings = HarmonicTelling(found, phrases, self._law)
         self.between = telling_between(found, phrases, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
@@ -175,7 +176,7 @@ class MotionTelling:
         equations, ledger = leg.relations, self.found.ledger
         numbers = []
         single = len(equations) == 1
-        if by_phase := self._swings.place(leg, self.next):
+        if by_phase := self._swings.by_phase(leg, self.next):
             self.next += 1
             return (yield from by_phase)
         for e in equations:
@@ -189,8 +190,7 @@ class MotionTelling:
                 yield from self._law(e)
                 yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
-                yield Equation(self._chain(leg.results[0]), self.number())
-                return
+                return (yield Equation(with_number(leg, self._chain, route, self.phrases), self.number()))
             if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next, self.rates))):
                 self.next += 1
                 yield from self._law(e)

@@ -307,7 +307,7 @@ def needed_results(leg: trace.RouteStep, found: MotionTrace) -> list[trace.Resul
 def used_elsewhere(leg: trace.RouteStep, found: MotionTrace) -> set[sp.Symbol]:
     """The unknowns of a step that are asked, or on which other lines rest."""
     routes = [found.route, *found.passing.values()]
-    used = {s for route in routes for step in route.steps if step is not leg for s in _letters_of(step)}
+    used = {s for route in routes for step in route.steps if step is not leg for s in letters_of(step)}
     used |= {s for r in found.requests for e in (*r.parts, *(f for _, f in r.beside)) for s in e.free_symbols}
     used |= {s for span in found.spans if span.formula is not None for s in span.formula.free_symbols}
     used |= {s for span in found.spans for piece in span.pieces for s in piece.limits}
@@ -316,5 +316,5 @@ def used_elsewhere(leg: trace.RouteStep, found: MotionTrace) -> set[sp.Symbol]:
     return {x for x in leg.unknowns if x in used or x not in roles or roles[x].at in told}
 
 
-def _letters_of(step: trace.RouteStep) -> set[Any]:
+def letters_of(step: trace.RouteStep) -> set[Any]:
     return {*step.needs, *(s for e in step.relations for s in e.residual.free_symbols)}

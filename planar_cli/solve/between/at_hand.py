@@ -1,5 +1,6 @@
 """A constant acceleration that the way needs anyway: v² = v_0² + 2 a s is then shorter than a balance of energies, and
-v = v_0 + a t than one of momentum, which would begin anew.
+v = v_0 + a t than one of momentum, which would begin anew. So too a simple harmonic motion: once its place and velocity
+over time are written for one question, they tell what it reaches a quarter or half a period later.
 """
 
 from __future__ import annotations
@@ -8,27 +9,40 @@ from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.derivation import Derivation, Edge
+from planar_cli.solve.between.quarters import is_harmonic, quarters
+from planar_cli.solve.regimes.costs import HIDDEN
 from planar_cli.solve.regimes.effort import AT_HAND
 from planar_cli.solve.regimes.equations import Equation
+
+WRITTEN = 0.7
+"""What the place or the velocity of a simple harmonic motion costs less, once both are written as functions of time."""
 
 Known = tuple[sp.Symbol, sp.Expr]
 """A coordinate and its acceleration."""
 
 
 def at_hand(
-    best: Mapping[sp.Symbol, Derivation], edges: Sequence[Edge], targets: Collection[sp.Symbol]
+    best: Mapping[sp.Symbol, Derivation],
+    edges: Sequence[Edge],
+    targets: Collection[sp.Symbol],
+    plain: Mapping[sp.Symbol, sp.Expr],
+    value: Valuation,
 ) -> list[Edge] | None:
     """The same edges; what a law says that the derivations of the targets rest on costs no equation of kinetics again.
-    None: they rest on no such law.
+    None: they rest on no such law. `plain`: data that are put in at once;
+    `value`: numbers of everything.
     """
     laws = _used(best, targets)
     if not laws:
         return None
-    return [
-        (equations, unknowns, needs, cost + sum(_saved(e) for e in equations if _law(e) in laws))
-        for equations, unknowns, needs, cost in edges
-    ]
+    found: list[Edge] = []
+    for equations, unknowns, needs, cost in edges:
+        own = [e for e in equations if _law(e) in laws]
+        saved = sum(_saved(e, unknowns, e.residual.xreplace(dict(plain)), value) for e in own)
+        found.append((equations, unknowns, needs, cost - saved))
+    return found
 
 
 def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) -> set[Known]:
@@ -50,11 +64,16 @@ def _law(e: Equation) -> Known | None:
     """None also of an acceleration that is zero: no equation of it stands on the page, where energies or momentum tell
     why a velocity stays.
     """
-    if e.law is None or not e.law.steady or e.law.f == 0:
+    if e.law is None or not ((e.law.steady and e.law.f != 0) or is_harmonic(e)):
         return None
     return e.law.coordinate.symbol, e.law.f if e.law.constant is None else e.law.constant[1]
 
 
-def _saved(e: Equation) -> float:
+def _saved(e: Equation, unknowns: Sequence[sp.Symbol], residual: sp.Expr, value: Valuation) -> float:
+    """What an equation of a law that is at hand costs less."""
     assert e.law is not None
-    return min(AT_HAND - e.law.effort, 0.0)
+    if not is_harmonic(e):
+        return max(e.law.effort - AT_HAND, 0.0)
+    if (found := quarters(residual, value)) is None:
+        return 0.0
+    return e.law.effort + WRITTEN + (HIDDEN if found[0].free_symbols & set(unknowns) else 0.0)

@@ -12,6 +12,7 @@ import heapq
 import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -30,10 +31,12 @@ from planar_cli.solve.between.extremes import with_aims
 from planar_cli.solve.between.inside_integrals import inside_integrals, outside_integrals
 from planar_cli.solve.between.linked import independent
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
+from planar_cli.solve.between.quarters import at_quarters, is_harmonic
 from planar_cli.solve.between.substitution import linear_step, same_as, square
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import determinant, solve
+from planar_cli.solve.regimes.costs import HIDDEN
 from planar_cli.solve.regimes.equations import DATA, Equation
 
 MANY = 4
@@ -44,8 +47,6 @@ WHOLE = 8
 """So many unknowns at most are told as found together."""
 TOGETHER = 0.8
 """What solving equations together costs beside them."""
-HIDDEN = 1.5
-"""What it costs to solve for an unknown inside sines or exponentials."""
 
 
 class Router:
@@ -137,7 +138,7 @@ class Router:
                     best = self._cheapest(edges)
         if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
             best = {**self._cheapest(self.followed.edges(edges)), **best}
-        if (cheaper := at_hand(best, edges, targets)) is not None:
+        if (cheaper := at_hand(best, edges, targets, self.plain, self.value)) is not None:
             best = {**best, **self._cheapest(edges := cheaper)}
         best = by_targets(best, edges, targets)
         order: list[Derivation] = []
@@ -332,7 +333,7 @@ class Router:
             left.remove(x)
         results: list[Result] = []
         if len(pool) == 1:
-            results.append(self._single(pool[0], left[0]))
+            results.append(self._by_phase(derivation, pool[0]) or self._single(pool[0], left[0]))
             results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
         else:
             results = self._by_squares(pool, left) or by_angles(pool, left, self.value, self._single)
@@ -374,6 +375,12 @@ class Router:
             if found.formula is not None:
                 return [found, self._single(first, x)]
         return []
+
+    def _by_phase(self, derivation: Derivation, residual: sp.Expr) -> Result | None:
+        """The one unknown of a simple harmonic motion a quarter or half a period after its beginning."""
+        (e, *more), (x, *others) = derivation.equations, derivation.unknowns
+        told = None if more or others or not is_harmonic(e) else at_quarters(residual, x, self.value)
+        return None if told is None else replace(self._single(told[0], x), formula=told[1])
 
     def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
         truth = self.value(x)

@@ -13,3 +13,5 @@ LAST = 10.0
 """What a law costs that needs an integrating factor: more than energy and momentum together, whatever these need."""
 BESIDE = 1.2
 """What t = ∫ dq/v costs more where the speed is given: a loop and a constant velocity beside it are plainer."""
+HIDDEN = 1.5
+"""What it costs to solve for an unknown inside sines or exponentials."""
