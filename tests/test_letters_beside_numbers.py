@@ -30,6 +30,15 @@ def test_what_an_answer_is_in_the_data(name: str, formula: str) -> None:
     assert f"in letters: {formula}\n" in _page(name)
 
 
+@pytest.mark.parametrize(
+    "name",
+    ["momentum/sand-wagon", "motion/body-hoist-starting-softly", "motion/boat-with-two-courses", "textbook/ex-4-07"],
+)
+def test_no_formula_that_holds_for_numbers_of_the_file_alone(name: str) -> None:
+    """Of 3 m/s and 1.5 m/s only their ratio is left in it, of 1.5 rad/s and 4 s a number, of 45° a root."""
+    assert "in letters" not in _page(name)
+
+
 @pytest.mark.parametrize("name", ["kinematics/wheel-on-conveyor", "motion/block-force-table"])
 def test_no_formula_with_numbers_that_hide_units(name: str) -> None:
     assert "in letters" not in _page(name)

@@ -9,9 +9,11 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import identically_zero, longer
+from planar_cli.problem.scene import Problem
 from planar_cli.report.answer_letters import asked_symbol
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value
 from planar_cli.report.clean import is_clean
+from planar_cli.report.hidden_data import hides_data
 from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
 from planar_cli.report.swallowed import swallowed
@@ -91,13 +93,21 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
         own_sides = block.sides if isinstance(block, Equation) else ()
         if any(isinstance(side, Math) and side.expr == phrases.neat(closed) for side in own_sides):
             continue
-        if _by_definitions(own_sides, closed, phrases):
+        if _by_definitions(own_sides, closed, phrases) or hides_data(_problem(part), answer, closed):
             continue
         if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
             head = block.sides[0] if isinstance(block.sides[0], tuple) else (block.sides[0],)
             told = (Text("in letters: "), *head, Text(" = "), Math(phrases.neat(closed)))
             blocks[lines[-1]] = replace(block, note=told)
     return blocks
+
+
+def _problem(part: PartSolution) -> Problem:
+    """The file, or the case, that a part is of."""
+    if part.motion is not None:
+        return part.motion.problem
+    problem: Problem = part.instants[0].instant.scene.problem
+    return problem
 
 
 def _short_formula(answer: Found, phrases: Phrases) -> sp.Expr | None:
