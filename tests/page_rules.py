@@ -20,7 +20,7 @@ WIDTH = 110
 LABELS = tuple("Given|Find|Principle|Effects|Not used|Assume|Fails|Instead|Answer|Check|Discussion".split("|"))
 FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan atan2 ln exp sign abs e π √ ∫".split())
 NUMBER = r"-?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
-SYMBOL = re.compile(r"[^\W\d_][\u0300-\u036f]?[\w\u0300-\u036f]*(?:[,/][A-Za-z]\w*)*′?")
+SYMBOL = re.compile(r"[^\W\d_][\u0300-\u036f\u20d7]?[\w\u0300-\u036f]*(?:[,/][A-Za-z]\w*)*′?")
 SIDES = re.compile(r" (?:=|≤|≥|<|>|≈) ")
 
 

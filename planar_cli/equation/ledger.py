@@ -161,6 +161,12 @@ class Ledger:
         self.roles[symbol] = role
         return symbol
 
+    def apart(self, name: str) -> str:
+        """A name of ours that the file has not."""
+        while name in self.reserved:
+            name += "′"
+        return name
+
     def adopt(self, symbol: sp.Symbol, unit: Unit, role: Role) -> None:
         """A symbol that another ledger of the same problem has made; its name is taken here."""
         self.symbols.setdefault(symbol.name, symbol)

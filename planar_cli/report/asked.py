@@ -148,7 +148,7 @@ class AskedTelling:
         axes = ("x", "y") if len(answer.asked) == 2 else ("",)
         for i, (axis, expr) in enumerate(zip(axes, answer.asked, strict=True)):
             name = line(Name(answer.name), f", {axis}" if axis else self._sense(answer))
-            name = name if place is None else place_name(place, axis)
+            name = name if place is None else place_name(place, axis, self.phrases.ledger)
             sides: list[Any] = [name]
             values = (
                 [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
@@ -23,9 +24,9 @@ def place_asked(answer: Found) -> Quantity | None:
     return what if len(what.things) < 2 or what.things[1] != GROUND else None
 
 
-def place_name(q: Quantity, axis: str) -> Line:
+def place_name(q: Quantity, axis: str, ledger: Ledger) -> Line:
     """x_A, or x_B - x_A."""
-    first, *others = (Math(sp.Symbol(f"{axis}_{name}", real=True)) for name in q.things)
+    first, *others = (Math(sp.Symbol(ledger.apart(f"{axis}_{name}"), real=True)) for name in q.things)
     return line(first, *(p for other in others for p in (" - ", other)))
 
 

@@ -30,9 +30,12 @@ class Text:
 
 @record
 class Name:
-    """A name of the file or of a principle in mathematical notation: `omega_AB`, `ΣM_C`."""
+    """A name of the file or of a principle in mathematical notation: `omega_AB`, `ΣM_C`. `of_thing`: is it that of a
+    quantity of a body or a point, which gives way where the file calls a letter so?
+    """
 
     name: str
+    of_thing: bool = field(default=False, compare=False)
 
 
 @record

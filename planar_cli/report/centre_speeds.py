@@ -43,5 +43,5 @@ def _follow(places: list[sp.Expr], speeds: list[sp.Expr], q: sp.Symbol, rate: sp
 
 def _pair(name: str, parts: list[sp.Expr], phrases: Phrases) -> tuple[Math, Line]:
     """x = one,  y = other, as the sides of one line."""
-    x, y = (Math(sp.Symbol(f"{axis}_{name}", real=True)) for axis in ("x", "y"))
+    x, y = (Math(sp.Symbol(phrases.ledger.apart(f"{axis}_{name}"), real=True)) for axis in ("x", "y"))
     return x, line(phrases.math(parts[0]), ",  ", y, " = ", phrases.math(parts[1]))

@@ -68,7 +68,7 @@ def _letter_of_force(node: Quantity | Name) -> Line:
     """μ N_C, though alone it is the normal force at C."""
     assert isinstance(node, Quantity)
     state = f"__{node.at}" if isinstance(node.at, str) else ""
-    return line(blocks.Name(f"{OF_FORCES[node.word]}_{node.things[0]}{state}"))
+    return line(blocks.Name(f"{OF_FORCES[node.word]}_{node.things[0]}{state}", of_thing=True))
 
 
 def _then(side: Side, state: str) -> Side:
@@ -99,7 +99,7 @@ def _at(node: Quantity | Name, state: str, figures: int) -> Line:
     place = next(i for i, p in enumerate(short) if isinstance(p, blocks.Name))
     letter = short[place]
     assert isinstance(letter, blocks.Name)
-    return (*short[:place], blocks.Name(f"{letter.name}__{state}"), *short[place + 1 :])
+    return (*short[:place], replace(letter, name=f"{letter.name}__{state}"), *short[place + 1 :])
 
 
 def _of_now(asked: Quantity, figures: int) -> Line:
@@ -117,7 +117,7 @@ def _of_now(asked: Quantity, figures: int) -> Line:
     if asked.word in LETTERS and (part is None or part.kind in POLAR or len(asked.things) == 2):
         return _letter(asked, part, figures)
     if asked.word == "rho":
-        return line(blocks.Name(f"rho_{asked.things[0]}"))
+        return line(blocks.Name(f"rho_{asked.things[0]}", of_thing=True))
     words = {**WORDS, **MORE}.get(asked.word, f"{asked.word} of {{}}")
     things = ["all bodies" if t == WHOLE else t for t in asked.things]
     axis = f" along {part.kind}" if part is not None and part.kind in AXES else ""
@@ -129,11 +129,11 @@ def _letter(asked: Quantity, part: Part | None, figures: int) -> Line:
     thing, *relative = asked.things
     letter = LETTERS[asked.word]
     if part is not None and part.kind in POLAR:
-        return line(blocks.Name(f"{letter}_{thing}_{POLAR[part.kind]}"))
+        return line(blocks.Name(f"{letter}_{thing}_{POLAR[part.kind]}", of_thing=True))
     if relative and asked.word in RELATIVE:
         axis = f" along {part.kind}" if part is not None and part.kind in AXES else ""
         return line(*_component(part, figures), f"{RELATIVE[asked.word]} of {thing} relative to {relative[0]}", axis)
-    return line(blocks.Name(f"{letter}_{thing}"), f" relative to {relative[0]}" if relative else "")
+    return line(blocks.Name(f"{letter}_{thing}", of_thing=True), f" relative to {relative[0]}" if relative else "")
 
 
 def _reach(asked: Quantity, part: Part | None, figures: int) -> Line:
@@ -141,12 +141,12 @@ def _reach(asked: Quantity, part: Part | None, figures: int) -> Line:
     end, start = asked.things
     kind = part.kind if part is not None else ""
     if kind in AXES:
-        return line(blocks.Name(f"{kind}_{end}"), " - ", blocks.Name(f"{kind}_{start}"))
+        return line(blocks.Name(f"{kind}_{end}", of_thing=True), " - ", blocks.Name(f"{kind}_{start}", of_thing=True))
     if kind == "mag":
         return line(f"the distance of {end} from {start}")
     if kind == "angle":
         return line(f"the direction from {start} to {end}")
-    return line(*_component(part, figures), blocks.Name(f"r_{end}/{start}"))
+    return line(*_component(part, figures), blocks.Name(f"r_{end}/{start}", of_thing=True))
 
 
 def _component(part: Part | None, figures: int) -> Iterator[Line]:

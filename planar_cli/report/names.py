@@ -53,7 +53,12 @@ _RELATIVE = frozenset({"r", "v", "a", "omega", "alpha"})
 """What can be relative to something; J_N_C is an impulse of N at C."""
 _PREPOSITIONS = frozenset("from at to of in on by per with after before until".split())
 _COMPONENTS = frozenset({"x", "y", "t", "n", "r", "theta"})
-_DOTS = {"dot": ("\N{COMBINING DOT ABOVE}", r"\dot"), "ddot": ("\N{COMBINING DIAERESIS}", r"\ddot")}
+_DOTS = {
+    "dot": ("\N{COMBINING DOT ABOVE}", r"\dot"),
+    "ddot": ("\N{COMBINING DIAERESIS}", r"\ddot"),
+    "vec": ("\N{COMBINING RIGHT ARROW ABOVE}", r"\vec"),
+}
+"""What stands over a letter: a rate, a second rate, a vector."""
 _SPECIAL = {
     "\\": r"\backslash ",
     "{": r"\lbrace ",

@@ -13,6 +13,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
+from planar_cli.report.apart import with_letters_apart
 from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import (
@@ -128,7 +129,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    page = told_likewise(with_one_name((*opening, *blocks)), problem)
+    page = told_likewise(with_letters_apart(with_one_name((*opening, *blocks)), problem), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 

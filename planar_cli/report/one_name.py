@@ -17,6 +17,8 @@ from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 
 PRIME = "′"
+CHANGE = "Delta_"
+"""So begins how much a coordinate changes by: Δx_B′ beside x_B′."""
 OPENING = ("Find", "Principle")
 """Notes that name what is asked, or quantities in general."""
 RATES = ("dot", "ddot")
@@ -67,7 +69,7 @@ def without_primes(blocks: Sequence[Block]) -> list[Block]:
     # The time t__4 of a state reads as t_4, which may be what is asked.
     used = {plain_name(x) for x in _used(blocks).letters}
     told = [(plain_name(b.name), _letter(b.line)) for b in blocks if isinstance(b, Answer)]
-    names = {x: own for x, own in primed.items() if plain_name(own) not in used}
+    names = {x: own for x, own in primed.items() if plain_name(own.removeprefix(CHANGE)) not in used}
     return _renamed(
         blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == plain_name(n))}
     )

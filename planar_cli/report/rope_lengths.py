@@ -88,7 +88,7 @@ def _places(system: System) -> dict[sp.Symbol, sp.Expr]:
     found: dict[sp.Symbol, sp.Expr] = {}
     for e in system.tree.edges:
         name = system.scene.center_name(e.body) or e.body
-        own = {axis: sp.Symbol(f"{axis}_{name}", real=True) for axis in "xy"}
+        own = {axis: sp.Symbol(system.scene.ledger.apart(f"{axis}_{name}"), real=True) for axis in "xy"}
         if e.joining is None and e.components is None:
             pairs = ((e.slide, own["x"]), (e.slide_rate, own["x"]), (e.rise, own["y"]), (e.rise_rate, own["y"]))
             found |= {s: place for s, place in pairs if s is not None}

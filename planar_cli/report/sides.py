@@ -154,11 +154,12 @@ def _quantity(asked: Quantity, figures: int) -> Line:
     thing, *relative = asked.things
     name = f"{'m' if asked.word == MASS else LETTERS[asked.word]}_{thing}"
     if relative:
-        base = line(blocks.Name(name), f"/{relative[0]}")
+        base = line(blocks.Name(name, of_thing=True), f"/{relative[0]}")
     elif part is not None and part.kind in ("x", "y", "t", "n"):
-        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + part.kind))
+        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + part.kind, of_thing=True))
     else:
-        base = line(blocks.Name(name))
+        # m_A may be the file's own letter for that mass.
+        base = line(blocks.Name(name, of_thing=asked.word != MASS))
     if part is None:
         return base
     if part.kind == "mag":

@@ -71,16 +71,16 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None, names:
     name = f"{LETTERS[word]}_{thing}"
     if part in AXES:
         name += part if len(thing) <= SHORT and part in ("x", "y") else f"_{part}"
-    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name), behind)
+    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name, of_thing=True), behind)
 
 
 def _reach(end: str, start: str, part: str | None, names: Collection[str]) -> Line:
     """What leads from one point to another: the difference of a coordinate, the distance, a component."""
     if part in ("x", "y"):
-        return line(Name(f"{part}_{end}"), " - ", Name(f"{part}_{start}"))
+        return line(Name(f"{part}_{end}", of_thing=True), " - ", Name(f"{part}_{start}", of_thing=True))
     if part in ("mag", "angle"):
         return line(f"the distance of {end} from {start}" if part == "mag" else f"the direction from {start} to {end}")
-    return line(*_way(part, names), Name(f"r_{end}/{start}"))
+    return line(*_way(part, names), Name(f"r_{end}/{start}", of_thing=True))
 
 
 def _way(part: str | None, names: Collection[str]) -> Line:
