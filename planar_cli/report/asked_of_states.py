@@ -28,6 +28,7 @@ from planar_cli.report.put_in import in_known
 from planar_cli.report.rate_first import ToldRate, by_told_rate
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at, place
+from planar_cli.report.turning_axes import TurningAxes
 from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, SpanIntegral
@@ -65,7 +66,8 @@ class AskedTelling:
 
     def blocks(self) -> Iterator[Block]:
         """A heading, and a line for each component; a quantity over a span by its integral."""
-        asked = list(self._asked())
+        turning = TurningAxes(self.found, self.numeric)
+        asked = [(r, part, span) for r, part, span in self._asked() if r.find.name not in turning.names]
         own = {s.symbol for _, _, s in asked if s is not None}
         for span in self.found.spans:
             if span.symbol not in own and nil_of_blow(span) is None and not self._is_a_way(span):
@@ -77,7 +79,7 @@ class AskedTelling:
         last = places[0] if len(places) > 1 and not compared else ""
         if last:
             yield Paragraph(line(f"Hence, {place(last)}:"))
-        elif asked or compared or vectors or any(r.beside for r in self._requests()):
+        elif (asked or compared or vectors or any(r.beside for r in self._requests())) and not turning.names:
             yield HENCE
         yield from compared
         told: set[sp.Symbol] = set()
@@ -85,6 +87,9 @@ class AskedTelling:
             if len(places) > 1 and _at(find) not in ("", last) and any(r is find for r, _, _ in asked):
                 last = _at(find)
                 yield Paragraph(line(at(last)))
+            if find.find.name in turning.names:
+                yield from turning.blocks(find.find.name)
+                continue
             yield from (self._letter(x, e) for x, e in find.beside if x not in told)
             told |= {x for x, _ in find.beside}
             for request, part, whole in asked:

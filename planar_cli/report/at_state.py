@@ -17,6 +17,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.telling import Telling
+from planar_cli.report.turning_axes import in_turning_axes
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -54,7 +55,8 @@ def _is_constant(regime: RegimeTrace) -> bool:
 def told_at_states(motion: MotionTrace) -> frozenset[str]:
     """The names of the finds that are told so."""
     regimes = (r for r in motion.regimes if is_told_at_states(motion, r))
-    return frozenset(name for r in regimes for asked in r.asked.values() for name in asked)
+    told = frozenset(name for r in regimes for asked in r.asked.values() for name in asked)
+    return told - in_turning_axes(motion)
 
 
 def state_blocks(motion: MotionTrace, figures: int, audience: str, steps: int, numbers: int) -> Iterator[Block]:
@@ -62,7 +64,9 @@ def state_blocks(motion: MotionTrace, figures: int, audience: str, steps: int, n
     and numbered equations stand before.
     """
     regimes = [r for r in motion.regimes if is_told_at_states(motion, r)]
-    for regime, state, asked in ((r, state, asked) for r in regimes for state, asked in r.asked.items()):
+    elsewhere = in_turning_axes(motion)
+    every = [(r, state, asked) for r in regimes for state, asked in r.asked.items() if not elsewhere >= set(asked)]
+    for regime, state, asked in every:
         placed = _placed(regime.solution, motion, state)
         names = frozenset(s.name for parts in asked.values() for p in parts for s in p.free_symbols)
         phrases = Phrases(placed.instant.scene.ledger, placed.value, figures, False)

@@ -153,7 +153,7 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
 
 
 def _relative(uses: Uses, page: Printed) -> Iterator[str]:
-    if page.coriolis or (uses.forces and uses.sliding):
+    if page.coriolis or "a_xi" in page.names or (uses.forces and uses.sliding):
         yield "Motion relative to a turning body: v_P = v_P′ + v_rel, a_P = a_P′ + a_rel + 2 ω × v_rel."
     elif uses.coriolis:
         # What slides along a line through its pin is told in polar coordinates.

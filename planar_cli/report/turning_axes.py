@@ -1,0 +1,207 @@
+"""Place, velocity and acceleration of what slides along a curve of a body that turns about a fixed point, in axes ξ, η
+that turn with that body.
+
+    v_ξ = ξ̇ - ω η                           v_η = η̇ + ω ξ
+    a_ξ = ξ̈ - 2 ω η̇ - ω² ξ - α η            a_η = η̈ + 2 ω ξ̇ - ω² η + α ξ
+    v_x = v_ξ cos θ - v_η sin θ             v_y = v_ξ sin θ + v_η cos θ
+
+(An Introduction to Planar Dynamics, 2.5.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.motion import Edge
+from planar_cli.equation.plain import simplified
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.state_words import at
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Request
+from planar_cli.units import ACCELERATION, LENGTH, VELOCITY, Dimension
+
+LEVELS = {"r": 0, "v": 1, "a": 2}
+DIMENSIONS = (LENGTH, VELOCITY, ACCELERATION)
+XI, ETA, V_XI, V_ETA, A_XI, A_ETA = sp.symbols("xi eta v_xi v_eta a_xi a_eta", real=True)
+RATES = sp.symbols("xi_dot eta_dot xi_ddot eta_ddot", real=True)
+
+
+@record
+class Turned:
+    """What slides along a curve η = f(ξ) of a body, in general: `place` is ξ, `curve` f(ξ) and `angle` the angle by
+    which the body has turned, all letters of the general position; `rate` is ξ̇, `spin` ω.
+    """
+
+    point: str
+    frame: str
+    place: sp.Symbol
+    curve: sp.Expr
+    angle: sp.Symbol
+    rate: sp.Expr
+    spin: sp.Expr
+
+
+class TurningAxes:
+    """Lines of the finds of a motion that are told in turning axes; both rates that they need are constant."""
+
+    def __init__(self, found: MotionTrace, phrases: Phrases) -> None:
+        self.found, self.phrases = found, phrases
+        self._turned = {r.find.name: (r, t) for r in found.requests if (t := _turned(found, r)) is not None}
+        self._told: set[tuple[str, str, int]] = set()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The finds that are told so."""
+        return frozenset(self._turned)
+
+    def blocks(self, find: str) -> Iterator[Block]:
+        """The lines of one of them, after those of the components in the turning axes that it needs; none of others."""
+        if find not in self._turned:
+            return
+        asked, turned = self._turned[find]
+        what = asked.find.found.what
+        assert isinstance(what, Quantity)
+        state, level = str(what.at), LEVELS[what.word]
+        letters = {g: own for own, g in self.found.general.items() if self.found.ledger.roles[own].at == state}
+        theta, sizes = letters[turned.angle], self._sizes(turned, letters)
+        for n in range(level + 1):
+            if (turned.point, state, n) not in self._told:
+                self._told.add((turned.point, state, n))
+                yield from self._opened(turned, letters, sizes, n, state)
+        one, other = ((XI, ETA), (V_XI, V_ETA), (A_XI, A_ETA))[level]
+        name, dimension = asked.find.name, DIMENSIONS[level]
+        if what.parts:
+            yield self._line((line(Name(name)),), sp.sqrt(one**2 + other**2), sizes, asked)
+            return
+        cosine, sine = sp.cos(theta), sp.sin(theta)
+        for axis, formula in (("x", one * cosine - other * sine), ("y", one * sine + other * cosine)):
+            yield self._line((line(Name(name), f", {axis}"),), formula, sizes, dimension)
+
+    def _sizes(self, turned: Turned, letters: dict[sp.Symbol, sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+        """The numbers [SI] of all components at a state."""
+        value, place = self.found.value, turned.place
+        slope, bend = sp.diff(turned.curve, place), sp.diff(turned.curve, place, 2)
+        general = {XI: place, ETA: turned.curve, RATES[0]: turned.rate, RATES[1]: slope * turned.rate}
+        general[RATES[3]] = bend * turned.rate**2
+        sizes = {s: value(sp.sympify(e).xreplace(letters)) for s, e in general.items()}
+        spin = value(turned.spin)
+        sizes[V_XI] = sizes[RATES[0]] - spin * sizes[ETA]
+        sizes[V_ETA] = sizes[RATES[1]] + spin * sizes[XI]
+        sizes[A_XI] = -2 * spin * sizes[RATES[1]] - spin**2 * sizes[XI]
+        sizes[A_ETA] = sizes[RATES[3]] + 2 * spin * sizes[RATES[0]] - spin**2 * sizes[ETA]
+        return {**sizes, letters[turned.angle]: value(letters[turned.angle])}
+
+    def _opened(
+        self,
+        turned: Turned,
+        letters: dict[sp.Symbol, sp.Symbol],
+        sizes: dict[sp.Symbol, Decimal],
+        level: int,
+        state: str,
+    ) -> Iterator[Block]:
+        """The components of one level in the turning axes."""
+        spin, own, math = turned.spin, letters[turned.place], self.phrases.math
+        curve, slope = turned.curve.xreplace(letters), sp.diff(turned.curve, turned.place).xreplace(letters)
+        bend, speed = sp.diff(turned.curve, turned.place, 2).xreplace(letters), RATES[0]
+        if level == 0:
+            lead = at(state).removesuffix(":")
+            yield Paragraph(
+                line(f"{lead}, in axes ", Name("xi"), ", ", Name("eta"), f" that turn with {turned.frame}:")
+            )
+            yield Equation((math(XI), math(own), self._value(sizes[XI], LENGTH)))
+            yield Equation((math(ETA), *self._numbers(curve, {}), self._value(sizes[ETA], LENGTH)))
+        elif level == 1:
+            yield Equation((math(speed), math(turned.rate), self._value(sizes[speed], VELOCITY)))
+            yield self._rate(
+                RATES[1], line("(d", Name("eta"), "/d", Name("xi"), ") ", Name("xi_dot")), slope * speed, sizes, 1
+            )
+            yield self._line((math(V_XI),), speed - spin * ETA, sizes, VELOCITY)
+            yield self._line((math(V_ETA),), RATES[1] + spin * XI, sizes, VELOCITY)
+        else:
+            if bend != 0:
+                words = line("(d²", Name("eta"), "/d", Name("xi"), "²) ", math(speed**2))
+                yield self._rate(RATES[3], words, bend * speed**2, sizes, 2)
+            curved = RATES[3] if bend != 0 else sp.S.Zero
+            yield self._line((line(Name("a_xi")),), -2 * spin * RATES[1] - spin**2 * XI, sizes, ACCELERATION)
+            yield self._line((line(Name("a_eta")),), curved + 2 * spin * speed - spin**2 * ETA, sizes, ACCELERATION)
+
+    def _rate(self, rate: sp.Symbol, words: Any, formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], n: int) -> Equation:
+        value = self._value(sizes[rate], DIMENSIONS[n])
+        return Equation((self.phrases.math(rate), words, *self._numbers(formula, sizes), value))
+
+    def _numbers(self, formula: sp.Expr, sizes: dict[sp.Symbol, Decimal]) -> list[Any]:
+        known = {s: sizes.get(s, self.found.value.known(s)) for s in formula.free_symbols}
+        put = self.phrases.numbers(formula, {s: n for s, n in known.items() if n is not None})
+        return [] if put is None else [put]
+
+    def _line(
+        self, name: tuple[Any, ...], formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], of: Dimension | Request
+    ) -> Equation:
+        """name = formula = numbers = value."""
+        whole = self.found.value.extended(sizes)(formula)
+        if isinstance(of, Request):
+            assert of.unit is not None
+            values = self.phrases.in_units(whole, of.unit)
+        else:
+            values = [self._value(whole, of)]
+        return Equation((*name, self.phrases.math(formula), *self._numbers(formula, sizes), *values))
+
+    def _value(self, number: Decimal, dimension: Dimension) -> Any:
+        return self.phrases.of_dimension(number, dimension)
+
+
+def in_turning_axes(found: MotionTrace) -> frozenset[str]:
+    """The finds of a motion that are told in turning axes."""
+    return frozenset(r.find.name for r in found.requests if _turned(found, r) is not None)
+
+
+def _turned(found: MotionTrace, asked: Request) -> Turned | None:
+    """None: it is no place, velocity or acceleration at a state of what slides along a curve of a body that turns at a
+    constant rate, with a constant ξ̇.
+    """
+    what = asked.find.found.what
+    if found.symbolic or len(found.regimes) != 1 or not isinstance(what, Quantity) or what.word not in LEVELS:
+        return None
+    if len(what.things) != 1 or not isinstance(what.at, str) or [p.kind for p in what.parts] not in ([], ["mag"]):
+        return None
+    if what.parts and what.word == "r":
+        return None
+    regime = found.regimes[0]
+    system = regime.solution.trial.system
+    body = what.things[0] if what.things[0] in system.scene.bodies else system.scene.owner(what.things[0])
+    edges = {e.body: e for e in system.tree.edges}
+    if body not in edges or {"xi", "eta"} & set(system.scene.ledger.symbols):
+        return None
+    return _on_curve(found, regime, edges[body], edges)
+
+
+def _on_curve(found: MotionTrace, regime: RegimeTrace, edge: Edge, edges: dict[str, Edge]) -> Turned | None:
+    system, frame = regime.solution.trial.system, edges.get(edge.parent)
+    joining = edge.joining
+    if frame is None or joining is None or joining.path is None or joining.path.curvature == 0 or not edge.particle:
+        return None
+    hinge = frame.joining
+    if hinge is None or hinge.base != GROUND or hinge.path is not None or hinge.rolling is not None:
+        return None
+    if (hinge.point.x, hinge.point.y) != (0, 0) or system.motion is None:
+        return None
+    x, y = sp.sympify(joining.point.x), sp.sympify(joining.point.y)
+    angles = {a.args[0] for a in (x.atoms(sp.sin, sp.cos) | y.atoms(sp.sin, sp.cos))}
+    theta = angles.pop() if len(angles) == 1 else sp.S.Zero
+    if not theta.is_Symbol:
+        return None
+    cosine, sine = sp.cos(theta), sp.sin(theta)
+    along, across = simplified(x * cosine + y * sine), simplified(y * cosine - x * sine)
+    laws = {law.coordinate.symbol: law for *_, several in found.stretches for law in several}
+    if not along.is_Symbol or not {along, theta} <= set(laws) or across.has(theta):
+        return None
+    rate, spin = laws[along], laws[theta]
+    steady = all(law.order == 1 and not law.f.free_symbols & found.varying for law in (rate, spin))
+    return Turned(joining.place, edge.parent, along, across, theta, rate.f, spin.f) if steady else None

@@ -1,0 +1,37 @@
+"""What slides along a curve of a body that turns is told in axes that turn with it, each line with its numbers."""
+
+from __future__ import annotations
+
+from math import cos, hypot, sin
+from unicodedata import normalize
+
+import pytest
+from worked import page_of_file
+
+LINES = [
+    "At 2, in axes ξ, η that turn with frame: ξ = x_P,2 = 1.2 m η = 1.2²/2 = 0.72 m",
+    "v_ξ = ξ̇ - η w = 0.4 - 0.72 · 3 = -1.76 m/s",
+    "velocity, x = v_ξ cos θ_2 - v_η sin θ_2 = -1.76 cos 85.94° - 4.08 sin 85.94° = -4.194 m/s",
+    "a_ξ = -w² ξ - 2 w η̇ = -3² · 1.2 - 2 · 3 · 0.48 = -13.68 m/s²",
+    "acceleration = √(a_η² + a_ξ²) = √((-3.92)² + (-13.68)²) = 14.23 m/s²",
+]
+
+
+@pytest.mark.parametrize("told", LINES)
+def test_a_bead_on_a_turning_wire(told: str) -> None:
+    assert normalize("NFC", told) in normalize("NFC", page_of_file("body-bead-on-turning-parabola"))
+
+
+def test_the_same_by_differences() -> None:
+    """The place x = ξ cos w t - η sin w t, differentiated in numbers."""
+
+    def place(t: float) -> tuple[float, float]:
+        xi = 1 + 0.4 * t
+        eta = xi**2 / 2
+        return xi * cos(3 * t) - eta * sin(3 * t), xi * sin(3 * t) + eta * cos(3 * t)
+
+    step, at = 1e-4, 0.5
+    before, here, after = (place(at + n * step) for n in (-1, 0, 1))
+    second = [(a - 2 * b + c) / step**2 for a, b, c in zip(before, here, after, strict=True)]
+    assert hypot(*second) == pytest.approx(14.23, abs=5e-3)
+    assert (after[0] - before[0]) / (2 * step) == pytest.approx(-4.194, abs=5e-4)
