@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 PAGES = Path(__file__).parent / "problem" / "pages"
 SHELVES = ("joints", "loads", "principles", "integrators", "homework.mistakes", "homework.exports")
 # The order in which a newcomer reads.
-ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
-AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
+ORDER = ("language", "sections", "names_units", "points_surfaces", "coordinates", "bodies", "joints", "loads")
+AFTER = ("quantities", "statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
 BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
 LAST = ("cases", "answers", "variants", "homework_sets_submissions", "checks_confirmed", "examples", "pitfalls")
 

@@ -25,6 +25,8 @@ class Rolling(Joint):
         two gears, a wheel inside a ring. The force that this takes is asked by `N` and `friction`; if the wheel might
         slip, write `contact` with a coefficient. From one surface to another: one `during: 1->2`, the next
         `during: 2->3`, where state 2 says that the wheel touches the next one (`y(wheel) = R` on a floor at y = 0).
+        A wheel whose centre is written with a coordinate, `G: [x, R]`, touches at a point that goes along, `C: [x, 0]`:
+        planar explain coordinates.
 
     YAML
         title: Cylinder rolls down an incline

@@ -16,9 +16,10 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
       F: {distances: {A: l, B: d}, side: above}         where two places fit, `side` says which:
                                                           left, right, above, below (the other one)
 
-A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or
-load belongs to that body; a point at which several bodies are pinned together is the particle's, if one of them is a
-particle, else it is that of the first of them. Sizes of points use names, not quantities and not the time.
+A point of no body is fixed, unless it is written with a coordinate, as the centre of a wheel that rolls and the point
+at which it touches: planar explain coordinates. A point that is named with a body in a joint or load belongs to that
+body; a point at which several bodies are pinned together is the particle's, if one of them is a particle, else it is
+that of the first of them. Sizes of points use names, not quantities and not the time.
 
 `line` may also be written `{through: A, angle: 30 deg}`, and as `on` (`line` and `on` together: two lines);
 `{from: A, distance: l, on: [B, 0 deg]}` is the point of the line at this distance.

@@ -12,7 +12,7 @@
                          unknowns: {F: N, beta: deg}
   assume             relations between names that hold by choice
                          assume: [a < g, b < l]
-  coordinates        positions that vary, and with which points are written: name: unit
+  coordinates        positions that vary, and with which points are written: name: unit; planar explain coordinates
                          coordinates: {theta: deg}
   points, surfaces,  the scene: planar explain points, planar explain bodies
   bodies

@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.equation.curves import bend_at, off_curve
 from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
+from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
@@ -92,7 +93,8 @@ class GeneralPoses:
 
     def _written(self, expr: sp.Expr) -> sp.Expr:
         """What the file writes with its own coordinates, as it was at the start."""
-        return expr.subs({s: v for s, v in self.start.items() if v == sp.Symbol(f"{s.name}_0", real=True)})
+        roles = self.scene.ledger.roles
+        return expr.subs({s: v for s, v in self.start.items() if v in roles and roles[v].kind is Kind.START})
 
     def length(self, v: Vec) -> Any:
         return sp.sqrt(simplified(v.dot(v)))
