@@ -149,11 +149,11 @@ def test_energy_about_a_fixed_point() -> None:
 
 
 def test_a_velocity_that_stays_zero_and_is_in_no_equation_is_not_drawn() -> None:
-    """The dumbbell and the ball move along x alone; the ball that hits a rod has a line for its v_y."""
+    """The dumbbell and the ball move along x alone; so does the ball that hits a rod, of whose v_y nothing is told."""
     told = page("ex-4-14")
     assert "m_C v_Cy" not in told
     assert "m_AB v_Gy" not in told
-    assert "m_ball v_ball,y,2 ↑" in page("ball-hits-a-hanging-rod")
+    assert "v_ball,y" not in page("ball-hits-a-hanging-rod")
 
 
 def test_an_impulse_that_the_file_says_is_zero_is_not_drawn() -> None:

@@ -16,7 +16,7 @@ from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
 from planar_cli.report.alike import told_of_each, weights_of_each
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
@@ -246,7 +246,8 @@ class BetweenTelling:
         stage = replace(stage, zero=(*stage.zero, *idle))
         nil = {symbol for symbol, since in self.nil if since == impact.since}
         rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
-        yield from (replace(row, heads=BLOW) for row in rows)
+        nothing = (Text("0"),)
+        yield from (replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing))
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

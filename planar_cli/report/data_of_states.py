@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from planar_cli.report.as_stated import between, gives, stated_in
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.problem.expression import Relation
+from planar_cli.report.as_stated import Stated, between, gives, stated_in
+from planar_cli.report.blocks import Block, Equation, Name, line
 from planar_cli.report.conditions_of_states import condition_blocks, followed_from
+from planar_cli.report.names import plain_name
 from planar_cli.report.origins import known_from
+from planar_cli.report.sides import said
 from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
@@ -20,9 +23,11 @@ def datum_blocks(
     phrases: tuple[Phrases, Phrases],
     chain_of: Callable[[Result], tuple[Any, ...]],
     others: Callable[[Result], Iterator[Block]],
+    headed: bool,
 ) -> Iterator[Block]:
     """The data of one step of the route. `phrases`: of the motion, and of what has numbers; `chain_of`: letter =
-    formula = numbers = value; `others`: the roots that were not taken.
+    formula = numbers = value; `others`: the roots that were not taken; `headed`: what is given stands at the head of
+    the page.
     """
     e = leg.relations[0]
     yield from condition_blocks(leg, found, phrases[0])
@@ -31,6 +36,8 @@ def datum_blocks(
         stated = stated_in(found.problem, e.stop, e.words) if e.kind == "given" and _is_number(r, phrases[0]) else None
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
+        if headed and len(sides) == 2 and _is_repeated(stated, r):
+            continue
         if stated is None or gives(stated, r.value, phrases[1]):
             yield Equation(sides, None, line(at(e.stop, known_from(e, r))))
             continue
@@ -43,3 +50,14 @@ def datum_blocks(
 def _is_number(r: Result, phrases: Phrases) -> bool:
     """Does it rest on numbers of the file alone?"""
     return r.value.is_finite() and (not phrases.symbolic if r.formula is None else bool(r.formula.is_number))
+
+
+def _is_repeated(stated: Stated | None, r: Result) -> bool:
+    """Would its line only say again what is given, 2: t = 2 s and then t_2 = 2 s?"""
+    if not isinstance(stated, Relation):
+        return False
+    named = said(stated.left, 1)
+    match named:
+        case (Name(name),):
+            return plain_name(name) == plain_name(r.unknown.name.partition("__")[0])
+    return False

@@ -24,6 +24,7 @@ from planar_cli.solve.between.trace import MotionTrace, Result
 SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
 """Roots that differ by less, in parts of themselves and at all, are the same."""
 MOST_ROOTS = 4
+ROOT = " root, as "
 FIRST = "the first such time after "
 SENSES = {
     "omega": ("it turns counterclockwise there", "it turns clockwise there"),
@@ -49,7 +50,7 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
         return
     kind = found.ledger.roles[found.general[r.unknown]].kind
     if len(others) == 1 and others[0] * r.value < 0 and kind in (Kind.TIME, Kind.SPEED):
-        yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", *why))
+        yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'}{ROOT}", *why))
     elif kind is Kind.TIME:
         yield Paragraph(why if why[0] == Text(FIRST) else line("the root for which ", *why))
         if (same := of_the_same_kind(found, r, left, phrases)) is not None:
@@ -61,6 +62,12 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
             parts += [", " if i else ""]
             parts.append(phrases.math(root.expression) if letters else phrases.shown(r.unknown, root.value))
         yield Paragraph(line(*parts, ": ", *why))
+
+
+def tells_the_root(block: Block) -> bool:
+    """Does a sentence tell which root is taken by its sign, so that it stands before it?"""
+    first = block.line[0] if isinstance(block, Paragraph) else None
+    return isinstance(first, Text) and first.text.endswith(ROOT)
 
 
 def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phrases) -> Iterator[Block]:

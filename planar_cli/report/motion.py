@@ -18,10 +18,10 @@ from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, 
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
-from planar_cli.report.conditions_of_states import is_own_name
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.harmonic import HarmonicTelling
+from planar_cli.report.idle_zeros import is_untold
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import divides_by_zero, solved_for
 from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
@@ -148,7 +148,7 @@ class MotionTelling:
         for leg in given:
             if leg not in followed:
                 yield from self._datum(leg)
-        derived = [leg for leg in legs if not leg.is_datum and not is_own_name(leg)]
+        derived = [leg for leg in legs if not is_untold(leg, self.found)]
         needed = {s for leg in derived for s in leg.needs}
         first = [leg for leg in followed if needed.intersection(leg.unknowns)]
         yield from self._integrated(followed if first else [])
@@ -169,7 +169,7 @@ class MotionTelling:
             yield from self._datum(leg)
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
-        return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others)
+        return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others, not self.wanted)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)

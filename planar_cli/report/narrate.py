@@ -35,6 +35,7 @@ from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
+from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
@@ -112,7 +113,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_primes(list(without_ritual(carried_out(in_one_line(list(defined_once(own)))))))
+        own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
+        own = without_primes(list(without_ritual(own)))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":

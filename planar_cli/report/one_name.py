@@ -46,7 +46,7 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
     while half := [letter for letter in found if _is_one_of_a_set(letter, found, used)]:
         for letter in half:
             del found[letter]
-    return _renamed(blocks, {x: name for own in found.values() for x, name in own.items()})
+    return renamed(blocks, {x: name for own in found.values() for x, name in own.items()})
 
 
 def _is_one_of_a_set(letter: str, found: Mapping[str, Mapping[str, str]], used: _Used) -> bool:
@@ -70,12 +70,13 @@ def without_primes(blocks: Sequence[Block]) -> list[Block]:
     used = {plain_name(x) for x in _used(blocks).letters}
     told = [(plain_name(b.name), _letter(b.line)) for b in blocks if isinstance(b, Answer)]
     names = {x: own for x, own in primed.items() if plain_name(own.removeprefix(CHANGE)) not in used}
-    return _renamed(
+    return renamed(
         blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == plain_name(n))}
     )
 
 
-def _renamed(blocks: Sequence[Block], names: Mapping[str, str]) -> list[Block]:
+def renamed(blocks: Sequence[Block], names: Mapping[str, str]) -> list[Block]:
+    """Blocks in other names. `names`: those of letters, by the names that they had."""
     if not names:
         return list(blocks)
     renaming = Renaming(names)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.report.between import BetweenTelling
+from planar_cli.report.idle_zeros import idle_zeros
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import said_nil
 from planar_cli.report.origins import inertias_of_blows, letters_of_blows
@@ -16,7 +17,7 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         phrases,
         {},
         numeric,
-        used=letters_of_blows(found),
+        used=letters_of_blows(found) - idle_zeros(found),
         axes=inertias_of_blows(found),
         nil={(symbol, since) for symbol, since, _ in said_nil(found)},
         finite=FiniteForces(found.problem, found.states),

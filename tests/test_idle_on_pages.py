@@ -1,0 +1,60 @@
+"""What no reader of a page needs is not on it."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from worked import page_of_file
+
+from planar_cli.report.blocks import Equation, Forces, Math, Paragraph, line
+from planar_cli.report.idle_lines import without_idle_lines
+
+v, t_2, t_3, theta_1, theta_2 = sp.symbols("v t__2 t__3 theta__1 theta__2")
+BALL, ROD = (Forces(body, line("m g ↓"), line("m a ↑")) for body in ("ball", "rod"))
+SUM = Equation((Math(v), Math(2 * v)), 1)
+ROOT = Paragraph(line("the positive root, as ", "v > 0"))
+
+
+def test_a_dropped_ball_has_no_sideways_velocity() -> None:
+    """It is nought, nothing changes it and nobody asks; the time just after a blow is that just before it."""
+    page = page_of_file("ball-bouncing-twice")
+    assert "v_ball,x" not in page
+    assert "takes no time" not in page
+    assert "(t_hit_2 - t_hit_1)" in page
+
+
+def test_what_is_given_is_not_said_again() -> None:
+    page = page_of_file("ex-1-09")
+    assert "2: t = 2 s" in page
+    assert "t_2 = 2 s" not in page.replace("2: t = 2 s", "")
+
+
+def test_a_body_that_is_drawn_alone_is_named_once() -> None:
+    assert without_idle_lines([BALL, Paragraph(line("ball:")), SUM]) == [BALL, SUM]
+    two = [ROD, BALL, Paragraph(line("ball:")), SUM]
+    assert without_idle_lines(two) == two
+
+
+def test_a_line_is_not_printed_twice() -> None:
+    told = Equation((Math(v), Math(t_2)))
+    assert without_idle_lines([told, told]) == [told]
+
+
+def test_the_time_of_a_blow_has_one_letter() -> None:
+    same = Equation((Math(t_3), Math(t_2)), None, line("At 3:"), line("a blow takes no time"))
+    assert without_idle_lines([same, Equation((Math(v), Math(2 * t_3)))]) == [Equation((Math(v), Math(2 * t_2)))]
+
+
+@pytest.mark.parametrize("used", [False, True])
+def test_a_place_that_a_blow_keeps_is_told_where_it_is_used(used: bool) -> None:
+    same = Equation((Math(theta_2), Math(theta_1)), None, line("At 2:"), line("nothing moves during a blow"))
+    later = Equation((Math(v), Math(theta_2 if used else theta_1)))
+    assert without_idle_lines([same, later]) == ([same, later] if used else [later])
+
+
+def test_the_reason_of_a_root_stands_beside_its_equation() -> None:
+    solved = Equation((Math(v), Math(t_2)), None, line("(1):"))
+    first, second = without_idle_lines([SUM, solved, ROOT])
+    assert isinstance(first, Equation)
+    assert first.note == ROOT.line
+    assert second == solved
