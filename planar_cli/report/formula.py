@@ -334,14 +334,16 @@ def _with_coefficient(q: Any, above: list[Formula], below: list[Formula], togeth
     letters = [f for f in above if not _is_numeric(f)]
     if coefficient.above != _ONE:
         numbers.insert(0, coefficient.above)
-    if together or below or not letters or (len(letters) == 1 and not _stands_apart(letters[0])):
+    alone = len(letters) == 1 and not _stands_apart(letters[0], coefficient)
+    if together or below or not letters or alone:
         return Quotient(_times([*numbers, *letters]), _times([coefficient.below, *below]))
     return _times([Quotient(_times(numbers), coefficient.below), *letters])
 
 
-def _stands_apart(node: Formula) -> bool:
-    """Does a number stand before it as a fraction: 1/2 sin β, 4/5 v_B/A, whose name has a stroke of its own?"""
-    return isinstance(node, Call) or (isinstance(node, Variable) and "/" in plain_name(node.name))
+def _stands_apart(node: Formula, coefficient: Quotient) -> bool:
+    """Does a number stand before it as a fraction: 1/2 sin β, 1/2 v², 4/5 v_B/A, whose name has a stroke of its own?"""
+    squared = isinstance(node, Power) and coefficient.below == Numeral("2")
+    return isinstance(node, Call) or squared or (isinstance(node, Variable) and "/" in plain_name(node.name))
 
 
 def _is_numeric(node: Formula) -> bool:

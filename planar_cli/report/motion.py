@@ -31,6 +31,7 @@ from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
+from planar_cli.report.motion_title import motion_title
 from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
@@ -56,6 +57,7 @@ from planar_cli.report.results import numbered
 from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at
+from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
 from planar_cli.report.with_units import in_units_held
@@ -71,7 +73,6 @@ from planar_cli.solve.between.trace import (
     RouteTrace,
 )
 
-WORK, MOMENTUM = "work and energy", "impulse and momentum"
 LONGEST, LETTERED, SHORT, PLAIN = 90, 30, 26, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters without numbers, of letters
 that have numbers, of numbers, and of what mixes letters and numbers with units.
@@ -90,6 +91,7 @@ class MotionTelling:
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
         self.rates: list[ToldRate] = []
+        self._steady: set[str] = set()
         self._laws = LawTelling(phrases, found.varying, found.regimes)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found, phrases, self._law)
@@ -106,19 +108,8 @@ class MotionTelling:
             return []
         timed = any(e.is_of_motion for leg in route.steps for e in leg.relations)
         spans = [s for s in self.found.spans if not in_blow(s)]
-        title = "Motion over time" if timed or spans or self.found.passing else self._principle()
+        title = "Motion over time" if timed or spans or self.found.passing else motion_title(self.found)
         return [Heading(f"STEP {step}", title, self._states()), *(body[1:] if body[0] == HENCE else body)]
-
-    def _principle(self) -> str:
-        """By what the states are joined, where no time runs between them."""
-        sources = [e.source for leg in self.found.route.steps for e in leg.relations]
-        laws = {b.law.letter for b in sources if isinstance(b, BalanceTrace)}
-        blows = any(isinstance(b, ImpactEquation) for b in sources)
-        works = laws - {""}
-        words = [WORK] * bool(works) + [MOMENTUM] * (blows or bool(laws - works))
-        if not words and self.found.oscillations:
-            return "Small oscillations"
-        return ", ".join(words).capitalize() if words else "Motion"
 
     def _states(self) -> str:
         names = [name for name in self.found.states if name]
@@ -188,9 +179,8 @@ class MotionTelling:
                 return (yield Equation(self._chain(leg.results[0]), None, line(at(e.stop)), line(e.words)))
             if single and is_explicit(e, leg, ledger):
                 yield from self._law(e)
-                yield Paragraph(head(e, self.found.ledger.symbols))
-                yield from self._integral(e, route)
-                return (yield Equation(with_number(leg, self._chain, route, self.phrases), self.number()))
+                chain = with_number(leg, self._chain, route, self.phrases)
+                return (yield from (self._head(e, *chain), *self._integral(e, route), Equation(chain, self.number())))
             if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next, self.rates))):
                 self.next += 1
                 yield from self._law(e)
@@ -275,8 +265,11 @@ class MotionTelling:
             self.between.plain = {**zeros, **route.plain}
             yield from self.between.kept(e.source, result)
             return
-        yield Paragraph(head(e, self.found.ledger.symbols))
-        yield result
+        yield from (Paragraph(head(e, self.found.ledger.symbols)), result)
+
+    def _head(self, e: Relation, *sides: Any) -> Paragraph:
+        """The heading of a relation with these sides; of constant acceleration with its law, once."""
+        return with_law(head(e, self.found.ledger.symbols), e, sides, self._steady, self.phrases)
 
     def number(self) -> int:
         self.next += 1
@@ -294,9 +287,10 @@ class MotionTelling:
             yield from self.between.blocks(e.source, self.number())
             return
         yield from self._law(e)
-        yield Paragraph(head(e, self.found.ledger.symbols))
         swings = self._swings.blocks(e, leg, route, number := self.number())
-        yield from swings or (*self._integral(e, route), Equation(self._sides(e, route), number))
+        own = Equation(self._sides(e, route), number)
+        yield self._head(e, *(() if swings else own.sides))
+        yield from swings or (*self._integral(e, route), own)
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         """The definite integrals with matching limits."""
@@ -311,6 +305,8 @@ class MotionTelling:
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
+        if ordered := in_order(e, dict(route.plain), self._neat, self.phrases):
+            return ordered
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":
             return line("the rate of this quantity"), line("0")

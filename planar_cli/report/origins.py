@@ -143,8 +143,16 @@ def calculus(e: Relation) -> str:
     single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
     words = re.sub(r"\bsolved for q\b", f"solved for {single}", re.sub(r"\bdq\b", f"d{single}", e.span.words))
     if q.unit == "rad":
-        words = re.sub(r"\b(d?)v(?=²|\b)", r"\1ω", re.sub(r"\ba\b", "α", words))
+        speed, rate = (plain_name(f"{q.symbol.name}_{dots}") for dots in ("dot", "ddot"))
+        speed, rate = (speed, rate) if _runs_over(e, f"{q.symbol.name}_dot") else ("ω", "α")
+        words = re.sub(r"\b(d?)v(?=²|\b)", rf"\1{speed}", re.sub(r"\ba\b", rate, words))
     return f"{words}, {q.words}" if q.words != q.symbol.name else words
+
+
+def _runs_over(e: Relation, name: str) -> bool:
+    """Has the integral of a relation this letter as its variable?"""
+    left = e.span.left if e.span is not None else None
+    return isinstance(left, sp.Integral) and left.variables[0].name == name
 
 
 def is_steady(e: Relation) -> bool:
