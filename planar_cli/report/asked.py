@@ -64,6 +64,7 @@ class AskedTelling:
         self.paths = PathTelling(vectors, phrases, self._once)
         self.rolled = RolledTelling(vectors, self._once, lambda body: self.absolute(body, "v"))
         self.slides = SlideTelling(vectors, phrases)
+        vectors.of_wheels = self.rolled.in_letters
         self.places = PlaceTelling(self.scene, phrases)
         self.relative = RelativeTelling(vectors, self._once, self.absolute, self._body_point)
 
@@ -293,9 +294,11 @@ class AskedTelling:
     def _joined(self, edge: Edge, level: str) -> Iterator[Block]:
         """The point at which a body is joined, from which its others are reached."""
         if edge.joining is not None and not self.vectors.rests(edge, level):
-            yield from self.paths.acceleration(edge.body, edge.joining.point, edge.joining.place, level)
-            yield from self._along_body(edge.body, edge.joining.place, level, edge.joining.point)
-            yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
+            at, place = edge.joining.point, edge.joining.place
+            yield from self.paths.acceleration(edge.body, at, place, level)
+            yield from self.rolled.acceleration(edge.parent, at, place, level)
+            yield from self._along_body(edge.body, place, level, at)
+            yield from self._body_point(edge.parent, at, place, level)
 
     def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
         if key not in self._told | self.vectors.valued:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Block, Equation, Name, line
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.solve.instant.written import Written
 
@@ -47,6 +47,5 @@ def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Itera
     if straight and j.rolling is not None and ground is not None:
         turned = vectors.phrases.math(motion.accelerations[edge.parent].angular)
         arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
-        yield Equation(
-            (line(Name(f"a_{own}")), line(turned, " × ", arm)), None, note=line(*note, ", as along the contact")
-        )
+        both = f" has the acceleration of {j.place} on {edge.parent}, that of "
+        yield Paragraph(line(*note, ": along the contact ", Name(own), both, turned, " × ", arm, ":"))

@@ -52,7 +52,7 @@ class RolledTelling:
 
     def acceleration(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The acceleration of a point of a wheel with its value, after that of the centre."""
-        wheel = self._wheel(body) if level == "acceleration" else None
+        wheel = self.wheel(body) if level == "acceleration" else None
         if wheel is None:
             return
         name, arm = centre_of(self.scene, body), self.scene.arms.between(wheel.centre, at)
@@ -79,6 +79,25 @@ class RolledTelling:
         told = self._told(centre, alpha, arm, omega)
         yield from self._once(body, at, place, line(*parts), told, self.vectors.arm_told(place, name, arm))
 
+    def in_letters(self, body: str, at: Vec, place: str) -> Iterator[Block]:
+        """The acceleration of a point of a wheel on a straight line, before that of the centre is known."""
+        wheel = self.wheel(body)
+        if wheel is None or wheel.radius is not None:
+            return
+        name = centre_of(self.scene, body)
+        if place in (wheel.joining.place, name):
+            return
+        omega, alpha = self.vectors.motion.velocities[body].angular, self._alpha(body)
+        why = f" moves along a straight line{'' if alpha else ' at constant speed'}"
+        parts = self._product(alpha, name, wheel.joining.place)
+        if parts:
+            yield Equation((line(Name(f"a_{index_of(name)}")), line(*parts)), None, note=line(Name(name), why))
+            parts = [Name(f"a_{index_of(name)}"), " + ", *self._product(alpha, place, name)]
+        if omega != 0:
+            parts += [" - " if parts else "-", self.phrases.math(omega**2), " ", _arm(place, name)]
+        note = () if alpha else line(Name(name), why)
+        yield Equation((line(Name(f"a_{index_of(place)}")), line(*parts or ["0"])), None, note=note)
+
     def _is_zero(self, vector: Vec) -> bool:
         return all(self.phrases.value.is_zero(p) for p in (vector.x, vector.y))
 
@@ -89,6 +108,9 @@ class RolledTelling:
         parts, inward = self._product(alpha, name, j.place), STILL
         if wheel.radius is None or self.vectors.motion.velocities[body].angular == 0:
             note = self.vectors.arm_told(name, j.place, arm) if parts else ()
+            if parts and wheel.radius is None:
+                why = line(Name(name), " moves along a straight line")
+                note = line(*note, ", ", *why) if note else why
         else:
             yield from self.velocity(body)
             parts += [" + "] if parts else []
@@ -138,7 +160,7 @@ class RolledTelling:
         turned = Turned(pair(base, ACCELERATION), certain(alpha), pair(arm, LENGTH), certain(omega))
         return components_told(turned, self.phrases.figures)
 
-    def _wheel(self, body: str) -> Wheel | None:
+    def wheel(self, body: str) -> Wheel | None:
         """A round body that rolls on what is fixed; None: it does not, or its centre is no point of the scene."""
         edge = self.vectors.edges.get(body)
         j = edge.joining if edge is not None else None

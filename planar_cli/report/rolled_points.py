@@ -12,6 +12,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Twist
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.system import System
+from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
@@ -62,6 +63,8 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
         sides = (line(Name(f"a_{centre}")), line(phrases.math(as_vector(alpha, system)), " × ", name))
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
+    if round_centre := _centre_on_a_line(system, j, phrases):
+        return (yield from _from_the_centre(system, body, round_centre, phrases))
     normal = motion.accelerations[body].linear
     size = _size(normal.x, normal.y)
     if size is None:
@@ -71,6 +74,44 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     yield Equation((line(own), line(phrases.math(size), f" {arrow}")), None, line(f"{body} rolls without slipping:"))
     turned = line(phrases.math(alpha), " × ", name, " - ", phrases.math(omega**2), " ", name)
     yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
+
+
+def _centre_on_a_line(system: System, j: Joining, phrases: Phrases) -> tuple[str, Vec, Vec] | None:
+    """The named centre of a round outline that rolls on a straight line, its arm from the contact, and its place; None:
+    there is none. It keeps its distance from the line, so that it has no acceleration across it.
+    """
+    assert j.rolling is not None
+    own, base, value = j.rolling.mover, j.rolling.base, phrases.value
+    if value.vanishes(own) or not value.vanishes(base):
+        return None
+    arm = j.rolling.tangent.turned() / own
+    centre = j.point + arm
+    for name in system.scene.points:
+        at = system.scene.point(name)
+        if system.scene.owner(name) == j.mover and all(value.vanishes(p) for p in (at.x - centre.x, at.y - centre.y)):
+            return name, arm, at
+    return None
+
+
+def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], phrases: Phrases) -> Iterator[Block]:
+    """a_O = R α along the line, and a_G from it."""
+    name, arm, at = centre
+    motion = system.motion
+    assert motion is not None
+    omega, alpha = motion.velocities[body].angular, motion.accelerations[body].angular
+    size, away = _size(arm.x, arm.y), system.scene.center(body) - at
+    if size is None or any(longer(p, LONGEST) for p in (away.x, away.y)):
+        return
+    way = arm.turned()
+    own, other = Name(f"a_{name}"), centre_of(system.scene, body)
+    lead, why = line(f"{body} rolls without slipping:"), line(Name(name), " moves along a straight line")
+    yield Equation((line(own), line(phrases.math(size * alpha), f" {phrases.arrow(way.x, way.y)}")), None, lead, why)
+    if all(phrases.value.vanishes(p) for p in (away.x, away.y)):
+        return
+    between = Name(f"r_{other}/{name}")
+    turned = line(phrases.math(alpha), " × ", between, " - ", phrases.math(omega**2), " ", between)
+    note = line(between, " = [", phrases.math(away.x), ", ", phrases.math(away.y), "]")
+    yield Equation((line(Name(f"a_{other}")), line(own, " + ", *turned)), None, note=note)
 
 
 def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:

@@ -8,7 +8,7 @@ P′ is the point of the moving body where P is (An Introduction to Planar Dynam
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -65,6 +65,8 @@ class VectorTelling:
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
         self.components: Across | None = None
+        self.of_wheels: Callable[[str, Vec, str], Iterator[Block]] | None = None
+        """Tells the acceleration of a point of a wheel in letters."""
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -195,6 +197,10 @@ class VectorTelling:
         found = self.formula(body, at, place, level)
         if found is None:
             yield from self._slid(body, at, place, level)
+            key = f"wheel {body} {place}"
+            if level == "acceleration" and self.of_wheels is not None and key not in self._told:
+                self._told.add(key)
+                yield from self.of_wheels(body, at, place)
             return
         edge, sides, arm = found
         reference = self._reference(edge)

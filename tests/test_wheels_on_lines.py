@@ -1,0 +1,23 @@
+"""Accelerations of wheels on straight lines go by way of the centre, which moves along the line."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_the_mass_centre_of_a_wheel_is_reached_from_its_middle() -> None:
+    page = page_of_file("wheel-with-its-mass-centre-off-the-middle")
+    assert "a_O = R α ↖ O moves along a straight line" in page
+    assert "a_G = a_O + α × r_G/O - ω² r_G/O r_G/O = [e cos β, -e sin β]" in page
+
+
+def test_a_pin_on_a_wheel_has_its_acceleration_told() -> None:
+    page = page_of_file("wheel-that-pushes-a-rod")
+    assert "a_A = -ω_wheel² r_A/O O moves along a straight line at constant speed" in page
+    assert "a_A = -ω_wheel² r_A/O = [-0.4 (-3.75)², 0] = [-5.625, 0] m/s²" in page
+
+
+def test_what_a_gear_carries_has_its_acceleration_along_the_contact_only() -> None:
+    page = page_of_file("gear-between-racks")
+    assert "a_K = α_gear" not in page
+    assert "along the contact K has the acceleration of T on gear, that of α_gear × r_T/C" in page
