@@ -12,6 +12,7 @@ from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
 from planar_cli.report.letter_vectors import letter_vector_words
+from planar_cli.report.mode_words import mode_words
 from planar_cli.report.names import plain_name
 from planar_cli.report.senses import direction_words
 from planar_cli.report.words import Phrases, answer_line, told_unit
@@ -22,6 +23,8 @@ from planar_cli.solve.solved_problem import PartSolution
 def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Answer:
     """The answer to a find. `told`: the blocks before it, whose letters it may name."""
     said = line(*answer_line(found, phrases), *letter_vector_words(found, part, phrases))
+    if words := mode_words(found, part):
+        return Answer(found.name, line(words), ":")
     relation = ":" if found.word or found.curve is not None else "="
     if part.tale is not None and (letter := part.tale.letters.get(found.name)) is not None:
         named = plain_name(found.name) == plain_name(letter.name)

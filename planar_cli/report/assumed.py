@@ -8,7 +8,8 @@ from typing import Any
 from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
-from planar_cli.report.checks import against_limit, bounded_in
+from planar_cli.report.decisions import needed, worked_out
+from planar_cli.report.presses import bounded_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
@@ -32,7 +33,7 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
             return [Note("Assume", line("; ".join(_placed(trial))))]
         return [
             Note("Assume", line("; ".join(assumed))),
-            Note("Fails", _objection(_on_its_side(natural, instant), phrases)),
+            Note("Fails", _objection(_on_its_side(natural, instant), instant, phrases)),
             Note("Instead", line("; ".join(_placed(trial)))),
         ]
     return [Note("Assume", line("; ".join(_placed(trial))))] if words else []
@@ -79,7 +80,7 @@ def _on_its_side(natural: Trial, instant: InstantSolution) -> Trial:
     return next((t for t in alike if bounded_in(t.system, t.tests[0][0]) is not None), natural)
 
 
-def _objection(trial: Any, phrases: Phrases) -> Line:
+def _objection(trial: Any, instant: InstantSolution, phrases: Phrases) -> Line:
     reasons = {"contradiction": "the equations have no solution then"}
     if not trial.tests:
         return line(reasons.get(trial.objection, trial.objection))
@@ -87,6 +88,9 @@ def _objection(trial: Any, phrases: Phrases) -> Line:
     if value is None:
         words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
         return line("no reactions satisfy all of these: " + "; ".join(words))
+    found = None if phrases.symbolic else needed(trial, test)
+    if found is not None:
+        return line("it would need ", *worked_out(found, trial, instant, phrases).told(" > ", phrases))
     return line(f"this would not hold: {test.words}", _by_how_much(trial, test, phrases))
 
 
@@ -104,9 +108,8 @@ def _by_how_much(trial: Any, test: Any, phrases: Phrases) -> Line:
     """
     if phrases.symbolic or not test.pushes:
         return ()
-    if len(test.pushes) == 2 and bounded_in(trial.system, test) is not None:
-        compared = against_limit(trial, test, phrases)
-        return line(" (", compared, ")") if compared else ()
+    if len(test.pushes) == 2 and (found := needed(trial, test)) is not None:
+        return line(" (", *found.told(" > ", phrases), ")")
     name = test.pushes[0][0]
     value = trial.outcomes[0].push(name)
     if value is None or name not in trial.system.symbols:

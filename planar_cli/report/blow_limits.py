@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.checks import bounded_in
+from planar_cli.report.presses import bounded_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution

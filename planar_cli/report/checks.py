@@ -7,18 +7,15 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal
 
-import sympy as sp
-
-from planar_cli.equation.exact import ZERO
-from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
 from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
+from planar_cli.report.decisions import at_limit, decision_lines, limits_of, needed
 from planar_cli.report.letter_check import letter_check
-from planar_cli.report.presses import formula_of_press
+from planar_cli.report.presses import bounded_in, formula_of_press
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
@@ -57,7 +54,7 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool, decid
     # Of motions alone nothing on the page says what drives them, and with it how the contacts press.
     forces = any(w.law != "relation" for s in instant.stages for b in s.blocks for w in b.equations)
     presses, limits = (
-        (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure and forces else ([], [])
+        (_presses(instant, phrases), _friction(instant, phrases, decides)) if heavy and sure and forces else ([], [])
     )
     held = _possible(instant, phrases) if decides and heavy and sure else ()
     told = [*presses, *limits, held, *(line(text) for text in instant.checks.get("told", ()))]
@@ -171,61 +168,24 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
     return found[:MOST_PRESSES]
 
 
-def _friction(instant: InstantSolution, phrases: Phrases) -> list[Line]:
-    """Friction against its limit where a contact sticks, and where on its face the normal force acts: the decisions of
-    the exercise.
+def _friction(instant: InstantSolution, phrases: Phrases, decides: bool) -> list[Line]:
+    """Friction against its limit where a contact sticks, and where on its face the normal force acts: what the solution
+    does not decide, and what no equation puts at its limit.
     """
-    outcome = instant.trial.outcomes[0]
+    told = {symbol for symbol, _ in decision_lines(instant, phrases, decides)} | at_limit(instant)
     found: list[Line] = []
-    for mode in instant.trial.system.modes.values():
-        by_name: dict[str, Test] = {}
-        for test in mode.tests:
-            name = bounded_in(instant.trial.system, test)
-            if name is not None and not test.strict and (name not in by_name or _bounds(instant.trial, test, name)):
-                by_name[name] = test
-        if outcome.value is not None:
-            found += [against_limit(instant.trial, test, phrases) for test in by_name.values()]
+    for _, test in limits_of(instant.trial):
+        name = bounded_in(instant.trial.system, test)
+        if name is not None and instant.trial.system.symbols[name] not in told:
+            found.append(against_limit(instant.trial, test, phrases))
     return [compared for compared in found if compared]
-
-
-def _bounds(trial: Trial, test: Test, name: str) -> bool:
-    """Does a test bound a push in the sense that it has?"""
-    return bool(dict(test.pushes)[name] * (trial.outcomes[0].push(name) or ZERO) < 0)
-
-
-def bounded_in(system: System, test: Test) -> str | None:
-    """The name of the friction, or of the couple of a normal force on a face, that a test bounds; None: it is about
-    something else.
-    """
-    bounded = {p.name for p in system.pushes if p.kind in ("friction", "couple")}
-    return next((n for n, factor in test.pushes if n in bounded and abs(factor) == 1), None)
 
 
 def against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
     """|F| = 29 N ≤ μ_s N = 76 N, or |M| > N b/2 with their values; nothing where they are not unique."""
-    outcome = trial.outcomes[0]
-    values = {name: outcome.push(name) for name, _ in test.pushes}
-    if any(v is None for v in values.values()):
+    found = needed(trial, test)
+    if found is None:
         return ()
-    name = bounded_in(trial.system, test)
-    if name is None:
-        return ()
-    size = abs(values[name] or ZERO)
-    limit = outcome.value(sp.sympify(test.constant))
-    formula = sp.sympify(test.constant)
-    for other, factor in test.pushes:
-        if other != name:
-            limit += outcome.value(factor) * (values[other] or ZERO)
-            formula += factor * trial.system.symbols[other]
-    relation = "≤" if size <= limit * (1 + TINY) else ">"
-    dimension = parse_unit(next(p.unit for p in trial.system.pushes if p.name == name)).dimension
-    return line(
-        "|",
-        Math(trial.system.symbols[name]),
-        "| = ",
-        phrases.of_dimension(size, dimension),
-        f" {relation} ",
-        phrases.math(formula),
-        " = ",
-        phrases.of_dimension(abs(limit), dimension),
-    )
+    relation = "≤" if found.size <= found.limit * (1 + TINY) else ">"
+    shown, most = found.shown(phrases)
+    return line("|", Math(found.symbol), "| = ", shown, f" {relation} ", phrases.math(found.formula), " = ", most)

@@ -10,7 +10,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Block, Equation, Line, Name, line
-from planar_cli.report.checks import bounded_in
+from planar_cli.report.presses import bounded_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 from planar_cli.units import FORCE

@@ -31,6 +31,7 @@ from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
+from planar_cli.report.decisions import decision_lines
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
@@ -237,6 +238,8 @@ def _instant_blocks(
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
     blocks = telling.blocks()
     if part.motion is None:
+        asks = any(f.find is not None and asks_mode(f.find) for f in part.found)
+        blocks += [told for _, told in decision_lines(instant, phrases, asks) if why is None]
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
         told = [said(b) for b in blocks if isinstance(b, Equation)]
         told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]

@@ -1,13 +1,15 @@
-"""A normal force that a check names, and that no line of the page has told: from the sum of forces along it."""
+"""Forces at contacts that a page compares with what bounds them, and that no line has told: from sums of forces."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.problem.facts import Push
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Push, Test
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Math
 from planar_cli.report.words import Phrases
@@ -27,15 +29,28 @@ def formula_of_press(
         or symbol in instant.trial.system.scene.ledger.values
     ):
         return []
-    for action in push.actions:
-        if action.body == GROUND or action.force is None:
-            continue
-        formula = _sum_along(instant, action.body, action.force, symbol)
-        known = None if formula is None else phrases.value.known(formula)
-        told = formula is not None and known is not None and not longer(formula, LONGEST) and not formula.is_number
-        if formula is not None and told and known is not None and abs(known - number) <= CERTAIN * abs(number):
+    for formula in sum_of_forces(instant, push, symbol):
+        known = phrases.value.known(formula)
+        if known is not None and not formula.is_number and abs(known - number) <= CERTAIN * abs(number):
             return [phrases.math(formula)]
     return []
+
+
+def sum_of_forces(instant: InstantSolution, push: Push, symbol: sp.Symbol) -> Iterator[sp.Expr]:
+    """What a push is by the sum of forces along it, of each body on which it acts, where that is short."""
+    for action in push.actions:
+        if action.body != GROUND and action.force is not None:
+            formula = _sum_along(instant, action.body, action.force, symbol)
+            if formula is not None and not longer(formula, LONGEST):
+                yield formula
+
+
+def bounded_in(system: System, test: Test) -> str | None:
+    """The name of the friction, or of the couple of a normal force on a face, that a test bounds; None: it is about
+    something else.
+    """
+    bounded = {p.name for p in system.pushes if p.kind in ("friction", "couple")}
+    return next((n for n, factor in test.pushes if n in bounded and abs(factor) == 1), None)
 
 
 def _sum_along(instant: InstantSolution, body: str, way: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:

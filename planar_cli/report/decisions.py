@@ -1,0 +1,177 @@
+"""The decision that an exercise in friction turns on, as the last line of its solution: what a contact needs beside
+what it can give.
+
+|F_A| = 108.8 N < μ_s N_A = 0.4 · 341.7 = 136.7 N: crate at A does not slip
+|M_C| = 117.7 N·m < 1/2 N_C b = 1/2 · 588.6 · 0.6 = 176.6 N·m: it slips before it tips
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO
+from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.records import record
+from planar_cli.report.blocks import Equation, Line, Math, Value, line
+from planar_cli.report.presses import bounded_in, sum_of_forces
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.distribution import possible
+from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import parse_unit
+
+NEAR = Decimal("1e-20")
+HAPPENS = {"slip": "slips", "tip": "tips", "part": "lifts off"}
+
+
+@record
+class Needed:
+    """What the friction or the couple at a contact has to be, and what it can be at most.
+
+    `size`, `limit`: numbers, SI; `formula`: of the limit; `own`: of the size, by what is known; None: nothing short.
+    """
+
+    symbol: sp.Symbol
+    unit: str
+    size: Decimal
+    limit: Decimal
+    formula: sp.Expr
+    own: sp.Expr | None = None
+
+    def shown(self, phrases: Phrases) -> tuple[Value, Value]:
+        """Size and limit with their unit."""
+        dimension = parse_unit(self.unit).dimension
+        return phrases.of_dimension(self.size, dimension), phrases.of_dimension(abs(self.limit), dimension)
+
+    def told(self, sign: str, phrases: Phrases) -> Line:
+        """|F| = P cos β = 181.3 N, then the sign, then μ N = 0.4 · 307.9 = 123.2 N."""
+        shown, most = self.shown(phrases)
+        own = () if self.own is None else line(" = ", phrases.math(self.own))
+        numbers = [piece for side in phrases.substituted(self.formula, most) for piece in (" = ", side)]
+        size = line("|", Math(self.symbol), "|", *own, " = ", shown)
+        return line(*size, sign, phrases.math(self.formula), *numbers, " = ", most)
+
+
+def needed(trial: Trial, test: Test) -> Needed | None:
+    """What a test of friction, or of the couple of a normal force, compares. None: it has no numbers, or is about
+    something else.
+    """
+    system, outcome = trial.system, trial.outcomes[0]
+    values = {name: outcome.push(name) for name, _ in test.pushes}
+    name = bounded_in(system, test)
+    if name is None or outcome.value is None or any(v is None for v in values.values()):
+        return None
+    limit, formula = outcome.value(sp.sympify(test.constant)), sp.sympify(test.constant)
+    for other, factor in test.pushes:
+        if other != name:
+            limit += outcome.value(factor) * (values[other] or ZERO)
+            formula += factor * system.symbols[other]
+    unit = next(p.unit for p in system.pushes if p.name == name)
+    return Needed(system.symbols[name], unit, abs(values[name] or ZERO), limit, formula)
+
+
+def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
+    """The same with the formula of its friction."""
+    push = next(p for p in trial.system.pushes if trial.system.symbols.get(p.name) == found.symbol)
+    solved = any(found.symbol in b.unknowns for s in instant.stages for b in s.blocks) and trial is instant.trial
+    own = (
+        None
+        if solved or push.kind != "friction"
+        else _formula(replace(instant, trial=trial), push, found.size, phrases)
+    )
+    return replace(found, own=own)
+
+
+def _formula(instant: InstantSolution, push: Push, size: Decimal, phrases: Phrases) -> sp.Expr | None:
+    """The size of a friction by the sum of forces along it, without what is zero."""
+    symbols = instant.trial.system.symbols
+    outcome = instant.trial.outcomes[0]
+    zeros = {symbols[p.name]: sp.S.Zero for p in instant.trial.system.pushes if outcome.push(p.name) == 0}
+    zeros |= {s: sp.S.Zero for s, number in instant.value.values.items() if number == 0}
+    for whole in sum_of_forces(instant, push, symbols[push.name]):
+        formula = whole.xreplace(zeros)
+        number = phrases.value.known(formula)
+        if number is not None and abs(abs(number) - size) <= NEAR * size and formula.free_symbols:
+            return formula if number > 0 else -formula
+    return None
+
+
+def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) -> Iterator[tuple[sp.Symbol, Equation]]:
+    """One line for each contact that sticks where that is asked (`decides`), or where something is largest or smallest
+    that another limit than its own bounds; with the letter of its friction or couple.
+    """
+    largest = bool(instant.instant.statements.extremes)
+    if not (largest or decides) or phrases.symbolic or phrases.lettered or not instant.trial.outcomes:
+        return
+    trial = _settled(instant.trial)
+    limits = [w.lead for s in instant.stages for b in s.blocks for w in b.equations if w.source == "limit"]
+    happens = next((HAPPENS[k] for words in limits for k in HAPPENS if f"about to {k}" in words), "")
+    for mode, test in limits_of(trial):
+        found = needed(trial, test)
+        if found is None or found.size >= found.limit * (1 - NEAR):
+            continue
+        words = _instead(test, happens) if largest else _holds(mode, test)
+        if words:
+            told = worked_out(found, trial, instant, phrases).told(" < ", phrases)
+            yield found.symbol, Equation((line(*told, f": {words}"),))
+
+
+def at_limit(instant: InstantSolution) -> set[sp.Symbol]:
+    """The letters in equations that put something at its limit."""
+    written = (w for s in instant.stages for b in s.blocks for w in b.equations)
+    return {s for w in written if w.source == "limit" for s in w.residual.free_symbols}
+
+
+def _holds(mode: Mode, test: Test) -> str:
+    """What does not happen, as there is enough."""
+    return mode.words if mode.name == "stick" and _of_friction(test) else f"it does not {_of_friction(test) or 'tip'}"
+
+
+def _of_friction(test: Test) -> str:
+    """Slip, of a test of friction; empty of that of a couple, which keeps a face from tipping."""
+    return "slip" if test.words.endswith("within its limit") else ""
+
+
+def _instead(test: Test, happens: str) -> str:
+    """What happens first."""
+    other = f"{_of_friction(test) or 'tip'}s"
+    return f"it {happens} before it {other}" if happens and happens != other else ""
+
+
+def limits_of(trial: Trial) -> Iterator[tuple[Mode, Test]]:
+    """The tests that bound frictions and couples, one for each, in the sense that it has."""
+    for mode in trial.system.modes.values():
+        by_name: dict[str, Test] = {}
+        for test in mode.tests:
+            name = bounded_in(trial.system, test)
+            if name is not None and not test.strict and (name not in by_name or _bounds(trial, test, name)):
+                by_name[name] = test
+        yield from ((mode, test) for test in by_name.values())
+
+
+def _bounds(trial: Trial, test: Test, name: str) -> bool:
+    """Does a test bound a push in the sense that it has?"""
+    return bool(dict(test.pushes)[name] * (trial.outcomes[0].push(name) or ZERO) < 0)
+
+
+def _settled(trial: Trial) -> Trial:
+    """With the friction that is not unique only because what bounds one of them is zero, as where a contact is about to
+    part.
+    """
+    outcome = trial.outcomes[0]
+    idle = [t for _, t in limits_of(trial) if _limit(trial, t) == 0]
+    beside = possible(trial.system, outcome) if 0 < len(outcome.solved.null) <= len(idle) else None
+    return trial if beside is None else replace(trial, outcomes=(beside,))
+
+
+def _limit(trial: Trial, test: Test) -> Decimal | None:
+    """What the other pushes of a test allow; None: they have no values."""
+    outcome, name = trial.outcomes[0], bounded_in(trial.system, test)
+    others = [(outcome.push(n), factor) for n, factor in test.pushes if n != name]
+    if outcome.value is None or any(v is None for v, _ in others):
+        return None
+    return sum((outcome.value(factor) * (v or ZERO) for v, factor in others), outcome.value(sp.sympify(test.constant)))

@@ -1,0 +1,51 @@
+"""How a contact acts, as the answer says it: it stays at rest; it slides to the right."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.numbers import vector_words
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
+
+
+def mode_words(found: Found, part: PartSolution) -> str:
+    """What a contact does whose mode is asked of one instant; "": nothing of this kind is asked, or more is known by
+    its plain word.
+    """
+    what = found.find.found.what if found.find is not None else None
+    if part.motion is not None or found.word not in ("stick", "slip") or not isinstance(what, Quantity):
+        return ""
+    for instant in part.instants:
+        system = instant.trial.system
+        for joint in system.modes:
+            if {joint, system.aliases.get(joint)} & set(what.things):
+                return _sticks(instant, joint) if found.word == "stick" else _slides(instant, joint)
+    return ""
+
+
+def _sticks(instant: InstantSolution, joint: str) -> str:
+    """Whether all that touches there is at rest, or only does not slip."""
+    system = instant.trial.system
+    bodies = {a.body for push in system.modes[joint].facts.pushes for a in push.actions} - {GROUND}
+    still = all(system.balanced(body) for body in bodies) and system.is_held()
+    return "it stays at rest (it does not slip)" if still else "it does not slip"
+
+
+def _slides(instant: InstantSolution, joint: str) -> str:
+    """The way in which it slides on the ground, against the friction on it; of a body that turns only that it slips."""
+    trial = instant.trial
+    friction = next((p for p in trial.system.modes[joint].facts.pushes if p.kind == "friction"), None)
+    motion = trial.system.motion
+    if friction is None or motion is None or not trial.outcomes:
+        return ""
+    (own, *others) = friction.actions
+    size, value = trial.outcomes[0].push(friction.name), instant.value
+    turns = not value.vanishes(motion.accelerations[own.body].angular)
+    if turns or size is None or own.force is None or [a.body for a in others] != [GROUND]:
+        return "it slips"
+    x, y = (-size * (value.known(sp.sympify(c)) or ZERO) for c in (own.force.x, own.force.y))
+    return f"it slides {vector_words(x, y)}".rstrip()
