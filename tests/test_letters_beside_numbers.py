@@ -39,6 +39,11 @@ def test_no_formula_that_holds_for_numbers_of_the_file_alone(name: str) -> None:
     assert "in letters" not in _page(name)
 
 
+def test_two_given_speeds_stay_letters() -> None:
+    """With 3 m/s and 1.5 m/s it is M/q, with others it is not."""
+    assert "t_2 = M (v_P,1 - v_P,2) / (v_P,2 q) = " in _page("momentum/sand-wagon")
+
+
 @pytest.mark.parametrize("name", ["kinematics/wheel-on-conveyor", "motion/block-force-table"])
 def test_no_formula_with_numbers_that_hide_units(name: str) -> None:
     assert "in letters" not in _page(name)

@@ -1,11 +1,14 @@
-"""Differences of places that the file gives by numbers and letters, in the letters left: (y_2 - y_1)/R = h/R."""
+"""Differences of places that the file gives by numbers and letters, in the letters left: (y_2 - y_1)/R = h/R.
+
+Only where the numbers go whatever they are: with v_1 = 3 m/s and v_2 = 1.5 m/s, M (v_1 - v_2)/(q v_2) is M/q by chance.
+"""
 
 from __future__ import annotations
 
 import sympy as sp
 
 from planar_cli.equation.counting import operations
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.report.clean import is_clean
 from planar_cli.solve.between.trace import MotionTrace
 
@@ -24,4 +27,15 @@ def by_data(formula: sp.Expr, unknown: sp.Symbol, found: MotionTrace) -> sp.Expr
     put = simplified(formula.xreplace(inside))
     if put.is_number or operations(put) >= operations(formula) or not is_clean(found.ledger, unknown, put):
         return formula
-    return put
+    return put if identically_zero(formula.xreplace(_with_letters(inside)) - put) else formula
+
+
+def _with_letters(given: dict[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """What is given with a letter for each of its numbers: c + h for 1 m + h, the same for the same."""
+    letters: dict[sp.Expr, sp.Symbol] = {}
+    found = {}
+    for symbol, formula in given.items():
+        number, rest = formula.as_coeff_Add()
+        letter = letters.setdefault(abs(number), sp.Dummy(real=True)) if number else sp.S.Zero
+        found[symbol] = rest + (letter if number > 0 else -letter)
+    return found
