@@ -49,6 +49,17 @@ def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
     return call
 
 
+def _with_zeros(function: str) -> Callable[[Decimal], Decimal]:
+    """Functions that vanish at multiples of π or between them: there only the rounding of the angle is left of them."""
+    call = _through_mpmath(function)
+
+    def zeroed(x: Decimal) -> Decimal:
+        found = call(x)
+        return ZERO if abs(found) < CERTAIN * abs(x) else found
+
+    return zeroed
+
+
 def _to_one(function: str) -> Callable[[Decimal], Decimal]:
     """asin and acos: an argument that is ±1 to all certain digits counts as ±1."""
     call = _through_mpmath(function)
@@ -62,10 +73,10 @@ def _atan2(y: Decimal, x: Decimal) -> Decimal:
 
 
 FUNCTIONS: dict[type, Callable[..., Decimal]] = {
-    sp.sin: _through_mpmath("sin"),
-    sp.cos: _through_mpmath("cos"),
-    sp.tan: _through_mpmath("tan"),
-    sp.cot: _through_mpmath("cot"),  # SymPy writes them where it reduces fractions
+    sp.sin: _with_zeros("sin"),
+    sp.cos: _with_zeros("cos"),
+    sp.tan: _with_zeros("tan"),
+    sp.cot: _with_zeros("cot"),  # SymPy writes them where it reduces fractions
     sp.sec: _through_mpmath("sec"),
     sp.csc: _through_mpmath("csc"),
     sp.asin: _to_one("asin"),

@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
+from planar_cli.errors import NoValue
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.telling import Telling
@@ -39,11 +40,19 @@ def is_told_at_states(motion: MotionTrace, regime: RegimeTrace) -> bool:
     ledger = regime.solution.instant.scene.ledger
     for block in (b for s in stages if s.level == "acceleration" for b in s.blocks):
         sides = [(w.left, w.right) for w in block.equations if not w.given]
-        if any(longer(left - right, LONGEST) or not is_clean(ledger, left, right) for left, right in sides):
-            return True
-        if any(longer(x.formula, LONGEST) for x in block.lines):
-            return True
+        long = any(longer(left - right, LONGEST) or not is_clean(ledger, left, right) for left, right in sides)
+        if long or any(longer(x.formula, LONGEST) for x in block.lines):
+            return all(_has_values(regime.solution, motion, state) for state in regime.asked)
     return False
+
+
+def _has_values(instant: InstantSolution, motion: MotionTrace, state: str) -> bool:
+    """Has every line a number at a state? What is divided by may vanish there, though what is asked has a limit."""
+    try:
+        _placed(instant, motion, state)
+    except NoValue:
+        return False
+    return True
 
 
 def _is_constant(regime: RegimeTrace) -> bool:

@@ -27,6 +27,7 @@ from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.spread import spread
+from planar_cli.report.standing import standing, standing_lines
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
@@ -106,14 +107,17 @@ class BetweenTelling:
             return
         first, last = f"{law.letter}__{b.since}", f"{law.letter}__{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
-        amounts = [(body, put) for body, amount in b.amounts if (put := self._put(amount)) != 0]
         telling = EnergyTelling(b, self.unknowns, self.phrases, self.plain, set(), ())
+        still = standing(telling)
+        yield from standing_lines(telling)
+        after = self._put(after - sp.Add(*still.values())) if still else after
+        amounts = [(body, put) for body, e in b.amounts if body not in still and (put := self._put(e)) != 0]
         for i, bodies in told_of_each(amounts).items():
-            each = f" of {bodies}" if len(b.amounts) > 1 else ""
+            each = f" of {bodies}" if len(amounts) > 1 else ""
             put = amounts[i][1]
             own = [body for body, e in amounts if e == put]
             yield from telling.in_letters(own, put, line(Name(last), each))
-        if len(b.amounts) > 1 or not amounts:
+        if len(amounts) > 1 or not amounts:
             yield Equation((line(Name(last)), self.phrases.math(after)))
         brought = [(words, put) for words, e in b.brought if (put := self._put(e)) != 0]
         for i, words in weights_of_each(brought).items():

@@ -21,13 +21,14 @@ from planar_cli.report.alike import WEIGHT, told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.centre_speeds import centre_lines
 from planar_cli.report.clean import is_clean
-from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits
+from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits, has_root
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.inertias import inertia_of
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.standing import standing_lines
 from planar_cli.report.words import told_unit
 from planar_cli.units import (
     ENERGY,
@@ -59,6 +60,7 @@ class EnergyTelling(EnergyPieces):
         yield self._once(first, self._put(b.before))
         self._note("before", self._put(b.before))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
+        yield from standing_lines(self)
         bodies = told_of_each(amounts)
         for i, (body, put) in enumerate(amounts):
             self._note(f"T of {body}", put)
@@ -156,7 +158,7 @@ class EnergyTelling(EnergyPieces):
         speed = next((expr for kind, _, expr in self._speeds(made) if kind == "v"), sp.S.Zero)
         moving = [s for s in speed.free_symbols if s in self.unknowns]
         if len(moving) == 1 and has_root(speed) and self._components(made, speed, moving) is not None:
-            name = f"{self._centre(made)}{{}}{STATE}{self.balance.stop}"
+            name = f"{self.centre(made)}{{}}{STATE}{self.balance.stop}"
             yield from centre_lines(made, name, moving[0], self._put, self.phrases)
 
     def _by_others(self, expr: sp.Expr) -> bool:
@@ -169,19 +171,12 @@ class EnergyTelling(EnergyPieces):
         square = self._put(made.vx) ** 2 + self._put(made.vy) ** 2
         v = sp.sqrt(square if longer(square, SHORT * 4) else simplified(square))
         for kind, mass, name, expr in (
-            ("v", made.mass, f"v_{self._centre(made)}", v),
+            ("v", made.mass, f"v_{self.centre(made)}", v),
             ("omega", made.inertia, f"omega_{made.body}", _collected(self._put(made.omega))),
         ):
             if mass != 0 and not self._vanishes(expr):
                 own = expr if expr.is_Symbol else sp.Symbol(f"{name}{STATE}{stop}", real=True)
                 yield kind, *self._named(own, expr, made)
-
-    def _centre(self, made: Moving) -> str:
-        """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
-        if made.center != made.body or made.inertia == 0:
-            return made.center
-        moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
     def _named(self, own: sp.Symbol, expr: sp.Expr, made: Moving) -> tuple[sp.Symbol, sp.Expr]:
         """A speed with the sign of the letter that the motion has for it, or of the rate that it is found by; where the
@@ -239,7 +234,7 @@ class EnergyTelling(EnergyPieces):
         def sized(x: sp.Abs) -> sp.Expr:
             inside = x.args[0]
             known = self.phrases.value.known(inside)
-            return x if known is None else inside if known > 0 else -inside
+            return x if known is None else inside if known >= 0 else -inside
 
         return expr.replace(lambda x: isinstance(x, sp.Abs), sized) if expr.has(sp.Abs) else expr
 
@@ -300,7 +295,7 @@ class EnergyTelling(EnergyPieces):
         """
         ledger, body = self.phrases.ledger, made.words.removeprefix(WEIGHT)
         moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        centre = next((self._centre(m) for m in moving if m.body == body), "G")
+        centre = next((self.centre(m) for m in moving if m.body == body), "G")
         if not put.free_symbols & set(self.unknowns) or self._short(put):
             return None
         for symbol, whole in ledger.definitions.items():
@@ -388,11 +383,6 @@ def _collected(omega: sp.Expr) -> sp.Expr:
     if not omega.is_Add or not sp.fraction(together(omega))[1].free_symbols:
         return omega
     return factored(omega)
-
-
-def has_root(expr: sp.Expr) -> bool:
-    """Is there a root of a sum in it?"""
-    return any(p.exp == sp.Rational(1, 2) and p.base.has(sp.Add) for p in expr.atoms(sp.Pow))
 
 
 def _chained(sides: Sequence[Any]) -> list[Any]:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.principles.base import Moving
 from planar_cli.records import record
 from planar_cli.report.blocks import Math, Value
 from planar_cli.report.by_geometry import by_geometry
@@ -55,10 +56,21 @@ class EnergyPieces:
     letters: dict[str, sp.Expr | None] = field(default_factory=dict)
     """By its words each energy in the letters in which it was told; None: it has none."""
 
+    def put(self, expr: Any) -> sp.Expr:
+        """A formula with what is data put in, as short as the geometry that stands before makes it."""
+        return self._put(expr)
+
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
         short = by_geometry(put, self.geometry, self.unknowns)
         return short if longer(short, SHORT * 4) else simplified(short)
+
+    def centre(self, made: Moving) -> str:
+        """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
+        if made.center != made.body or made.inertia == 0:
+            return made.center
+        moving = self.balance.parts.moving if self.balance.parts is not None else ()
+        return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
     def _vanishes(self, put: sp.Expr) -> bool:
         """Is it nothing, whatever is sought?"""
@@ -181,3 +193,8 @@ def fits(sides: tuple[Any, ...]) -> bool:
     """Does a chain of formulas stand in one line?"""
     texts = (plain(s.expr, s.values) if isinstance(s, Math) else quantity(s.number, s.unit, s.figures) for s in sides)
     return sum(len(t) + 3 for t in texts) <= WIDE
+
+
+def has_root(expr: sp.Expr) -> bool:
+    """Is there a root of a sum in it?"""
+    return any(p.exp == sp.Rational(1, 2) and p.base.has(sp.Add) for p in expr.atoms(sp.Pow))

@@ -6,7 +6,7 @@ and a number; closed formulas are put together from them at the end, where they 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -59,6 +59,7 @@ class Algebra:
     """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in.
 
     `fresh`: makes symbols for long coefficients that several letters share, lest formulas grow beyond any page.
+    `places`: the positions of states, in which nothing that is divided by should vanish.
     """
 
     def __init__(
@@ -68,9 +69,10 @@ class Algebra:
         symbolic: bool,
         unknowns: frozenset[sp.Symbol],
         fresh: Callable[[str], sp.Symbol] | None = None,
+        places: Callable[[], Sequence[Valuation]] = tuple,
     ) -> None:
         self.value, self.explicit, self.symbolic, self.unknowns = value, explicit, symbolic, unknowns
-        self.fresh = fresh
+        self.fresh, self.places = fresh, places
         self.named: dict[sp.Expr, sp.Symbol] = {}
         self.formulas: dict[sp.Symbol, sp.Expr] = {}
 
@@ -82,7 +84,7 @@ class Algebra:
             lines = [self._single(written[0], order[0])]
         else:
             residuals = [self.in_unknowns(w, order) for w in written]
-            easy = easiest(residuals, order, letters)
+            easy = easiest(residuals, order, letters, self._vanishes_at_a_state)
             written, order, letters = tuple(written[i] for i in easy.equations), easy.unknowns, easy.letters
             lines = self._together([residuals[i] for i in easy.equations], written, order, letters)
         for line in lines:
@@ -94,6 +96,9 @@ class Algebra:
                 )
                 self.formulas[line.symbol] = line.formula
         return SolvedBlock(written, order, letters, tuple(lines))
+
+    def _vanishes_at_a_state(self, factor: sp.Expr) -> bool:
+        return any(place.vanishes(factor) for place in self.places())
 
     def in_unknowns(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
         """Left minus right side; explicit lines and named intermediates are put in where they hold an unknown of the

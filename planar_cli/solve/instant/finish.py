@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from decimal import Decimal
 from functools import partial
 
@@ -58,6 +58,7 @@ class Finisher:
         self.symbolic = self.ledger.symbolic
         self.letters: frozenset[sp.Symbol] = frozenset()
         self.coordinates: tuple[Coordinate, ...] = ()
+        self.places: Callable[[], Sequence[Valuation]] = tuple
         self.principle = instant.principle
         self.most = MOST_OPS
 
@@ -80,7 +81,7 @@ class Finisher:
         """The stages that expressions need, carried out and checked."""
         base = self.trial.outcomes[0].value
         unknowns = set(acceleration_unknowns(self.system))
-        maker = StageMaker(self.system, base, self.symbolic)
+        maker = StageMaker(self.system, base, self.symbolic, places=self.places)
         if self._has_forces():
             maker.families = self.instant.families(
                 self.principle, self.system, base, self.trial.choice, self.coordinates

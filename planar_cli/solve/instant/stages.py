@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from functools import partial
@@ -55,7 +55,7 @@ class StageMaker:
     """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
     stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?
     `whole`: inertia of every body in an equation is put on paper, also where its moment needs no centre of mass.
-    `families`: what a principle offers of accelerations and forces.
+    `families`: what a principle offers of accelerations and forces. `places`: where states are, in a general position.
     """
 
     system: System
@@ -66,6 +66,7 @@ class StageMaker:
     constructed: bool = True
     whole: bool = False
     families: tuple[Family, ...] = ()
+    places: Callable[[], Sequence[Valuation]] = tuple
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
@@ -135,7 +136,7 @@ class StageMaker:
             writer.acceleration(body)
         explicit = {line.symbol: line.expression for line in writer.lines}
         fresh = partial(self.system.scene.ledger.fresh, unit="1")
-        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh)
+        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh, self.places)
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
         self.next_number = writer.next_number
         return Stage(

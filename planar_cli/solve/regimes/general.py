@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
+from functools import cache
 from itertools import islice
 from typing import Any
 
@@ -35,6 +36,7 @@ from planar_cli.solve.regimes.drawing import beside, ranges
 from planar_cli.solve.regimes.free_speeds import independent_speeds
 from planar_cli.solve.regimes.places import held_places
 from planar_cli.solve.regimes.separation import Parted, parted_joints, parted_modes
+from planar_cli.solve.regimes.stated_places import stated_places
 from planar_cli.solve.solution import InstantSolution
 
 IN_LOOPS = 150
@@ -61,6 +63,8 @@ class General:
     constraints: tuple[Constraint, ...]
     kept: tuple[Constraint, ...]
     """What joints that act only for some time keep as it was."""
+    places: Callable[[], Sequence[Valuation]]
+    """Where the states of the file are."""
     parted: tuple[Parted, ...] = ()
     """Joints that hold nothing here."""
     resting: tuple[sp.Symbol, ...] = ()
@@ -107,6 +111,7 @@ class General:
         finisher = Finisher(self.instant, self.trial, (), {})
         finisher.letters = frozenset(self.free)
         finisher.coordinates = self.coordinates
+        finisher.places = self.places
         if self.constraints:
             finisher.most = IN_LOOPS
         return finisher
@@ -261,8 +266,19 @@ def _general(
     found = solve_velocities(system, valuations[0], False)
     starts = {c.symbol: c.drawn for c in displacement.coordinates if c.drawn is not None}
     at = {s: n for s, drawn in starts.items() if (n := valuations[0].known(drawn)) is not None}
-    there = solve_velocities(system, valuations[0].extended(at), False, sways=True)
-    independent = independent_speeds(found, there, system.tree.velocity_unknowns(), displacement)
+    drawn_numbers = valuations[0].extended(at)
+    there = solve_velocities(system, drawn_numbers, False, sways=True)
+    coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
+
+    @cache
+    def places() -> tuple[Valuation, ...]:
+        quantities = system.quantities_of(system.first, None)
+        return tuple(stated_places(problem.states, quantities, coordinates, constraints, drawn_numbers))
+
+    def stated() -> list[Velocities]:
+        return [solve_velocities(system, place, False, sways=True) for place in places()]
+
+    independent = independent_speeds(found, there, stated, system.tree.velocity_unknowns(), displacement)
     ordinary = instant.scene.ledger.natural
     given = {s: anywhere(i) * ordinary(s) for i, s in enumerate(independent)}
     given |= {s: Decimal(0) for s in independent if s.name in resting}
@@ -274,9 +290,8 @@ def _general(
     if _contradicts(trial) and (lack := placed_by_nothing(instant) or off_balance(instant, trial)) is not None:
         raise lack
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
-    coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
     parted = parted_joints(drawn, choice, displacement, coordinates) if loose else ()
-    place = (quantities, course, constraints, kept, parted, rests)
+    place = (quantities, course, constraints, kept, places, parted, rests)
     return General(instant, choice, coordinates, independent, trial, *place)
 
 

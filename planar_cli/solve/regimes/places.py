@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -29,21 +29,27 @@ def held_places(setup: Setup, quantities: Quantities, varying: Collection[sp.Sym
         for r, always in setup.statements.relations
         if always and r not in setup.settled and order(r, names) == POSITION
     ]
-    sizes = {key: r for r in relations if (key := _part_of(r, "mag")) is not None}
     found: list[Constraint] = []
+    for relation, text, residual in place_residuals(relations, quantities):
+        expr = simplified(residual)
+        if expr != 0 and expr.free_symbols:
+            if expr.free_symbols.isdisjoint(varying):
+                raise _cannot_vary(relation)
+            found.append(Constraint(expr, text, "", "motion"))
+    return tuple(found)
+
+
+def place_residuals(relations: Sequence[Relation], quantities: Quantities) -> Iterator[tuple[Relation, str, sp.Expr]]:
+    """What vanishes by relations about places, each with its relation and what the file says."""
+    sizes = {key: r for r in relations if (key := _part_of(r, "mag")) is not None}
     for relation in relations:
         turned = _part_of(relation, "angle")
         if turned in sizes and _part_of(relation, "mag") is None:
             continue
         paired = next((r for r in relations if _part_of(relation, "mag") == _part_of(r, "angle") is not None), None)
+        text = relation.text if paired is None else f"{relation.text}, {paired.text}"
         for residual in _residuals(relation, paired, quantities):
-            expr = simplified(residual)
-            if expr != 0 and expr.free_symbols:
-                if expr.free_symbols.isdisjoint(varying):
-                    raise _cannot_vary(relation)
-                text = relation.text if paired is None else f"{relation.text}, {paired.text}"
-                found.append(Constraint(expr, text, "", "motion"))
-    return tuple(found)
+            yield relation, text, residual
 
 
 def _cannot_vary(relation: Relation) -> NoSolution:
