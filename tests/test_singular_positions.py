@@ -150,3 +150,9 @@ def test_a_pivot_that_vanishes_at_a_state_is_no_pivot() -> None:
     residuals = [s * x + (s + 1) * y - 1, (s + 2) * x - (s + 3) * y + 2]
     assert easiest(residuals, (x, y), (y,), lambda _: False).unknowns == (x, y)
     assert easiest(residuals, (x, y), (y,), lambda factor: factor == s).unknowns == (y, x)
+
+
+def test_what_is_integrated_in_numbers_was_given() -> None:
+    _, page = told(WHEEL.format(states="3: [omega(wheel) = 0]", find="flat: omega(AB) @ 3"))
+    assert "is integrated numerically" in page
+    assert "g = 9.81 m/s²; B(0, R)" in page

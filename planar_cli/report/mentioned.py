@@ -36,6 +36,8 @@ class Mentioned:
     """The names in formulas that a value follows: a = -g = -32.19 ft/s²."""
     summed: bool = False
     """Does a sum of forces, moments or energies stand in numbers, among which its weights are?"""
+    integrated: bool = False
+    """Is Newton's law integrated in numbers, for every body with its weight?"""
 
 
 def mentioned(page: Iterable[Block]) -> Mentioned:
@@ -73,6 +75,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
         built=frozenset(built),
         summed=summed,
         valued=frozenset(valued),
+        integrated=integrated,
     )
 
 

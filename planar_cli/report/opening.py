@@ -7,6 +7,8 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
@@ -93,14 +95,25 @@ def _rows(
     if placing and others:
         others[0] = (*others[0], line("drawn with ", *_listed(placing), REST[len(placing) > 1]))
     return [
-        [*letters, *(line(Name(s.name)) for s in problem.symbols), *numbers, *_gravity(problem, seen, phrases)],
+        [
+            *letters,
+            *(line(Name(s.name)) for s in problem.symbols),
+            *numbers,
+            *_gravity(problem, seen, phrases, figures),
+        ],
         *others,
     ]
 
 
-def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iterator[Line]:
-    """g, where the file does not give it and its number is put into a formula."""
+def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int) -> Iterator[Line]:
+    """g, where the file does not give it and its number is put into a formula, or weights are integrated."""
     if any(s.name == GRAVITY for s in (*problem.given, *problem.symbols)):
+        return
+    if phrases is None and seen.integrated and problem.plane == "vertical":
+        ledger = Ledger(us=problem.us)
+        ledger.gravity(letter=False)
+        earth = Phrases(ledger, Valuation({}, ledger.values), figures, False)
+        yield line(Name(GRAVITY), " = ", earth.shown(ledger.symbols[GRAVITY]))
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
     used = GRAVITY in (*seen.counted, *seen.valued) or (GRAVITY in seen.letters and seen.summed)
