@@ -37,27 +37,19 @@ ROUGHLY = 13, 10
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 
 
-def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
+def _through_mpmath(function: str, zeros: bool = False) -> Callable[[Decimal], Decimal]:
+    """`zeros`: it vanishes at multiples of π or between them, where of it only the rounding of the angle is left."""
+
     @lru_cache(maxsize=REMEMBERED)
     def call(x: Decimal) -> Decimal:
         with mpmath.workdps(DIGITS + 5):
             value = getattr(mpmath, function)(mpmath.mpf(str(x)) if x.is_finite() else math.copysign(math.inf, x))
             if mpmath.isnan(value):
                 raise NoValue(f"{function} has no value at {x}")
-            return Decimal(mpmath.nstr(value, DIGITS + 2))
+            found = Decimal(mpmath.nstr(value, DIGITS + 2))
+            return ZERO if zeros and abs(found) < CERTAIN * abs(x) else found
 
     return call
-
-
-def _with_zeros(function: str) -> Callable[[Decimal], Decimal]:
-    """Functions that vanish at multiples of π or between them: there only the rounding of the angle is left of them."""
-    call = _through_mpmath(function)
-
-    def zeroed(x: Decimal) -> Decimal:
-        found = call(x)
-        return ZERO if abs(found) < CERTAIN * abs(x) else found
-
-    return zeroed
 
 
 def _to_one(function: str) -> Callable[[Decimal], Decimal]:
@@ -73,10 +65,10 @@ def _atan2(y: Decimal, x: Decimal) -> Decimal:
 
 
 FUNCTIONS: dict[type, Callable[..., Decimal]] = {
-    sp.sin: _with_zeros("sin"),
-    sp.cos: _with_zeros("cos"),
-    sp.tan: _with_zeros("tan"),
-    sp.cot: _with_zeros("cot"),  # SymPy writes them where it reduces fractions
+    sp.sin: _through_mpmath("sin", zeros=True),
+    sp.cos: _through_mpmath("cos", zeros=True),
+    sp.tan: _through_mpmath("tan", zeros=True),
+    sp.cot: _through_mpmath("cot", zeros=True),  # SymPy writes them where it reduces fractions
     sp.sec: _through_mpmath("sec"),
     sp.csc: _through_mpmath("csc"),
     sp.asin: _to_one("asin"),

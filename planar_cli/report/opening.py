@@ -7,7 +7,6 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Number
@@ -112,7 +111,7 @@ def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures
     if phrases is None and seen.integrated and problem.plane == "vertical":
         ledger = Ledger(us=problem.us)
         ledger.gravity(letter=False)
-        earth = Phrases(ledger, Valuation({}, ledger.values), figures, False)
+        earth = Phrases(ledger, ledger.valuations(lambda _: True)[0], figures, False)
         yield line(Name(GRAVITY), " = ", earth.shown(ledger.symbols[GRAVITY]))
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None

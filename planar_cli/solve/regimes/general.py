@@ -264,16 +264,14 @@ def _general(
         instant.scene.forget_valuations()
     valuations = instant.scene.valuations
     found = solve_velocities(system, valuations[0], False)
-    starts = {c.symbol: c.drawn for c in displacement.coordinates if c.drawn is not None}
-    at = {s: n for s, drawn in starts.items() if (n := valuations[0].known(drawn)) is not None}
-    drawn_numbers = valuations[0].extended(at)
-    there = solve_velocities(system, drawn_numbers, False, sways=True)
+    as_drawn = _numbers_as_drawn(displacement, valuations[0])
+    there = solve_velocities(system, as_drawn, False, sways=True)
     coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
 
     @cache
     def places() -> tuple[Valuation, ...]:
         quantities = system.quantities_of(system.first, None)
-        return tuple(stated_places(problem.states, quantities, coordinates, constraints, drawn_numbers))
+        return tuple(stated_places(problem.states, quantities, coordinates, constraints, as_drawn))
 
     def stated() -> list[Velocities]:
         return [solve_velocities(system, place, False, sways=True) for place in places()]
@@ -293,6 +291,12 @@ def _general(
     parted = parted_joints(drawn, choice, displacement, coordinates) if loose else ()
     place = (quantities, course, constraints, kept, places, parted, rests)
     return General(instant, choice, coordinates, independent, trial, *place)
+
+
+def _numbers_as_drawn(displacement: Displacement, value: Valuation) -> Valuation:
+    """All numbers, with the coordinates that are drawn where they are drawn."""
+    starts = {c.symbol: c.drawn for c in displacement.coordinates if c.drawn is not None}
+    return value.extended({s: n for s, drawn in starts.items() if (n := value.known(drawn)) is not None})
 
 
 def _contradicts(trial: Trial) -> bool:
