@@ -89,7 +89,7 @@ SAID = [
     ("4-13", "↺ H_A: J AS = I_A ω_2"),
     ("4-13", "T_2 + U = T_3: m g AG (cos φ_max - 1) + 1/2 I_A ω_2² = 0"),
     ("4-13", "in numbers: 117.7 cos φ_max - 54.44 = 0"),
-    ("4-17", "left to itself it does not come to state 2; the answer is what the balance of energy requires"),
+    ("4-17", "let go by itself it does not reach state 2; the balance of energy relates the two states all the same"),
     ("4-18", "From 1 to 2, rear: angular impulse and momentum about A"),
     ("4-18", "From 1 to 2, frame: impulse and momentum"),
 ]
@@ -320,7 +320,7 @@ def test_energy_alone_relates_states() -> None:
     assert "released at rest in an unstable equilibrium: the limit of a slight touch" in touched.motion.checks
     part = part_of(UPRIGHT, "energy")
     assert abs(first(part.found[0])) == pytest.approx(sqrt(6 * G / 0.5))
-    words = "left to itself it does not come to state 2; the answer is what the balance of energy requires"
+    words = "let go by itself it does not reach state 2; the balance of energy relates the two states all the same"
     assert words in part.motion.checks
     assert not any("no motion leads" in c for c in part_of(PUSHED).motion.checks)
 

@@ -52,8 +52,8 @@ def test_a_motion_that_only_assumes() -> None:
 @pytest.mark.parametrize(
     ("stem", "heading"),
     [
-        ("bungee-jump", "From 1 to taut, constant acceleration, y of P:"),
-        ("ex-1-06", "From thrown to half, constant acceleration, y of ball:"),
+        ("bungee-jump", "From 1 to taut, constant acceleration of P along y:"),
+        ("ex-1-06", "From thrown to half, constant acceleration of the ball along y:"),
     ],
 )
 def test_one_heading_over_equations_in_a_row(stem: str, heading: str) -> None:

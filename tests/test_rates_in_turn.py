@@ -47,9 +47,9 @@ def test_a_point_that_is_written_with_a_coordinate_is_differentiated_at_once() -
     assert "α = dω/dt = -u θ̇ sin(θ) (1 + cos² θ) / (r cos² θ) = " in page
     assert "Position vectors, differentiated: v = dr/dt, a = dv/dt.\n" in page
     assert "v_AB" not in page
-    assert "Places and curves" not in page
+    assert "Positions and curves" not in page
 
 
 @pytest.mark.parametrize("stem", ["kinematics/radar-that-tracks-an-aircraft", "motion/rope-pulled-by-a-walker"])
 def test_derivatives_of_places_do_not_repeat_what_the_equations_told(stem: str) -> None:
-    assert "Places and curves" not in _page(stem)
+    assert "Positions and curves" not in _page(stem)

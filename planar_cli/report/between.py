@@ -334,7 +334,7 @@ def dimension_of_balance(b: BalanceTrace) -> Dimension:
 def _idle(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
     """Which reactions do no work, and why; and which none in all."""
     if len(reactions) + len(internal) > MOST_NAMED:
-        return ["; the reactions of all ideal joints do no work in all"]
+        return ["; the reactions of the ideal joints do no net work"]
     alone: list[Any] = []
     for why in dict.fromkeys(r.why for r in reactions):
         alone += [", "] if alone else []

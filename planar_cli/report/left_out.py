@@ -71,7 +71,7 @@ def tells_the_root(block: Block) -> bool:
 
 
 def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phrases) -> Iterator[Block]:
-    """The root of what is asked that only tells of a state before: not nearest = 0.82 m: that is state 1."""
+    """The root of what is asked that only tells of a state before: nearest = 0.82 m is state 1 itself."""
     asked = found.named[r.unknown]
     stop = max((found.states.index(at) for s in asked.free_symbols if (at := _at(found, s)) in found.states), default=0)
     for before in found.states[:stop]:
@@ -80,7 +80,7 @@ def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phr
         if same:
             shown: Any = "0" if abs(same[0]) <= TINY else phrases.shown(r.unknown, same[0])
             if shown == "0" or not phrases.symbolic:
-                yield Paragraph(line("not ", Math(r.unknown), " = ", shown, ": that is state ", before))
+                yield Paragraph(line(Math(r.unknown), " = ", shown, " is state ", before, " itself"))
             return
 
 

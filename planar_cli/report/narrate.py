@@ -211,7 +211,7 @@ def _tale(part: PartSolution, phrases: Phrases, step: int, whole: bool) -> list[
     """Places over time and curves under a heading, if they are told by themselves (`whole`) or beside a motion."""
     if part.tale is None or part.tale.whole != whole or not part.tale.passages:
         return []
-    heading = Heading(f"STEP {step}", "Kinematic analysis") if whole else Heading("", "Places and curves")
+    heading = Heading(f"STEP {step}", "Kinematic analysis") if whole else Heading("", "Positions and curves")
     return [heading, *tale_blocks(part.tale, phrases)]
 
 

@@ -13,6 +13,7 @@ from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
+from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
 from planar_cli.report.changes import changes
 from planar_cli.report.characteristic import with_coefficients
@@ -139,7 +140,7 @@ def calculus(e: Relation) -> str:
         return e.span.words
     q = e.law.coordinate
     if is_steady(e):
-        return f"{_steady_words(e.law, e.kind)}, {q.words}"
+        return f"{_steady_words(e.law, e.kind)}{_of_what(q.words)}"
     single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
     words = re.sub(r"\bsolved for q\b", f"solved for {single}", re.sub(r"\bdq\b", f"d{single}", e.span.words))
     if q.unit == "rad":
@@ -161,6 +162,14 @@ def is_steady(e: Relation) -> bool:
     if law is None or e.span is None or e.kind not in ("v(t)", "q(t)", "v(q)"):
         return False
     return law.order > 0 and not law.f.has(sp.Symbol("t", real=True), law.coordinate.symbol, law.v)
+
+
+def _of_what(words: str) -> str:
+    """Whose velocity or acceleration is constant, by what its coordinate counts: y of P, angle of the wheel."""
+    what, of, thing = words.partition(" of ")
+    if what in ("x", "y") and of:
+        return f" of {with_article(thing)} along {what}"
+    return f" of {with_article(thing)}" if what in ("angle", "way") and of else f", {words}"
 
 
 def _steady_words(law: Law, kind: str) -> str:

@@ -49,7 +49,7 @@ def _row(row: Row, phrases: Phrases) -> Equation:
     if row.way:
         terms = (piece for i, term in enumerate(row.way) for piece in ((" + ", Math(term)) if i else (Math(term),)))
         sides.insert(1, line(*terms))
-    return Equation(tuple(sides), None, lead)
+    return Equation(tuple(sides), None, lead, line(*_named(row.note)))
 
 
 def _named(words: str) -> list[Any]:

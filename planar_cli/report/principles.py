@@ -122,7 +122,8 @@ def _of_forces(uses: Uses) -> str:
 
 def _momenta(uses: Uses) -> Iterator[str]:
     if uses.impulses or any(b.gain != 0 or not b.law.kept for b in uses.momenta):
-        yield "Impulse and momentum over a time."
+        turning = all(b.law.lead == TURNING for b in uses.momenta) and not uses.impulses
+        yield "Angular impulse and momentum." if turning else "Impulse and momentum."
     kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
     if any(b.law.lead != TURNING for b in kept):
         yield "Conservation of momentum."

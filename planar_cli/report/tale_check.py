@@ -1,6 +1,6 @@
 """Checks that a person can make of a page of kinematics that is told in derivatives of places.
 
-at φ = 0, where r_P = [0, 0]: v_P = 0;  at φ = 180°, where r_P = [π r, 2 r]: v_P = [2 r ω, 0]      special places
+at φ = 0, where r_P = [0, 0]: v_P = 0;  at φ = π, where r_P = [π r, 2 r]: v_P = [2 r ω, 0]      special places
 √(v_Pr² + v_Pθ²) = √(0.08256² + 0.1544²) = 0.1751 m/s, √(ẋ_P² + ẏ_P²) = 0.1751 m/s                 the same size twice
 v_P²/R = 11.78²/15 = 9.253 m/s² = a_P                                            a circle with a constant speed
 """
@@ -26,7 +26,7 @@ from planar_cli.units import LENGTH, PURE, TIME
 SHORT = 10
 """What a vector is at a special place has at most so many operations."""
 RATES = ("v", "a", "omega", "alpha")
-PLACES = ((sp.S.Zero, "0"), (sp.pi, "180°"))
+PLACES = ((sp.S.Zero, "0"), (sp.pi, "π"))
 Values = dict[str, tuple[Decimal, int]]
 """Of the letters of a tale: their values, and how often they are lengths differentiated."""
 

@@ -24,7 +24,7 @@ class Row:
     """Words before a line, and the line: an equation, its sides one after the other, or a formula. `value`: of its last
     side at the instant that is asked for, in base units of `dimension`; an `angle` has none. `sizes`: those of the
     letters in that side. `way`: the terms of a sum that is written after the first side as it stands, nothing in it
-    worked out: x_G + r cos(270° - φ).
+    worked out: x_G + r cos(270° - φ). `note`: a remark beside it.
     """
 
     words: str
@@ -34,6 +34,7 @@ class Row:
     angle: bool = False
     sizes: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
     way: tuple[sp.Expr, ...] = ()
+    note: str = ""
 
 
 def sides_of(row: Row) -> tuple[Any, ...]:

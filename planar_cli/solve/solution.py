@@ -48,7 +48,7 @@ CAVEATS = (
     "released at rest in an unstable equilibrium",
     "it begins at rest in equilibrium",
     "the last state is one of equilibrium",
-    "left to itself it does not come to state",
+    "let go by itself it does not reach state",
 )
 """How the checks of a motion begin that say on what its answers rest."""
 

@@ -19,7 +19,7 @@ from planar_cli.equation.jets import Jet, direction_angle, magnitude
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Find, Polar, TwoFacts, with_article
+from planar_cli.problem.scene import Find, Polar, TwoFacts
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.curves.kinds_asked import (
@@ -55,8 +55,8 @@ from planar_cli.units import LENGTH, PURE, TIME
 
 GIVEN = "Given, and differentiated:"
 HEADINGS = (
-    "Places:",
-    "Velocities, the derivatives of the places:",
+    "Positions:",
+    "Velocities, the derivatives of the positions:",
     "Accelerations, the derivatives of the velocities:",
 )
 
@@ -108,21 +108,14 @@ class Story:
         rolling = self._rolling() if first else ()
         passages = [Passage(GIVEN, tuple(self._given())), *rolling, Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
-            passages.append(Passage("Rates of the coordinates:", tuple(self._rates(bool(rows[2])))))
+            passages.append(Passage("Given:", tuple(self._rates(bool(rows[2])))))
         passages += [Passage(HEADINGS[n], tuple(rows[n]), (RATES, SECOND_RATES)[n - 1]) for n in (1, 2)]
         passages += [p for point, own in along_paths(asked, polar) for p in self._path_passages(point, own)]
         return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
 
     def _rolling(self) -> Iterator[Passage]:
         """That a wheel which the file places by an arc rolls."""
-        for r in rolled(self.quantities):
-            body, surface = with_article(r.body), with_article(r.surface)
-            rolls = f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: "
-            start = " from x = 0" if r.from_origin else ""
-            advances = f"{r.centre} advances{start} by the arc that has come into contact with {surface}."
-            sense = "clockwise" if r.clockwise else "counterclockwise"
-            turns = f" `{r.angle}`: the angle by which {body} has turned, {sense}." if r.angle else ""
-            yield Passage(rolls + advances + turns, (), ROLLING)
+        yield from (Passage(r.told(), (), ROLLING) for r in rolled(self.quantities))
 
     def _origin(self, thing: str) -> str:
         """The point that moves and from which the file measures another; "" where there is none."""
@@ -253,9 +246,8 @@ class Story:
             if symbol not in inside or symbol in self.functions.found or rate == dotted:
                 continue
             steady = twice and not rate.free_symbols & {self.regime.time, *self.regime.rates}
-            yield Row("constant" if steady else "", sp.Eq(dotted, rate, evaluate=False))
-            if steady:
-                yield Row("so that", sp.Eq(sp.Symbol(f"{symbol.name}_ddot", real=True), 0, evaluate=False))
+            still = f"constant, so that `{symbol.name}_ddot` = 0" if steady else ""
+            yield Row("", sp.Eq(dotted, rate, evaluate=False), note=still)
 
     # --- along the path ----------------------------------------------------------------------------------------------
 

@@ -260,7 +260,7 @@ class ModeSearch(ModeChoice):
         branch = max(branches, key=lambda b: onward(course, b))
         if not assumed(course, course.base().extended(branch.values)):
             return None
-        told = f"left to itself it does not come to state {missed}; the answer is what {self._alone} requires"
+        told = f"let go by itself it does not reach state {missed}; {self._alone} relates the two states all the same"
         return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
     def _changed(self, course: StatedMotion, followed: Followed) -> ModeSequence | None:
