@@ -23,3 +23,21 @@ def test_both_sides_of_an_integral_over_the_way_are_told() -> None:
     page = page_of_file("ex-1-08")
     assert "θ̇ dθ̇ = θ̈ dθ: ∫[0 → θ̇] θ̇ dθ̇" in page
     assert "1/2 θ̇² = g sin θ / r" in page
+
+
+def test_by_what_the_accelerations_of_the_ends_of_a_link_differ_is_told() -> None:
+    page = page_of_file("two-sliders-on-a-link")
+    assert "differ by v²/l of their relative motion, (0.8² + 0.6²)/0.5 = 2 m/s²" in page
+    assert "0.8 a_B + 0.6 a_A = -2 in m/s²" in page
+
+
+def test_the_work_of_a_force_that_changes_is_an_integral_first() -> None:
+    page = page_of_file("crate-on-a-floor-that-gets-rougher")
+    integral = "∫[0 → x_P,1] (-m g (μ_0 + q x_P)) dx_P"
+    assert f"U of the drag rubbing = {integral} = -m g x_P,1 (μ_0 + 1/2 q x_P,1)" in page
+    assert "W = U of the drag rubbing = -m g x_P,1 (μ_0 + 1/2 q x_P,1) = -10 · 9.81" in page
+    assert "∫[r_A → r_B] (-m g R²/r²) dr" in page_of_file("satellite-perigee-apogee")
+
+
+def test_a_force_that_stays_the_same_needs_no_integral() -> None:
+    assert "U of the force pull = P (R + r) θ_2" in page_of_file("ex-4-08")

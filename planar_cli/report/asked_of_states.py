@@ -204,23 +204,27 @@ class AskedTelling:
             shown = shown[1:]  # the file calls it as the page does
         sides: list[Any] = [name, *shown, *values]
         if span is not None and (quoted := self._told_before(span)):
-            yield Equation((name, quoted, *values))
+            yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))
         elif span is None:
             yield Equation(tuple(sides))
         else:
             yield from self.spans.lines(span, (), tuple(sides))
 
-    def _told_before(self, span: SpanIntegral) -> Line:
-        """The work of one source that a balance between the same states has told."""
+    def _told_before(self, span: SpanIntegral) -> tuple[Line, ...]:
+        """The work of one source that a balance between the same states has told, there with its value or as it is by
+        what was sought.
+        """
         q, value = span.quantity, self.found.value
         if q.word != "work" or q.at is None or self.phrases.symbolic:
             return ()
-        sources = (e.source for leg in self.found.route.steps for e in leg.relations)
-        told = [b for b in sources if isinstance(b, BalanceTrace) and (b.since, b.stop) == q.at]
-        for bring, words, work in ((b.law.bring, words, work) for b in told for words, work in b.brought):
-            same = words.split()[-1:] == list(q.things) and span.formula is not None
-            if same and value.known(work) and value.known(span.formula) and value.is_zero(work - span.formula):
-                return line(Name(bring), f" of the {words}, as above")
+        sources = ((e.source, leg.unknowns) for leg in self.found.route.steps for e in leg.relations)
+        told = [(b, sought) for b, sought in sources if isinstance(b, BalanceTrace) and (b.since, b.stop) == q.at]
+        for b, sought in told:
+            for words, work in b.brought:
+                same = words.split()[-1:] == list(q.things) and span.formula is not None
+                if same and value.known(work) and value.known(span.formula) and value.is_zero(work - span.formula):
+                    above = () if work.free_symbols & set(sought) else (", as above",)
+                    return (line(Name(b.law.bring), f" of the {words}", *above),)
         return ()
 
     def _shown(

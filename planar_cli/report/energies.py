@@ -30,6 +30,7 @@ from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.standing import standing_lines
 from planar_cli.report.words import told_unit
+from planar_cli.report.works import work_integral
 from planar_cli.units import (
     ENERGY,
     FORCE,
@@ -254,7 +255,8 @@ class EnergyTelling(EnergyPieces):
         storages = self.balance.parts.storages if self.balance.parts is not None else ()
         made = next((s for s in storages if s.words == words), None)
         if made is None or (made.power == 2 and self._at_sight(made, put)):
-            yield self._line(lead, *self._chain(put))
+            own = words if made is None else ""
+            yield self._line(lead, *work_integral(self.balance, own, self.plain, self.phrases), *self._chain(put))
         elif made.power == 1:
             yield from self._weight(made, put, lead)
         else:

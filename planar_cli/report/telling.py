@@ -299,7 +299,9 @@ class Telling:
         if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
-        words = with_direction(words, w, self.phrases) if self.numeric.put_whole(w, stage) else words
+        if self.numeric.put_whole(w, stage):
+            words = with_direction(words, w, self.phrases)
+            sides = (sides[0], sides[-1]) if level == "acceleration" and self.vectors.swings(w) else sides
         return [*words, Equation(sides, number, (), note)]
 
     def _is_told(self, seen: tuple[str, str], stage: Stage) -> bool:

@@ -28,7 +28,7 @@ from planar_cli.report.counted import as_vector
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
-from planar_cli.report.ties import tie_words
+from planar_cli.report.ties import swings, tie_words
 from planar_cli.report.told import Across
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
@@ -90,7 +90,7 @@ class VectorTelling:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
             own = Name(f"{level[0]}_{index_of(joining.place)}")
-            words = tie_words(joining, level, self._called(joining), own, self.system)
+            words = tie_words(joining, level, self._called(joining), own, self.system, self.phrases)
             return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
         reach = self._reach(joining, level)
         known = projected(self, joining, w, level)
@@ -113,6 +113,11 @@ class VectorTelling:
         if j is None or j.path is None or j.base == GROUND or j.place not in self.system.scene.points:
             return None
         return (j.place, j.base) if self._symbol(j.base, "velocity") != 0 else None
+
+    def swings(self, w: Written) -> bool:
+        """Is it the acceleration along a tie whose ends differ by what was told before?"""
+        j = self._closure(w)
+        return j is not None and swings(j, self.system)
 
     def _closure(self, w: Written) -> Joining | None:
         if w.source != "closure":
