@@ -276,11 +276,13 @@ def standing(page: Page, answer: Told) -> str:
     """How an answer is derived: "full", "other" (a full line under another name), "short" (a line without formula or
     without numbers), "bare" (the number alone), "none".
     """
-    best = "none"
+    best, solved = "none", set[tuple[int, str]]()
     for r in page.of("equation"):
         if r.part > answer.part or len(r.sides) < 2 or r.lead == "given:":
             continue
-        best = min(best, _grade(r, answer), key=GRADES.index)
+        best = min(best, _grade(r, answer, (r.part, r.left) in solved), key=GRADES.index)
+        if len(r.sides) == 2 and symbols(r.sides[1]) and value_of(r.sides[1]) is None:
+            solved.add((r.part, r.left))
     return "full" if best == "none" and _by_components(page, answer) else best
 
 
@@ -296,7 +298,8 @@ def _by_components(page: Page, answer: Told) -> bool:
 GRADES = ("full", "other", "short", "bare", "none")
 
 
-def _grade(r: Row, answer: Told) -> str:
+def _grade(r: Row, answer: Told, solved: bool) -> str:
+    """`solved`: its formula stands on a line before."""
     left = r.left
     own = left in (answer.name, answer.letter, f"{answer.name}, x", f"{answer.name}, y") or base(left) == answer.name
     if along := re.fullmatch(r"(\S+) · [eu]′?", left):
@@ -312,7 +315,7 @@ def _grade(r: Row, answer: Told) -> str:
         return "none"
     if re.match(r"-?[\d(√]", left) or " " in left:
         return "none"
-    formula = any(symbols(side) and value_of(side) is None for side in r.sides[1:])
+    formula = solved or any(symbols(side) and value_of(side) is None for side in r.sides[1:])
     numbers = any(is_numbers(side) for side in r.sides[1:])
     single = len(r.sides) == 3 and formula and len(r.sides[1].split()) == 1
     if formula and (numbers or single):

@@ -48,6 +48,8 @@ class SolvingTelling:
         """Equations of forces that said at once that something is zero."""
         self._valued: set[sp.Symbol] = set()
         self._together: dict[sp.Symbol, tuple[int, ...]] = {}
+        self._solved: set[sp.Symbol] = set()
+        """What was solved in letters before it has its value."""
         self._inserted: dict[sp.Symbol, tuple[int, ...]] = {}
 
     def chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
@@ -172,12 +174,29 @@ class SolvingTelling:
                     parts += [", " if i else "", Math(s)]
             blocks.append(Paragraph(line(*parts, ":")))
             lines = [x for x in lines if not (x.letters and self._stands(x, block))]
+            lines = self._each_once(lines)
         merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
         return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
 
+    def _each_once(self, lines: Sequence[SolvedLine]) -> list[SolvedLine]:
+        """Without the formulas of what was solved in letters before: of that its numbers alone are new, or its closed
+        form.
+        """
+        before = {x.symbol: x.formula for x in lines if x.letters}
+        self._solved.update(x.symbol for x in lines if not x.letters and before.get(x.symbol) == x.formula)
+        again = [x for x in lines if x.symbol in before and not x.letters]
+        old = [x for x in again if self.phrases.symbolic and not self._is_constant(x.symbol)]
+        return [x for x in lines if x not in old or in_letters(x.formula, self.instant) is not None]
+
     def _stands(self, x: SolvedLine, block: SolvedBlock) -> bool:
-        """Does a line in letters stand as its equation already?"""
-        return any(w.number in x.equations and is_written(w, x, self.phrases) for w in block.equations)
+        """Does a line in letters stand as its equation already, be it with others that are then put in?"""
+        own = [w for w in block.equations if w.number in x.equations]
+        return any(is_written(w, x, self.phrases) or self._is_outright(w, x.symbol) for w in own)
+
+    def _is_outright(self, w: Written, symbol: sp.Symbol) -> bool:
+        """Does an equation stand as unknown = formula, whatever the formula?"""
+        either = [self.phrases.writer.sides(n * w.left, n * w.right, w.source == DIFFERENTIATED) for n in (1, -1)]
+        return any(symbol in sides and symbol not in sides[sides[0] == symbol].free_symbols for sides in either)
 
     def _is_repeated(self, x: SolvedLine, block: SolvedBlock) -> bool:
         """Does a result without numbers stand as a line, or as an equation, before?"""
@@ -257,6 +276,8 @@ class SolvingTelling:
             solution = self.numeric.solution(x, stage)
             quotient = self.numeric.quotient(x, stage) if solution else ()
             sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
+        if x.symbol in self._solved and len(sides) > 3:
+            sides = (sides[0], *sides[2:])
         return [
             *(() if put else self._values_of(sides, x, stage)),
             Equation(sides, None, lead),
