@@ -22,6 +22,7 @@ from planar_cli.motion.reduced import Reduced, told
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.routine import Routine, System, Unknowns, View
 from planar_cli.motion.scales import Scales
+from planar_cli.motion.sharing import Sharing, sharing
 from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.facts import Push, Wrench
@@ -124,10 +125,13 @@ class Regime:
         return self._forces(t, y)
 
     def watch(self, t: float, y: Sequence[float]) -> list[float]:
-        """The values of the guards: >= 0, or > 0, as long as the regime holds."""
+        """The values of the guards: >= 0, or > 0, as long as the regime holds. Forces that redundant constraints share
+        are taken as they hold best.
+        """
         if any(m.needs_forces for m in self.parts.measured):
             try:
-                return self._watch(t, y)
+                values = self._watch(t, y)
+                return values if self._sharing is None else self._sharing.best(t, y, values)
             except OUTSIDE:
                 # Beyond the end of a free part of a rope nothing but that is looked at.
                 values = self._lengths(t, y)
@@ -234,6 +238,14 @@ class Regime:
     def shared(self) -> frozenset[str]:
         """Joints whose forces are not unique, as redundant constraints share them."""
         return frozenset(p.joint for p in self.reactions if p.name in self.indeterminate)
+
+    @cached_property
+    def _sharing(self) -> Sharing | None:
+        """How redundant constraints may share their forces; None where these are unique."""
+        if not self.parts.independent.open:
+            return None
+        held, measured = self.parts.held, self.parts.measured
+        return sharing(self.layout, held, self._driving(), measured, self.parts.scales.length)
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
