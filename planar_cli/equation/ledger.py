@@ -194,6 +194,13 @@ class Ledger:
         self.titles[symbol] = title
         return symbol
 
+    def known_letters(self) -> set[sp.Symbol]:
+        """What the file gives: letters without a number, letters with one, and what is a formula of these."""
+        known = set(self.letters)
+        while new := {s for s, e in self.values.items() if s not in known and e.free_symbols <= known}:
+            known |= new
+        return known
+
     def behind(self, symbol: sp.Symbol) -> sp.Expr:
         """The formula of a named intermediate, or of a constant that is given by one; of others the symbol itself."""
         return sp.sympify(self.definitions.get(symbol, self.values.get(symbol, symbol)))

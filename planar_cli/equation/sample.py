@@ -20,8 +20,10 @@ APART = 17
 
 
 _WIDE = ContextVar("wide", default=False)
-NEAR, WIDE = 6, 18
-"""So many draws of letters of like size are looked at, and so many of all sizes, where something more is asked."""
+NEAR, WIDE, FURTHER = 6, 18, 48
+"""So many draws of letters of like size are looked at, and so many of all sizes, where something more is asked; and so
+many again of like size.
+"""
 
 
 @contextmanager
@@ -45,6 +47,12 @@ def other_draws() -> tuple[tuple[int, bool], ...]:
     own = _SEED.get()
     near = [(own + APART * k, False) for k in range(1, NEAR)]
     return ((own, _WIDE.get()), *near, *((own + APART * k, True) for k in range(NEAR, NEAR + WIDE)))
+
+
+def further_draws() -> tuple[tuple[int, bool], ...]:
+    """More draws of letters of like size, where looking at one costs little: of a window that few of them meet."""
+    begun = NEAR + WIDE
+    return tuple((_SEED.get() + APART * k, False) for k in range(begun, begun + FURTHER))
 
 
 def generator(stream: int = 0) -> random.Random:

@@ -65,7 +65,7 @@ def _in_words(expr: sp.Expr) -> bool:
 def _under_roots(part: PartSolution) -> Iterator[sp.Expr]:
     """What stands under a root in an answer in letters, and is negative for some of them: there is no such motion."""
     scene = part.instants[0].instant.scene
-    letters = set(scene.ledger.letters)
+    letters = scene.ledger.known_letters()
     for answer in (e for f in part.found if f.values is None and f.curve is None for e in f.expressions or ()):
         roots = sorted((p for p in answer.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2), key=sp.default_sort_key)
         told = [p.base for p in roots if p.base.free_symbols <= letters and not longer(p.base, LONGEST)]

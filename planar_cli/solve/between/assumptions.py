@@ -28,12 +28,13 @@ def presumed(found: SolvedMotion, routes: Iterable[Route]) -> tuple[sp.Expr, ...
     blows = tuple(found.course.blows.values())
     signs = [e for blow in blows for e in _approaches(blow)]
     limits = (e for blow in blows for e in _limits(found, blow, in_letters))
+    letters = scene.ledger.known_letters()
     open_ = [e for e in (*map(in_letters, signs), *limits) if e.free_symbols]
     for expr in (e if (found.value.known(e) or 0) > 0 else -e for e in open_):
-        told += [without_factors(scene, expr)] if expr.free_symbols <= set(scene.ledger.letters) else []
+        told += [without_factors(scene, expr)] if expr.free_symbols <= letters else []
     named = periods_asked(found.course)
     squares = [s.square for s in found.oscillations if s.single and s.stop.name in named]
-    told += [e for e in squares if e.free_symbols and e.free_symbols <= set(scene.ledger.letters)]
+    told += [e for e in squares if e.free_symbols and e.free_symbols <= letters]
     return tuple(scene.not_always_positive(told))
 
 
@@ -45,7 +46,7 @@ def _limits(found: SolvedMotion, blow: Blow, in_letters: Callable[[sp.Expr], sp.
     data = [e for e in found.course.equations if limits and e.kind in DATA and e.stop == blow.since.name]
     blows = [e for e in blow.equations if limits and e.kind == "blow"]
     residuals = [in_letters(e.residual) for e in (*data, *blows)]
-    known, told = set(found.course.scene.ledger.letters), dict[sp.Symbol, sp.Expr]()
+    known, told = found.course.scene.ledger.known_letters(), dict[sp.Symbol, sp.Expr]()
     grows = True
     while grows:
         grows = False

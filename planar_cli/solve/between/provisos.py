@@ -55,7 +55,7 @@ def course_provisos(found: SolvedMotion, way: Callable[[list[sp.Symbol]], Route]
     if not wanted:
         return ()
     route = way(sorted(wanted, key=lambda s: s.name))
-    letters = set(course.scene.ledger.letters)
+    letters = course.scene.ledger.known_letters()
     open_: dict[sp.Expr, str] = {}
     ways: list[tuple[str, list[sp.Expr]]] = []
     for kept in told:

@@ -24,12 +24,20 @@ SAMPLES, CLOSER = 60, 5
 ROOTS = 20
 LOOKED = 3_000
 """A relation is evaluated so often to tell when it holds alone."""
+IN_LETTERS = (
+    "with none of the sizes that were tried for the letters does the motion get there; say under `assume` for which "
+    "letters it does"
+)
 BEFORE = 1e-6
 """What happens within this part of a stretch before its end happens at its end."""
 
 
 def how_near(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:
-    """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
+    """How near the motion comes, whether the relations hold one by one, or before the states that stand before. In
+    letters no number of it says anything.
+    """
+    if course.symbolic:
+        return IN_LETTERS
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
     reader = _reader(course, followed, value)
     for segment in followed.segments:
@@ -157,10 +165,12 @@ def _common(
 
 
 def apart_by(course: RegimeSequence, demand: Demand, number: Decimal) -> str:
-    """By how much the sides of a relation differ, in its own unit; "" for what has no two sides, or squares of them."""
+    """By how much the sides of a relation differ, in its own unit; "" for what has no two sides, or squares of them,
+    and in letters, where the number is a drawn one.
+    """
     stated = (s for state in course.problem.states if state.name == demand.state for s in state.relations)
     relation = next((r for r in stated if isinstance(r, Relation) and r.mark == demand.mark), None)
-    if relation is None or has_magnitude(relation):
+    if relation is None or has_magnitude(relation) or course.problem.symbols:
         return ""
     unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
     return f"the sides differ by {in_unit(abs(number), unit, course.problem.us)}"

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.equation.sample import other_draws, seeded
+from planar_cli.equation.sample import further_draws, other_draws, seeded
 from planar_cli.equation.setup import numbers_of
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.following.traced import Traced, as_told
@@ -42,7 +42,7 @@ def fitting_draws(problem: Problem, earlier: Mapping[str, Any]) -> tuple[int, bo
     """A seed whose draws let the motion pass all states, and whether it draws widely; the present one where none does,
     or nothing is drawn.
     """
-    own, *others = other_draws()
+    own, *others = (*other_draws(), *further_draws())
     if not problem.symbols or problem.unknowns or not problem.states[1:]:
         return own
     steps = 0

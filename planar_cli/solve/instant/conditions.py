@@ -68,7 +68,7 @@ def _doubtful(scene: Any, told: list[tuple[sp.Expr, str]], formulas: Formulas) -
     """Those that are negative for some letters, without factors that are positive for all."""
     if not told:
         return ()
-    letters = set(scene.ledger.letters)
+    letters = scene.ledger.known_letters()
     found: dict[sp.Expr, str] = {}
     for expr, (_, words) in zip(formulas([e for e, _ in told]), told, strict=True):
         if expr.free_symbols and expr.free_symbols <= letters:
