@@ -6,9 +6,10 @@ from decimal import Decimal
 
 import pytest
 import sympy as sp
-from answered import Answers, assert_close, first
+from answered import Answers, assert_close, first, solve
 
 from planar_cli.equation.exact import PI, Valuation
+from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -156,3 +157,22 @@ def test_what_is_integrated_in_numbers_was_given() -> None:
     _, page = told(WHEEL.format(states="3: [omega(wheel) = 0]", find="flat: omega(AB) @ 3"))
     assert "is integrated numerically" in page
     assert "g = 9.81 m/s²; B(0, R)" in page
+
+
+# A ladder that only leans on the wall leaves it, as its foot is held back by the wheel: 149.3° here, before 150°.
+LEANING = WHEEL.replace("guide: {{point: A, along: 90 deg}}", "contact: {{between: [AB, wall], at: A, mu: 0}}").replace(
+    "surfaces:", "surfaces:\n  wall: {{through: A, angle: 90 deg}}"
+)
+
+
+def test_a_rod_that_leaves_the_wall_is_solved_beyond_it() -> None:
+    found = solve(LEANING.format(states="2: [theta(AB) = 150 deg]", find="omega: omega(AB) @ 2"))
+    assert_close(found["omega"], "2.5544103213", 9)  # followed in numbers to eleven digits
+
+
+def test_energy_alone_does_not_reach_beyond_the_wall() -> None:
+    text = LEANING.format(states="3: [theta(AB) = 180 deg]", find="omega: omega(AB) @ 3, v_B: v(B).x @ 3")
+    with pytest.raises(FileProblem) as refused:
+        solve(text.replace("states:", "method: energy\nstates:"))
+    said = refused.value.diagnostics[0].message
+    assert said.startswith("AB at A lifts off on the way, and from there on method energy gives one equation for ")

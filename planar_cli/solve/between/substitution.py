@@ -11,10 +11,13 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.solve.between.trace import Result
 
+LONGEST = 120
+"""Of a longer equation no square is put into another: no root of what comes of it has a closed form."""
+
 
 def square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
     """What stands without x and with its square, if there is nothing else."""
-    if not residual.is_polynomial(x):
+    if longer(residual, LONGEST) or not residual.is_polynomial(x):
         return None
     found = {m[0]: c for m, c in sp.Poly(residual, x).terms()}
     return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None

@@ -27,7 +27,7 @@ def by_method_alone(course: MotionEquations, missing: Sequence[sp.Symbol], allow
     if not one or len(titles) < len(missing):
         return not_reached(problem.method, [s.name.replace("__", "_") for s in missing], mark)
     state = next(e.stop for e in one)
-    text = f"method {problem.method} gives one equation for {listed(titles)}"
+    text = f"{_parted(course)}method {problem.method} gives one equation for {listed(titles)}"
     points = {title.split(" in state ")[0].partition(" of ")[2].partition(" of ")[2] for title in titles}
     asked = [n for f in problem.find for n in walk(f.found.what) if isinstance(n, Quantity) and n.word == "v"]
     if len(points) == 1 and points != {""} and asked and len(asked[0].things) == 1:
@@ -36,6 +36,13 @@ def by_method_alone(course: MotionEquations, missing: Sequence[sp.Symbol], allow
     else:
         say = f"say one of them in state {state}"
     return refuse(mark, "PL570", text, f"{say}; or leave `method` out: then the laws are taken that tell it")
+
+
+def _parted(course: MotionEquations) -> str:
+    """What parts on the way and lets the bodies move apart: why one equation is too few."""
+    begins = {p.words for p in course.regimes[0].general.parted}
+    words = dict.fromkeys(p.words for r in course.regimes for p in r.general.parted if p.words not in begins)
+    return f"{listed(list(words))} on the way, and from there on " if words else ""
 
 
 def that_tell(course: MotionEquations, needed: set[sp.Symbol], related: Sequence[Branch]) -> list[Branch]:
