@@ -51,7 +51,7 @@ def test_about_a_point_of_contact_the_acceleration_of_the_mass_centre_has_a_mome
 
 def test_about_a_pivot_one_moment_of_inertia_is_enough() -> None:
     page = _page("textbook/ex-4-06")
-    assert "rod turns about A:   a_G = -1/4 L α" in page
+    assert "rod turns about A:   a_G = 1/4 L α" in page
     assert "1/4 m g L = I_A α" in page
 
 

@@ -18,8 +18,8 @@ def page(stem: str) -> str:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-4-06", ["I_A = m (L/4)² + I = 7/48 m L²", "(2): α = m g L/(4 I_A) = 12 g/(7 L)", "a_G = -1/4 L α = -3 g/7",
-                 "(3): A_y = m (g + a_G) = 4/7 m g Answer"]),
+    ("ex-4-06", ["I_A = m (L/4)² + I = 7/48 m L²", "(2): α = m g L/(4 I_A) = 12 g/(7 L)", "a_G = 1/4 L α = 3 g/7",
+                 "(3): A_y = m (g - a_G) = 4/7 m g Answer"]),
     ("ex-4-04", ["α = m g L / (8 (1/32 m L² + I)) = 12 g/(11 L) (2): T", "= 4 √2/11 m g Answer"]),
     ("ring-on-a-pin", ["I_O = m R² + I_G = 2 m R²", "α = m g R/I_O = g/(2 R)"]),
 ])  # fmt: skip
@@ -34,7 +34,7 @@ def test_a_long_formula_is_not_told_twice() -> None:
 
 
 def test_a_reaction_along_which_nothing_acts_is_zero() -> None:
-    assert "rod: (3) ↑ ΣF_y: A_y - m g = m a_G → ΣF_x: A_x = 0 STEP 3" in page("ex-4-06")
+    assert "rod: (3) ↓ ΣF_y: m g - A_y = m a_G → ΣF_x: A_x = 0 STEP 3" in page("ex-4-06")
     assert "O_x = 0" not in page("ex-4-09"), "nothing asks for the force of this pin"
     assert "so that" not in page("ring-on-a-pin")
 

@@ -80,3 +80,11 @@ def test_a_case_counts_as_the_file_did_where_its_own_sense_is_open() -> None:
     page = _page("rigid-bodies/ball-pushed-without-friction")
     assert "↺" not in page
     assert "↻ ΣM_G: F (h - R) = I_G α" in page.split("CASE")[1]
+
+
+@pytest.mark.parametrize("stem", ["textbook/ex-4-06", "rigid-bodies/half-disk-swinging"])
+def test_a_mass_centre_that_swings_down_counts_downward(stem: str) -> None:
+    """From rest its weight alone moves it."""
+    page = _page(stem)
+    assert "= m a_G ↓ at G" in page
+    assert "↓ ΣF_y: m g - " in page

@@ -50,6 +50,8 @@ def with_known_turns(
     # Where the sense rests on what is sought, it counts as it did in the part of the file that was told before.
     if turning - {0} == {-1} or (None in turning and body in scene.problem.clockwise):
         builder.clockwise = frozenset((body,))
+    if turning - {0} in ({1}, {-1}):
+        builder.known_senses = frozenset((body,))
     return builder
 
 

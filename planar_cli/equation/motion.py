@@ -107,6 +107,8 @@ class TreeBuilder:
         self.components, self.heading = components or {}, heading
         self.clockwise: frozenset[str] = frozenset()
         """Bodies whose angular velocities count clockwise where they hang on the tree."""
+        self.known_senses: frozenset[str] = frozenset()
+        """Bodies that are known to begin to turn in the sense in which their angular velocities count."""
         self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 

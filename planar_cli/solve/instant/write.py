@@ -22,6 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
+from planar_cli.solve.instant.evident_sense import in_its_sense, with_the_motion
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
@@ -130,7 +131,7 @@ class Writer:
         axes = [(Vec(sp.S.One, sp.S.Zero), x, "x"), (Vec(sp.S.Zero, sp.S.One), y, "y")]
         axes = [axis for axis in axes if axis[1] != 0]
         if len(axes) == 1:
-            return [(axes[0][0], self._component(body, axes[0][1], ""))]
+            return [in_its_sense(self.system, body, axes[0][:2], self._component)]
         for tangent in self.system.straight_ways(body):
             if self.vanishes(a.cross(tangent)):
                 return [(tangent, self._component(body, self._along(a, tangent), ""))]
@@ -215,9 +216,8 @@ class Writer:
     def _single(self, single: Single) -> Written:
         """An equation that a principle offers as a whole; premises too long to read are left out."""
         left, right = (self._one_side(e) for e in (single.left, single.right))
-        premises = tuple(p for p in single.premises if not longer(p.formula, MOST_READ))
-        number, lead, words = self.number(), single.lead, single.words
-        return Written(number, "single", (), lead, words, left, right, "kinetics", premises=premises)
+        read = tuple(p for p in single.premises if not longer(p.formula, MOST_READ))
+        return Written(self.number(), "single", (), single.lead, single.words, left, right, "kinetics", premises=read)
 
     def _one_side(self, expr: sp.Expr) -> sp.Expr:
         """With short coefficients, without unknowns of which it is free."""
@@ -227,7 +227,7 @@ class Writer:
         return sp.Add(*terms, sp.S.Zero if self.vanishes(constant) else self.shortened(constant))
 
     def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
-        d = choice.vector
+        d = with_the_motion(self.system, choice.vector, bodies, self.acceleration)
         left = self._loads(bodies, lambda point, force, couple: force.dot(d) if force is not None else sp.S.Zero)
         right = []
         for body in bodies:

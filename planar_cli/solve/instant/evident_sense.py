@@ -1,0 +1,42 @@
+"""Accelerations counted the way in which a mass centre is known to go: downward where a rod that is let go swings down.
+
+Which way the one body of a scene begins to turn is told by its loads; its mass centre goes the same way about the point
+that holds it. An acceleration that the file asks for counts as it is asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from planar_cli.equation.system import System
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.walk import walk
+
+
+def in_its_sense(
+    system: System, body: str, part: tuple[Vec, sp.Expr], called: Callable[[str, sp.Expr, str], sp.Expr]
+) -> tuple[Vec, sp.Expr]:
+    """An axis and what the component along it is called, both turned round where the body goes against the axis."""
+    axis, component = part
+    known = body in system.builder.known_senses and not _is_asked(system)
+    if known and not component.is_Add and component.could_extract_minus_sign():
+        return -axis, called(body, -component, "")
+    return axis, called(body, component, "")
+
+
+def with_the_motion(
+    system: System, axis: Vec, bodies: tuple[str, ...], acceleration: Callable[[str], list[tuple[Vec, sp.Expr]]]
+) -> Vec:
+    """The axis along which the forces on bodies are summed, turned round where the acceleration of all that moves is
+    counted against it.
+    """
+    ways = [way for b in bodies if system.scene.bodies[b].mass != 0 for way, _ in acceleration(b)]
+    return -axis if ways and all(way == -axis for way in ways) else axis
+
+
+def _is_asked(system: System) -> bool:
+    sides = [f.found.what for f in system.scene.problem.find]
+    return any(isinstance(node, Quantity) and node.word == "a" for side in sides for node in walk(side))
