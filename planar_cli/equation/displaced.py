@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.equation.curves import curve_place
 from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
 from planar_cli.equation.expansion import expanded
+from planar_cli.equation.line_of_centres import line_of_centres
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
@@ -52,7 +53,7 @@ class Displacer:
 
     def run(self) -> Displacement:
         """All bodies in the order of the tree, then the points of contact."""
-        self.formula |= {e.body for e in self.tree.edges if self._on_fixed_pin(e) and self._turned_by_points(e.body)}
+        self.formula |= {e.body for e in self.tree.edges if e.on_fixed_pin and self._turned_by_points(e.body)}
         for edge in self.tree.edges:
             self._place(edge)
         return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula, self.tree.clockwise)
@@ -109,7 +110,12 @@ class Displacer:
         if edge.spin is None:
             turn = ZERO if edge.particle else self.poses[edge.parent].turn
             return (body.theta, body.theta + turn) if turn != 0 else (ZERO, ZERO)
-        name = "theta" if sum(e.spin is not None for e in self.tree.edges) == 1 else f"theta_{edge.body}"
+        alone = sum(e.spin is not None for e in self.tree.edges) == 1
+        surface = "" if edge.joining is None else self.surface_of(edge.joining.joint)
+        if (line := line_of_centres(self.scene, edge, surface, alone)) is not None:
+            told = (line.drawn, edge.spin, line.ratio * edge.turn, line.words, edge.body)
+            return body.theta, body.theta + (self._coordinate(line.name, "rad", *told) - line.drawn) / line.ratio
+        name = "theta" if alone else f"theta_{edge.body}"
         own = (body.theta * edge.turn, edge.spin, sp.S.One, f"angle of {edge.body}", edge.body, True)
         return body.theta, self._coordinate(name, "rad", *own) * edge.turn
 
@@ -126,13 +132,6 @@ class Displacer:
             return Pose(body.center, center, body.theta, body.theta)
         before, now = self._angle(edge)
         return Pose(body.center, center, before, now)
-
-    @staticmethod
-    def _on_fixed_pin(edge: Edge) -> bool:
-        """Does the body only turn about a fixed point?"""
-        joining = edge.joining
-        fixed = joining is not None and joining.path is None and joining.rolling is None and joining.drift is None
-        return fixed and edge.parent == GROUND
 
     def _turned_by_points(self, name: str) -> bool:
         """Does the file place another point of the body as its angle grows?"""

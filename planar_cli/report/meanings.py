@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.line_of_centres import VERTICAL
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
@@ -83,6 +84,8 @@ def _meaning(c: Coordinate, scene: Scene, turn: int) -> str:
         if c.body not in (place, scene.owner(place)):
             return ""
         return f"the angle of the radius to {place} from the x axis, counterclockwise"
+    if c.words.endswith(VERTICAL):
+        return f"the {c.words}, counterclockwise"
     if c.words.startswith(WAY):
         return f"the {c.words}, from where it is drawn"
     if c.words != f"{TURNS}{c.body}":
