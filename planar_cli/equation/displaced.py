@@ -53,7 +53,8 @@ class Displacer:
 
     def run(self) -> Displacement:
         """All bodies in the order of the tree, then the points of contact."""
-        self.formula |= {e.body for e in self.tree.edges if e.on_fixed_pin and self._turned_by_points(e.body)}
+        pinned = (e for e in self.tree.edges if e.parent == GROUND and e.joining is not None and e.joining.only_turns)
+        self.formula |= {e.body for e in pinned if self._turned_by_points(e.body)}
         for edge in self.tree.edges:
             self._place(edge)
         return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula, self.tree.clockwise)

@@ -65,13 +65,6 @@ class Edge:
     components: Components | None = None
     turn: int = 1
 
-    @property
-    def on_fixed_pin(self) -> bool:
-        """Does the body only turn about a fixed point?"""
-        j = self.joining
-        fixed = j is not None and j.path is None and j.rolling is None and j.drift is None
-        return fixed and self.parent == GROUND
-
 
 @record
 class Tree:

@@ -67,6 +67,11 @@ class Joining:
     keeps: bool = False
     far: str = ""
 
+    @property
+    def only_turns(self) -> bool:
+        """Do the bodies turn about one point of both?"""
+        return self.path is None and self.rolling is None and self.drift is None
+
 
 @record
 class Pull:
