@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.plain import derivative, longer
-from planar_cli.report.as_stated import Stated, root_of_size
+from planar_cli.problem.expression import Relation as RelationOfFile
+from planar_cli.report.as_stated import Stated, in_base, root_of_size, stated_in
 from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
-from planar_cli.report.clean import is_clean
+from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.driving_speed import by_driving_speed
 from planar_cli.report.names import plain_name
 from planar_cli.report.origins import head, sides_of
+from planar_cli.report.sides import number_of, said
 from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep
 from planar_cli.solve.law import IN_THE_END
 
+FEW_LETTERS, SAME = 8, Decimal("1e-20")
 FEW, SHORT = 2, 24
 """Letters of a condition that only gives a value, and operations of a side that is printed."""
 
@@ -81,3 +85,28 @@ def followed_from(
     plain = derivative(e.residual, r.unknown).is_number
     if not plain and not any(longer(side, SHORT) for side in sides) and is_clean(found.ledger, *sides):
         yield Equation(tuple(phrases[0].math(side) for side in sides))
+
+
+def given_by_another(e: Relation, r: Result, found: MotionTrace, phrases: tuple[Phrases, Phrases]) -> Iterator[Block]:
+    """What the file gives of a state, by the letter that follows from it: v_Ax = -r ω_1 = -0.1 m/s. Nothing where this
+    letter itself is given, or more letters of the state stand in it. `phrases`: of the motion, and of what has numbers.
+    """
+    stated = stated_in(found.problem, e.stop, e.words)
+    number = number_of(stated.right) if isinstance(stated, RelationOfFile) and stated.operator == "=" else None
+    value = in_base(number, found.ledger.us)
+    if not isinstance(stated, RelationOfFile) or value is None or r.formula is None or r.formula.is_Symbol:
+        return
+    residual = e.residual.xreplace(dict(found.route.plain))
+    known = sp.Add(*(t for t in sp.Add.make_args(residual) if t.is_number))
+    size = abs(phrases[1].value(known)) if known != 0 else None
+    others = {s for s in residual.free_symbols if s in found.general} - {r.unknown}
+    if size is None or others or r.formula.is_number or residual.has(sp.Abs, sp.atan2):
+        return
+    if abs(size - abs(value)) > SAME * size:
+        return
+    expr = (residual - known) * (-1 if (known > 0) == (value > 0) else 1)
+    dimension = common_dimension(found.ledger, expr)
+    if dimension is None or longer(expr, FEW_LETTERS) or not (name := said(stated.left, 1)):
+        return
+    shown = phrases[1].of_dimension(value, dimension)
+    yield Equation((line(*name), phrases[0].math(expr), shown), None, line(at(e.stop)))

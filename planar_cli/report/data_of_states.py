@@ -8,7 +8,7 @@ from typing import Any
 from planar_cli.problem.expression import Relation
 from planar_cli.report.as_stated import Stated, between, gives, stated_in
 from planar_cli.report.blocks import Block, Equation, Name, line
-from planar_cli.report.conditions_of_states import condition_blocks, followed_from
+from planar_cli.report.conditions_of_states import condition_blocks, followed_from, given_by_another
 from planar_cli.report.names import plain_name
 from planar_cli.report.origins import known_from
 from planar_cli.report.sides import said
@@ -39,6 +39,10 @@ def datum_blocks(
         if headed and len(sides) == 2 and _is_repeated(stated, r):
             continue
         if stated is None or gives(stated, r.value, phrases[1]):
+            another = list(given_by_another(e, r, found, phrases)) if e.kind == "given" and stated is None else []
+            if another:
+                yield from (*another, Equation(sides))
+                continue
             yield Equation(sides, None, line(at(e.stop, known_from(e, r))))
             continue
         component = bool(middle)

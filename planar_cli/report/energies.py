@@ -45,8 +45,7 @@ from planar_cli.units import (
     pretty_unit,
 )
 
-FEW = 8
-"""With more operations a speed is told in numbers."""
+FEW = 8  # With more operations a speed is told in numbers.
 UNITS = {"v": ("m/s", VELOCITY), "omega": ("rad/s", RATE)}
 
 
@@ -255,8 +254,8 @@ class EnergyTelling(EnergyPieces):
         storages = self.balance.parts.storages if self.balance.parts is not None else ()
         made = next((s for s in storages if s.words == words), None)
         if made is None or (made.power == 2 and self._at_sight(made, put)):
-            own = words if made is None else ""
-            yield self._line(lead, *work_integral(self.balance, own, self.plain, self.phrases), *self._chain(put))
+            whole = () if made is not None else work_integral(self.balance, words, self.plain, self.phrases)
+            yield self._line(lead, *whole, *self._chain(put))
         elif made.power == 1:
             yield from self._weight(made, put, lead)
         else:
@@ -264,7 +263,7 @@ class EnergyTelling(EnergyPieces):
 
     def _at_sight(self, made: Storage, put: sp.Expr) -> bool:
         """Is a spring at its own length in one state, and its stretch in the other a letter or a difference of two?"""
-        ends = [self._put(e) for e in (made.first, made.last)]
+        ends = [self._put(made.first), self._put(made.last)]
         return self._short(put) and sp.S.Zero in ends and not any(longer(e, 1) or e.is_number for e in ends if e != 0)
 
     def _weight(self, made: Storage, put: sp.Expr, lead: Line) -> Iterator[Block]:
