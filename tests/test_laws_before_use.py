@@ -45,3 +45,10 @@ def test_a_force_that_stays_the_same_needs_no_integral() -> None:
 
 def test_a_datum_of_another_quantity_has_its_relation() -> None:
     assert "At 1: v_Ax = -r_h ω_1 = -0.1 m/s ω_1 = 0.1/0.3" in page_of_file("ex-1-10")
+
+
+def test_the_size_and_angle_of_a_vector_in_letters_have_lines() -> None:
+    page = page_of_file("ex-1-02")
+    assert "|r_A2_from_A| = 1/2 r √((√3 - 1)² + (1 + √3)²) = √2 r" in page
+    assert "direction of r_A2_from_A = arctan(2 + √3) = 75°" in page
+    assert "|r_B2_from_B|" not in page

@@ -6,7 +6,9 @@ r_B/A = [1/2 (√3 - 1) r, -1/2 (1 + √3) r], that is √2 r at 75.0° below +x
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from decimal import Decimal
 
 import sympy as sp
 
@@ -15,13 +17,15 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Line, line
+from planar_cli.report.blocks import Block, Equation, Line, Name, Value, line
 from planar_cli.report.numbers import vector_words
 from planar_cli.report.swallowed import swallowed
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
+OF_ANGLES = 3
+"""Figures of a direction, as the answer has them."""
 SHORT = 8
 """A size, or a component of a unit vector, of more operations says nothing at sight."""
 
@@ -33,15 +37,10 @@ def letter_vector_words(found: Found, part: PartSolution, phrases: Phrases) -> L
         return ()
     if not isinstance(what, Quantity) or what.parts or not _has_direction(what) or not part.instants:
         return ()
-    x, y = found.expressions or ()
-    if x == 0 or y == 0:
+    parts = _size_and_unit(found)
+    if parts is None:
         return ()
-    size = simplified(sp.sqrt(simplified(x**2 + y**2)))
-    if size.has(sp.Abs) or any(p.base.is_Add for p in size.atoms(sp.Pow) if not p.exp.is_Integer):
-        return ()
-    unit = Vec(simplified(x / size), simplified(y / size))
-    if size.is_number or any(longer(e, SHORT) for e in (size, unit.x, unit.y)):
-        return ()
+    size, unit = parts
     head = line(", that is ", swallowed(size, found, phrases.ledger, phrases.figures) or phrases.math(size))
     if unit.x.is_number and unit.y.is_number:
         words = vector_words(phrases.certain(unit.x), phrases.certain(unit.y)) if size.is_positive else ""
@@ -50,6 +49,38 @@ def letter_vector_words(found: Found, part: PartSolution, phrases: Phrases) -> L
     scene = part.instants[-1].instant.scene
     towards = next(_ends(what.things[0], unit, scene), "") if part.motion is None else ""
     return line(*head, *along, f", {towards}" if towards else "")
+
+
+def _size_and_unit(found: Found) -> tuple[sp.Expr, Vec] | None:
+    """The size of a vector in letters and its unit vector; None: the size is no product, or one component is zero."""
+    x, y = found.expressions or ()
+    if x == 0 or y == 0:
+        return None
+    size = simplified(sp.sqrt(simplified(x**2 + y**2)))
+    if size.has(sp.Abs) or any(p.base.is_Add for p in size.atoms(sp.Pow) if not p.exp.is_Integer):
+        return None
+    unit = Vec(simplified(x / size), simplified(y / size))
+    return None if size.is_number or any(longer(e, SHORT) for e in (size, unit.x, unit.y)) else (size, unit)
+
+
+def letter_size_and_angle(found: Found, phrases: Phrases) -> Iterator[Block]:
+    """√(x² + y²), and arctan(y/x) where that is a number; nothing of a vector along an axis, or of another size."""
+    what = found.find.found.what if found.find is not None else None
+    plain = found.kind == "vector" and found.values is None and len(found.expressions or ()) == 2
+    if not plain or not isinstance(what, Quantity) or what.parts or not _has_direction(what):
+        return
+    parts = _size_and_unit(found)
+    if parts is None or not (parts[1].x.is_number and parts[1].y.is_number and parts[0].is_positive):
+        return
+    (x, y), name = found.expressions or (), Name(found.name)
+    cosine, sine = (phrases.certain(p) for p in (parts[1].x, parts[1].y))
+    root = sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False)
+    yield Equation((line("|", name, "|"), phrases.math(root), phrases.math(parts[0])))
+    angle = Value(Decimal(math.degrees(math.atan(abs(sine) / abs(cosine)))), "deg", OF_ANGLES)
+    slope = simplified(abs(y / x))
+    where = f"{'above' if sine > 0 else 'below'} {'+x' if cosine > 0 else '-x'}"
+    sides = (line("direction of ", name), line("arctan(", phrases.math(slope), ")"), angle)
+    yield Equation(sides, None, note=line(where))
 
 
 def _has_direction(q: Quantity) -> bool:

@@ -15,6 +15,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.letter_vectors import letter_size_and_angle
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases, told_unit
@@ -31,9 +32,13 @@ OF_ANGLES = 3
 def with_size_and_angle(blocks: Sequence[Block], found: Iterable[Found], phrases: Phrases) -> list[Block]:
     """The blocks of a part, with the size and the direction of each vector after its components."""
     told = list(blocks)
+    lettered: list[tuple[sp.Expr, ...]] = []
     for one in found:
         place, name = _components(told, one, phrases)
         lines = list(size_and_angle(one, phrases, told, name))
+        if (one.expressions or ()) not in lettered:
+            lines += letter_size_and_angle(one, phrases)
+            lettered.append(one.expressions or ())
         told[place:place] = lines
     return told
 
