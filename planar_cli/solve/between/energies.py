@@ -23,7 +23,7 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
     if not b.law.moving:
         return None
     acting = _acting(course, b)
-    own = (m if m.why else replace(m, why=_centre(m, acting[-1], b.stop, value)) for m in b.law.moving)
+    own = (m if m.why else replace(m, why=centre_of(m, acting[-1], b.stop, value)) for m in b.law.moving)
     moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in own)
     found = []
     for words, brought in b.brought:
@@ -42,7 +42,7 @@ def _acting(course: StatedMotion, b: StateBalance) -> tuple[Regime, ...]:
     return tuple(course.regimes[names.index(b.since.name) : names.index(b.stop.name)])
 
 
-def _centre(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
+def centre_of(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
     """The point of a turning body that is at rest in the state, in words; "": it has none, or does not turn there."""
     system = regime.general.trial.system
     motion, scene = system.motion, system.scene

@@ -171,7 +171,7 @@ def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Rou
     """One regime. `routes`: what rests on it; none: all of it is told."""
     course = motion.course
     asked = asked_at(course, motion.finds, instant)
-    wanted, resting = wanted_of(course, routes, instant, asked) if routes else (None, None)
+    wanted, resting = wanted_of(course, routes, instant, asked, motion.value) if routes else (None, None)
     # A state that is never reached is none of these: what goes towards it goes on without end.
     names = [*(s.name for s in course.states), ""]
     spans = zip(pairwise(names), course.regimes, strict=False)

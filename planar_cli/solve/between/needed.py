@@ -6,10 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import are_zero
+from planar_cli.principles.base import Balance
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.energies import centre_of
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
@@ -17,6 +20,7 @@ from planar_cli.solve.instant.written import Written
 from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.regimes.timeline import Stop
 from planar_cli.solve.solution import InstantSolution
 
 AXES = ("x", "y")
@@ -25,10 +29,10 @@ Asked = Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
 
 
 def wanted_of(
-    course: StatedMotion, routes: Iterable[Route], instant: InstantSolution, asked: Asked
+    course: StatedMotion, routes: Iterable[Route], instant: InstantSolution, asked: Asked, value: Valuation
 ) -> tuple[frozenset[str] | None, frozenset[str] | None]:
     """Names of unknowns of a general position on which routes and finds rest, and those on which anything but finds
-    at states does; None: all of them.
+    at states does; None: all of them. `value`: numbers of everything.
     """
     regime = _regime(course, instant)
     if regime is None:
@@ -56,7 +60,7 @@ def wanted_of(
         if isinstance(e.source, tuple) and (blow := e.source[0]).before is regime:
             names |= _carried(regime, blow, e.source[1])
         if isinstance(e.source, StateBalance):
-            parts = _parts(course, regime, e.source, way.formulas)
+            parts = _parts(course, regime, e.source, way.formulas, value)
             names |= {s.name for x in parts for s in x.free_symbols & known}
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
@@ -146,8 +150,20 @@ def _of_turnings(course: StatedMotion, regime: Regime) -> set[str]:
     return {symbols[name].name for name in pushes if name in symbols}
 
 
+def _kinetic(balance: Balance, regime: Regime, stop: Stop, value: Valuation) -> Iterator[sp.Expr]:
+    """What tells the amounts of a balance: of a body about whose instantaneous centre its energy is told, only how it
+    turns.
+    """
+    led = {m.body: m.omega for m in balance.moving if not m.why and centre_of(m, regime, stop, value)}
+    yield from (led.get(body, amount) for body, amount in balance.amounts)
+
+
 def _parts(
-    course: StatedMotion, regime: Regime, source: StateBalance, formulas: Mapping[sp.Symbol, sp.Expr]
+    course: StatedMotion,
+    regime: Regime,
+    source: StateBalance,
+    formulas: Mapping[sp.Symbol, sp.Expr],
+    value: Valuation,
 ) -> Iterator[sp.Expr]:
     """What a balance takes from a regime: amounts where it ends there and they are not zero at both ends, and forces
     that do work or turn on the way.
@@ -163,5 +179,5 @@ def _parts(
         if offered.balance.bodies != source.law.bodies:
             continue
         if acting[-1] == last - 1 and not are_zero((source.before, source.after), formulas):
-            yield from (e for _, e in offered.balance.amounts)
+            yield from _kinetic(offered.balance, regime, source.stop, value)
         yield from (s.rate for s in offered.balance.sources if s.function is None)

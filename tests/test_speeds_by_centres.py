@@ -1,0 +1,17 @@
+"""A balance in which a body turns about its instantaneous centre needs no relation between velocities before it."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_no_step_of_velocities_that_nothing_uses() -> None:
+    page = page_of_file("ex-4-10")
+    assert "B is the instantaneous centre of AB" in page
+    assert "v_B = v_A + ω × r_B/A" not in page
+    assert "STEP 1 Work and energy" in page
+
+
+def test_a_relation_on_which_another_body_rests_stays() -> None:
+    """The slider has a speed of its own, which the energies need."""
+    assert "Velocities:" in page_of_file("slider-crank-with-a-spring")
