@@ -8,8 +8,8 @@ from worked import page_of_file
 
 @pytest.mark.parametrize(("stem", "lines"), [
     ("plate-with-a-hole", (
-        "mass of plate: m = m_plate,1 + m_plate,2 = 18.84 + (-2.774) = 16.07 kg",
-        "x_G = Σ m_i x_i/m = (18.84 · 0.2 + (-2.7744) · 0.25)/16.066 = 0.1914 m",
+        "mass of plate: m = m_plate,1 + m_plate,2 = 18.84 - 2.774 = 16.07 kg",
+        "x_G = Σ m_i x_i/m = (18.84 · 0.2 - 2.7744 · 0.25)/16.066 = 0.1914 m",
         "d_plate,2 = 0.25 - 0.19137 = 0.05863 m",
         "I = m_plate,1 d_plate,1²",
     )),

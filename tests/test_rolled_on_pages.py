@@ -58,7 +58,7 @@ def test_derivatives_by_the_chain_rule() -> None:
         (
             "kinematics/disk-in-circular-track",
             [
-                "a_G = α × r_G/C + v_G²/ρ e_n = [-1.157 - 0.1299 · 4, 2.004 + (-0.075) · 4] = [-1.677, 1.704] m/s²",
+                "a_G = α × r_G/C + v_G²/ρ e_n = [-1.157 - 0.1299 · 4, 2.004 - 0.075 · 4] = [-1.677, 1.704] m/s²",
                 "ρ = R - r_d = 0.35 m, e_n = [-0.5, 0.8660]",
                 "a_C = a_G + α × r_C/G - ω² r_C/G = ",
             ],

@@ -30,6 +30,7 @@ from planar_cli.report.names import latex_name, plain_name, printable
 from planar_cli.report.numbers import superscript
 from planar_cli.report.turned import turned
 
+_BELOW_ZERO = re.compile(r"-[\d.]+(×10\S+)?°?")
 _SIMPLE_NUMERAL = re.compile(r"[0-9.]+°?|[πe∞]")
 _LATEX_FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh ln exp max min".split())
 
@@ -131,7 +132,9 @@ class _Writer(ABC):
         plainly = not subtracted and not isinstance(first, Pieces)
         text = self.write(first) if plainly else ("-" if subtracted else "") + self.term(first)
         for subtracted, term in rest:
-            text += (" - " if subtracted else " + ") + self.term(term)
+            # 9.81 - 1.2, not 9.81 + (-1.2).
+            size = None if subtracted else _without_minus(term)
+            text += (" - " if subtracted or size is not None else " + ") + self.term(term if size is None else size)
         return text
 
     def term(self, node: Formula) -> str:
@@ -180,6 +183,18 @@ class _Writer(ABC):
             case Numeral(text) if _SIMPLE_NUMERAL.fullmatch(text):
                 return self.write(node)
         return self.brackets(self.write(node))
+
+
+def _without_minus(node: Formula) -> Formula | None:
+    """A number below zero, or what begins with one as its factor, without its sign; None: it is none."""
+    match node:
+        case Numeral(text) if _BELOW_ZERO.fullmatch(text):
+            return Numeral(text[1:])
+        case Product((first, *others)) if (size := _without_minus(first)) is not None:
+            return Product((size, *others))
+        case Quotient(above, below) if (size := _without_minus(above)) is not None:
+            return Quotient(size, below)
+    return None
 
 
 class _Plain(_Writer):
