@@ -46,7 +46,7 @@ class Throughout:
         for fixed in ([own] if own and not alone else []) + [{regime.time}]:
             wanted = inside - fixed
             found = self._by(fixed, wanted)
-            if found is not None and wanted <= set(found.formulas):
+            if found is not None and wanted <= set(found.formulas) and _rests_on(found, wanted) & letters <= fixed:
                 return found
         return None
 
@@ -111,3 +111,17 @@ class Throughout:
         except NoValue:
             return None
         return known.extended({**{s: Decimal(repr(v)) for s, v in rest.items()}, **more})
+
+
+def _rests_on(route: Route, wanted: set[sp.Symbol]) -> set[sp.Symbol]:
+    """Symbols of which the formulas of these consist in the end. What is found by trial, at one time, has none."""
+    waiting, seen, found = set(wanted), set[sp.Symbol](), set[sp.Symbol]()
+    while waiting:
+        symbol = waiting.pop()
+        seen.add(symbol)
+        formula = route.formulas.get(symbol)
+        if formula is None or formula == symbol:
+            found.add(symbol)
+        else:
+            waiting |= sp.sympify(formula).free_symbols - seen
+    return found
