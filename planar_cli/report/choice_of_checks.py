@@ -17,6 +17,7 @@ from planar_cli.report.another_equation import another_equation
 from planar_cli.report.another_point import another_point
 from planar_cli.report.blocks import Line
 from planar_cli.report.blow_check import blow_check
+from planar_cli.report.centre_check import centre_check
 from planar_cli.report.cosine_check import cosine_check
 from planar_cli.report.energy_check import energy_check, root_check
 from planar_cli.report.first_second import first_second
@@ -44,7 +45,7 @@ OF_INSTANTS: tuple[Candidate, ...] = (
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
     blow_check, energy_check, meeting_check, law_check, simpson_check, root_check,
-    passing_check, time_check, oscillation_check, harmonic_check, mean_check,
+    passing_check, time_check, oscillation_check, harmonic_check, mean_check, centre_check,
 )  # fmt: skip
 OF_PARTS: tuple[Candidate, ...] = (
     tale_check, track_check, inertia_check, round_check, cosine_check,
