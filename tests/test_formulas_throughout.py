@@ -148,3 +148,11 @@ def test_where_it_stays_that_is_said(text: str, said: str) -> None:
     assert [list(map(float, f.values or ())) for f in part.found] == [[0.0]]
     assert part.motion is not None
     assert any(said in c for c in part.motion.checks)
+
+
+def test_both_components_of_a_force_have_their_lines() -> None:
+    text = ROD.replace("omega(rod)}", "omega(rod), R: reaction(A)}")
+    page = Terminal(110).render(narrate(solve_problem(load_text(text)[0])))
+    told = page.partition("R as long as the sense of the motion is kept")[2].partition("Answer")[0]
+    assert "R_x = " in told
+    assert "R_y = " in told

@@ -45,8 +45,12 @@ def root_words(route: RouteTrace) -> Iterator[Block]:
 def passing_lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """What is asked, in the letters that were just told."""
     for asked in found.requests:
-        if asked.find.name == name and len(asked.parts) == 1 and not asked.parts[0].is_Symbol:
-            yield Equation((line(Name(name)), phrases.math(asked.parts[0])))
+        if asked.find.name != name:
+            continue
+        names = [name] if len(asked.parts) == 1 else [f"{name}_{axis}" for axis in "xy"]
+        for own, part in zip(names, asked.parts, strict=True):
+            if not part.is_Symbol:
+                yield Equation((line(Name(own)), phrases.math(part)))
 
 
 def passing_check(found: MotionTrace, phrases: Phrases) -> Line:
