@@ -21,7 +21,8 @@ What starts a motion
   the first state may follow from later ones: a target, a duration. A constant is sought when it stands under
   `unknowns`.
   Released at rest in an unstable equilibrium nothing moves, and `reached(s)` says so. Where a later state asks for
-  more, the motion is the limit of a slight touch, as the check says: speeds and forces are told, no times.
+  more, or a find without `@` asks for a speed as a formula, the motion is the limit of a slight touch, as the check
+  says: speeds and forces are told, no times. Friction that redundant contacts share holds as long as some share does.
 
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
