@@ -111,3 +111,8 @@ def rests_on(symbol: sp.Symbol, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp
     """Does a named intermediate rest on x, directly or through others?"""
     expr = definitions.get(symbol)
     return expr is not None and any(s == x or rests_on(s, x, definitions) for s in expr.free_symbols)
+
+
+def exact_number(value: Decimal) -> sp.Expr:
+    """All digits of a value as a rational."""
+    return sp.Rational(str(value))

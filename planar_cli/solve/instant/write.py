@@ -23,7 +23,7 @@ from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import in_its_sense, with_the_motion
-from planar_cli.solve.instant.numbers import Numbers
+from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
@@ -88,6 +88,12 @@ class Writer:
             simple = recognised(found, self.system.scene.ledger, self.numbers.value)
             return exact_number(self.numbers.value(found)) if simple is None else simple
         return found
+
+    def arm(self, coefficient: sp.Expr) -> sp.Expr:
+        """The arm or the share of a force: multiplied out, where that keeps its letters."""
+        found = tidy(coefficient)
+        spread = expanded(found) if longer(found, LONGEST) else found
+        return self.short(found if longer(spread, LONGEST) else spread)
 
     def shortened(self, expr: sp.Expr) -> sp.Expr:
         """A known side: powers of speeds stay visible, their long coefficients become numbers."""
@@ -263,7 +269,7 @@ class Writer:
         if model.mass != 0:
             arm = self.system.scene.arms.between(center, model.center)
             terms += [
-                model.mass * component * self.short(arm.cross(direction))
+                model.mass * component * self.arm(arm.cross(direction))
                 for direction, component in self.acceleration(body)
             ]
         return terms
@@ -308,9 +314,7 @@ class Writer:
         return place, name
 
     def _short(self, expr: sp.Expr) -> sp.Expr:
-        if not longer(expr, 5) or not self.plain:
-            return expr
-        return exact_number(self.numbers.value(expr))
+        return exact_number(self.numbers.value(expr)) if longer(expr, 5) and self.plain else expr
 
     def _loads(self, bodies: tuple[str, ...], part: Any) -> list[sp.Expr]:
         """Every outer force and couple of a group, taken by `part`."""
@@ -320,7 +324,7 @@ class Writer:
         for push, expr in self.system.reactions.pushes:
             inside = [a for a in push.actions if a.body in bodies]
             if inside:
-                term = expr * self.short(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
+                term = expr * self.arm(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
                 pulled.setdefault(frozenset(expr.free_symbols & set(self.numbers.unknowns)), []).append(term)
         for together in pulled.values():
             # A slipping contact is one line of action: its parts count together.
@@ -333,7 +337,7 @@ class Writer:
         if wrench.magnitude != 0 and wrench.force is not None and wrench.couple == 0:
             direction = Vec(cancelled(wrench.force.x / wrench.magnitude), cancelled(wrench.force.y / wrench.magnitude))
             if not (direction.x.free_symbols | direction.y.free_symbols) & wrench.magnitude.free_symbols:
-                return wrench.magnitude * self.short(part(wrench.point, direction, 0))
+                return wrench.magnitude * self.arm(part(wrench.point, direction, 0))
         return tidy(part(wrench.point, wrench.force, wrench.couple))
 
     def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:
@@ -393,8 +397,3 @@ class Writer:
         left = [p for p in parts if p.free_symbols & unknowns]
         sense = -1 if left and all(p.could_extract_minus_sign() for p in left) else 1
         return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
-
-
-def exact_number(value: Decimal) -> sp.Expr:
-    """All digits of a value as a rational."""
-    return sp.Rational(str(value))
