@@ -69,3 +69,32 @@ def test_a_vector_beside_its_given_size() -> None:
 def test_arrows_in_mathematics() -> None:
     assert plain_name("v_O_vec") == "v⃗_O"
     assert latex_name("v_O_vec") == r"\vec{v}_{O}"
+
+
+def test_letters_of_vectors_without_a_product() -> None:
+    """a_P = -ω² r_P/G is a line of vectors as well."""
+    page = _page(ROLLING)
+    assert "a⃗_P = -ω_wheel² r⃗_P/G G moves along a straight line at constant speed" in page
+    assert "a⃗_B = a⃗_P + α_PB × r⃗_B/P - ω_PB² r⃗_B/P" in page
+    assert "-R ω_wheel = v_G" in page
+
+
+ROLLING = """
+title: Rolling wheel that drives a slider
+given: {R: 0.3 m, e: 0.2 m, l: 0.8 m, v_G: 1.2 m/s}
+points:
+  C: [0, 0]
+  G: [0, R]
+  P: {from: G, distance: e, angle: 30 deg}
+  B: {y: R, distances: {P: l}, side: right}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies:
+  wheel: {disk: G, radius: R, points: [P]}
+  PB: {rod: [P, B]}
+joints:
+  - rolling: {between: [wheel, floor], at: C}
+  - pin: {at: P, between: [wheel, PB]}
+  - guide: {point: B, along: 0 deg}
+motion: [v(G).x = v_G]
+find: {a_B: a(B).x}
+"""

@@ -29,8 +29,10 @@ def with_letters_apart(blocks: Sequence[Block], problem: Problem) -> list[Block]
         for s in (*part.given, *part.symbols, *part.unknowns)
     }
     taken = {n for n in letters if "_" in n}
-    arrows = any(_is_vectorial(b) and _first(b) in taken for b in blocks)
-    return [_apart(b, taken, arrows, arrows and _is_vectorial(b)) for b in blocks] if taken else list(blocks)
+    vectors = {_first(b) for b in blocks if _is_vectorial(b)} if taken else set()
+    arrows = not vectors.isdisjoint(taken)
+    told = vectors - taken
+    return [_apart(b, taken, arrows, arrows and (_is_vectorial(b) or _first(b) in told)) for b in blocks]
 
 
 def _is_vectorial(block: Block) -> bool:

@@ -25,6 +25,7 @@ from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import components_told, sliding_told, turned_with
+from planar_cli.report.curvature import radius_asked
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
@@ -93,6 +94,8 @@ class AskedTelling:
                 yield from self._moving(answer, what)
             elif isinstance(what, Quantity) and (radius := self.paths.asked_radius(answer, what)) is not None:
                 yield from radius
+            elif lines := radius_asked(answer, what, self):
+                yield from lines
             else:
                 yield from self._alone(answer, what)
 
@@ -132,7 +135,7 @@ class AskedTelling:
         """name = formula = numbers = value, for each component; of a magnitude with a long formula √(x² + y²)."""
         what = answer.find.found.what if answer.find is not None else None
         sized = isinstance(what, Quantity) and len(what.parts) == 1 and what.parts[0].kind == "mag"
-        if sized and answer.values is not None and not self._readable(answer.asked[0], answer.unit.dimension):
+        if sized and answer.values is not None and not self.is_readable(answer.asked[0], answer.unit.dimension):
             assert isinstance(what, Quantity)
             vector = self._parts(what)
             if vector is not None:
@@ -156,7 +159,7 @@ class AskedTelling:
             )
             if way := self._way(answer, axis) or along_radius(answer, self.system.quantities(), self.phrases):
                 sides.append(way)
-            if self._readable(expr, answer.unit.dimension) and not expr.is_number:
+            if self.is_readable(expr, answer.unit.dimension) and not expr.is_number:
                 whole = self._with_unit(answer, expr)
                 sides.append(whole or self.phrases.math(expr))
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
@@ -184,7 +187,7 @@ class AskedTelling:
         first, *others = ways
         return line(first, *(p for other in others for p in (" - ", *factor(other))))
 
-    def _readable(self, expr: sp.Expr, dimension: Dimension) -> bool:
+    def is_readable(self, expr: sp.Expr, dimension: Dimension) -> bool:
         """Is it short, and do its letters make the unit that is asked for?"""
         clean = self.phrases.symbolic or is_clean(self.phrases.ledger, expr, dimension=dimension)
         return not longer(expr, LONGEST) and clean
