@@ -234,7 +234,8 @@ ANYWHERE = (
     "acceleration of the mass centre has a moment about that point too; the angular acceleration alone is not enough."
 )
 CENTRE = (
-    "Moments about the mass centre {}: on the right the angular acceleration stands alone, but every reaction enters."
+    "Moments about the mass centre {}: on the right the angular acceleration stands alone. The trap is to leave out a "
+    "reaction: each one enters that does not pass through that point."
 )
 
 
@@ -276,7 +277,7 @@ def _solving(uses: Uses) -> Iterator[str]:
             "numbers come last, as a formula can be tested by its units and by simple cases."
         )
     else:
-        yield "The equations are taken in the order in which each has one unknown that is new."
+        yield "The equations are taken one at a time: each is solved for one unknown that none before it has told."
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------

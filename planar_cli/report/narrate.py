@@ -41,6 +41,7 @@ from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.likewise import told_likewise
+from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -132,7 +133,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    page = told_likewise(with_letters_apart(with_one_name((*opening, *blocks)), problem), problem)
+    named = with_loads_by_letter(with_one_name((*opening, *blocks)), problem)
+    page = told_likewise(with_letters_apart(named, problem), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 
