@@ -39,7 +39,7 @@ def test_no_coordinate_that_the_page_does_not_tell() -> None:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-4-07", ["r_E/O = [-√2 l/2, √2 l/2]", "-r ω_disk = √2/2 l ω_rod"]),
+    ("ex-4-07", ["r⃗_E/O = [-√2 l/2, √2 l/2]", "v_O = √2/2 l ω_rod"]),
     ("pendulum-tension", ["S_hanger = m (√3 g/2 + v_P²/l)", "a_Pt = -g/2"]),
     ("plate-on-parallel-links", ["a_Ct = g/2"]),
 ])  # fmt: skip

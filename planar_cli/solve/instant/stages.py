@@ -24,6 +24,7 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.plan import Plan, Planner
+from planar_cli.solve.instant.through_given import through_given
 from planar_cli.solve.instant.write import Writer
 from planar_cli.solve.instant.written import Explicit
 from planar_cli.solve.multibody.linear import rank, scaled
@@ -131,7 +132,7 @@ class StageMaker:
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
         writer = Writer(self.system, columns, self.next_number + len(first))
-        numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
+        numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
             writer.acceleration(body)
         explicit = {line.symbol: line.expression for line in writer.lines}
