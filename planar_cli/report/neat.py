@@ -24,6 +24,7 @@ from planar_cli.report.durations import over_durations
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.notation import plain
 from planar_cli.report.pythagoras import of_one
+from planar_cli.report.relative_speeds import with_differences
 from planar_cli.report.spread import spread
 
 LONGEST = 90
@@ -42,7 +43,7 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
-        return spread(self._neat(expr))
+        return with_differences(spread(self._neat(expr)), self.ledger, self.sign)
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:
         expr = with_positive_divisors(expr)
