@@ -100,6 +100,7 @@ def test_a_rod_that_falls_flat_is_told_by_its_own_speed() -> None:
     assert first(found["v_B"]) == 0
     assert "g = 9.81 m/s²" in page
     assert "v_B,3 = l ω_AB,3 sin θ_AB,3 = 0 wheel has no kinetic energy there" in page
+    assert "v_G,AB,3 = 1/2 l ω_AB,3 B is the instantaneous centre of AB" in page
     assert "61.17 = 2.88 ω_AB,3² in J" in page
     assert "10⁻" not in page
 
@@ -151,6 +152,16 @@ def test_a_pivot_that_vanishes_at_a_state_is_no_pivot() -> None:
     residuals = [s * x + (s + 1) * y - 1, (s + 2) * x - (s + 3) * y + 2]
     assert easiest(residuals, (x, y), (y,), lambda _: False).unknowns == (x, y)
     assert easiest(residuals, (x, y), (y,), lambda factor: factor == s).unknowns == (y, x)
+
+
+def test_a_position_that_is_told_by_plain_zeros() -> None:
+    """θ_crank = θ_AB = 0 are put in at once; the speed keeps its letters."""
+    text = CRANK.replace("angle: 60 deg", "angle: -60 deg").replace("F, angle: 180 deg", "F, angle: 0 deg")
+    found, page = told(
+        text.partition("states:")[0] + "states: {1: [at rest], 2: [theta(crank) = 0]}\nfind: {v: v(B).x @ 2}"
+    )
+    assert first(found["v"]) == 0
+    assert "= 0 piston has no kinetic energy there" in page
 
 
 def test_what_is_integrated_in_numbers_was_given() -> None:

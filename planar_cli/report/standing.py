@@ -10,17 +10,18 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving
 from planar_cli.report.blocks import Equation, Math, line
 from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, has_root
+from planar_cli.units import RATE, VELOCITY
 
 
 def standing(pieces: EnergyPieces) -> dict[str, sp.Expr]:
     """The kinetic energies at the end, by their bodies, which vanish there though what is sought does not."""
-    value = pieces.phrases.value
+    value, units = pieces.phrases.value, pieces.phrases.ledger.units
     found = {}
     for body, amount in pieces.balance.amounts:
-        put = pieces.put(amount)
-        sought = put.free_symbols & set(pieces.unknowns)
-        if sought and value.vanishes(put) and all(value.known(s) for s in sought):
-            found[body] = put
+        speeds = [s for s in amount.free_symbols if s in units and units[s].dimension in (RATE, VELOCITY)]
+        sought = set(speeds).intersection(pieces.unknowns)
+        if sought and value.vanishes(amount) and all(value.known(s) for s in speeds):
+            found[body] = pieces.put(amount)
     return found
 
 
@@ -36,11 +37,16 @@ def standing_lines(pieces: EnergyPieces) -> Iterator[Equation]:
 
 
 def _speed(pieces: EnergyPieces, made: Moving) -> tuple[sp.Symbol, sp.Expr]:
-    """A name and a formula of the speed that says so."""
-    vx, vy = pieces.put(made.vx), pieces.put(made.vy)
+    """A name and a formula of the speed that says so, with the letters of the position from which it vanishes."""
+
+    def formula(expr: sp.Expr) -> sp.Expr:
+        put = pieces.put(expr)
+        return sp.sympify(expr) if put == 0 else put
+
+    vx, vy = formula(made.vx), formula(made.vy)
     # Along an axis with the sign that it has in the kinematics.
     v = vx + vy if 0 in (vx, vy) else sp.sqrt(simplified(vx**2 + vy**2))
     turning = v == 0 or made.mass == 0
-    name, expr = (f"omega_{made.body}", pieces.put(made.omega)) if turning else (f"v_{pieces.centre(made)}", v)
+    name, expr = (f"omega_{made.body}", formula(made.omega)) if turning else (f"v_{pieces.centre(made)}", v)
     expr = expr.replace(lambda x: isinstance(x, sp.Abs), lambda x: x.args[0])
     return sp.Symbol(f"{name}{STATE}{pieces.balance.stop}", real=True), expr

@@ -11,6 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.led import rolls, root_edge
 from planar_cli.principles.base import EnergyParts, Moving, Storage, Stored
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -23,7 +24,7 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
     if not b.law.moving:
         return None
     acting = _acting(course, b)
-    own = (m if m.why else replace(m, why=centre_of(m, acting[-1], b.stop, value)) for m in b.law.moving)
+    own = (replace(m, why=_why(m, acting[-1], b.stop, value)) for m in b.law.moving)
     moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in own)
     found = []
     for words, brought in b.brought:
@@ -40,6 +41,14 @@ def _acting(course: StatedMotion, b: StateBalance) -> tuple[Regime, ...]:
     """The regimes between the states of a balance."""
     names = [s.name for s in course.states]
     return tuple(course.regimes[names.index(b.since.name) : names.index(b.stop.name)])
+
+
+def _why(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
+    """Why a mass centre has its velocity; of what hangs on a wheel that rolls, its own instantaneous centre first."""
+    system = regime.general.trial.system
+    edge = root_edge(system, m.body)
+    hangs = edge is not None and edge.body != m.body and not rolls(system, m.body)
+    return m.why if m.why and not hangs else centre_of(m, regime, stop, value) or m.why
 
 
 def centre_of(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
