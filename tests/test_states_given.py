@@ -6,14 +6,18 @@ import re
 
 import pytest
 from conftest import PROBLEMS
+from worked import page_of_file
 
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load, load_text
 from planar_cli.report.blocks import Line, Name, Text, Value
 from planar_cli.report.given_states import laws_given, states_given
 from planar_cli.report.names import plain_name
+from planar_cli.report.narrate import narrate
 from planar_cli.report.numbers import quantity
+from planar_cli.solve.run import solve_problem
 
 SYNTAX = re.compile(r"[@*^]|->|\.(?:x|y|mag|angle|along|across)\b|\bplace \d|\b[a-z_A-Z]+\([A-Za-z_]+(?:/\w+)?\)")
 """What only a file is written in."""
@@ -110,9 +114,40 @@ def test_words_of_a_state(relation: str, told: str) -> None:
     assert _rows(problem)[1] == f"2: {told}"
 
 
+@pytest.mark.parametrize(
+    ("stem", "told"),
+    [
+        ("least-speed-to-a-target", "window: x_drop = 40 m, y_drop = 12 m, v_0 smallest"),
+        ("racing-car-from-rest-on-a-circle", "a_car,t = a_t; start: at rest"),
+        ("ex-4-13", "1: at rest; 2: just after 1; 3: ω_rod = 0"),
+    ],
+)
+def test_as_the_file_says_it(stem: str, told: str) -> None:
+    """And not as it is solved: what is tangential is across the radius."""
+    assert told in page_of_file(stem)
+
+
+SATELLITE = """
+title: Satellite between its nearest and its farthest point
+plane: horizontal
+given: {r_A: 6809 km, r_B: 8754 km, GM: 398600 km^3/s^2}
+unknowns: {v_A: km/s}
+points: {O: [0, 0]}
+bodies: {satellite: {particle: [r_A, 0], mass: any}}
+loads:
+  - force: {body: satellite, magnitude: GM*mass(satellite)/r(satellite).mag^2, towards: O, name: gravity}
+states:
+  A: [t = 0, v(satellite).x = 0, v(satellite).y = v_A, v_A > 0]
+  B: [r(satellite).mag is largest, r(satellite).mag = r_B]
+find: {v_A: v_A in km/s}
+"""
+
+
 def test_a_largest_value_that_is_given() -> None:
     """Not its rate, which is zero there, though that is what is solved."""
-    from worked import page_of_file
-
-    page = page_of_file("least-speed-to-a-target")
-    assert "window: x_drop = 40 m, y_drop = 12 m, v_0 smallest" in page
+    problem, wrong = load_text(SATELLITE, "scene.yaml")
+    assert problem is not None, wrong
+    page = " ".join(Terminal(width=200).render(narrate(solve_problem(problem))).split())
+    assert "v_satellite,y = v_A, v_A > 0" in page
+    assert "B: |r_satellite| largest, |r_satellite| = r_B Find" in page
+    assert "e_r along O–satellite" in page

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -21,6 +22,7 @@ from planar_cli.problem.expression import (
     Word,
 )
 from planar_cli.problem.parser import parse_statement
+from planar_cli.problem.said_here import said_here
 from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.turning_planes import goes_round
 from planar_cli.problem.walk import walk, written_alike
@@ -39,6 +41,7 @@ OF_MODES = {
 }
 """What a state says of a contact or a rope."""
 TURN = "theta"
+_SOLVED_OTHERWISE = re.compile(r"\.t\b| is (?:largest|smallest)$")
 REVERSED = {">": "<", ">=": "<="}
 
 
@@ -52,16 +55,16 @@ def states_given(problem: Problem, figures: int) -> Iterator[list[Line]]:
 
 def _of_state(state: State, problem: Problem, figures: int, first: bool) -> list[Line]:
     """The data of a state behind its name."""
-    row = _row(state.relations, problem, figures, first)
+    row = _row(state.relations, problem, figures, first, state.name)
     return [line(f"{state.name}: ", row[0]), *row[1:]] if row else []
 
 
-def _row(statements: Sequence[Statement], problem: Problem, figures: int, first: bool) -> list[Line]:
+def _row(statements: Sequence[Statement], problem: Problem, figures: int, first: bool, state: str = "") -> list[Line]:
     """Each statement once; two bounds of one quantity as one, 0 < β < 90°. That the clock begins at nought is no
     datum.
     """
     row, bounded = [], set[int]()
-    statements = list(dict.fromkeys(map(_as_written, statements)))
+    statements = list(dict.fromkeys(_as_written(s, state) for s in statements))
     for i, statement in enumerate(statements):
         if i in bounded or (first and isinstance(statement, Relation) and _begins_the_clock(statement)):
             continue
@@ -75,11 +78,11 @@ def _row(statements: Sequence[Statement], problem: Problem, figures: int, first:
     return row
 
 
-def _as_written(statement: Statement) -> Statement:
-    """What is largest or smallest as the file says it, and not by its rates."""
-    if isinstance(statement, Relation) and statement.text.endswith((" is largest", " is smallest")):
-        return parse_statement(statement.text, statement.mark)
-    return statement
+def _as_written(statement: Statement, state: str) -> Statement:
+    """What is largest or smallest, and what is tangential, as the file says it and not as it is solved."""
+    if not isinstance(statement, Relation) or not _SOLVED_OTHERWISE.search(statement.text):
+        return statement
+    return said_here(parse_statement(statement.text, statement.mark), state)
 
 
 def _upper_bound(statement: Statement, others: Sequence[Statement]) -> Relation | None:
@@ -172,7 +175,7 @@ def laws_given(problem: Problem, figures: int) -> Iterator[Line]:
     """What `motion` says, which holds all the time, or from one state to another."""
     for law in problem.motion:
         span = f" from {law.during[0]} to {law.during[1]}" if law.during is not None else ""
-        yield line(_with_own_masses(_told(law.statement, problem, figures), problem), span)
+        yield line(_with_own_masses(_told(_as_written(law.statement, ""), problem, figures), problem), span)
 
 
 def _begins_the_clock(relation: Relation) -> bool:
