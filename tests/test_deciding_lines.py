@@ -26,3 +26,9 @@ def test_friction_that_only_a_parting_contact_leaves_open_has_its_line() -> None
 
 def test_what_an_equation_puts_at_its_limit_is_not_checked_against_it() -> None:
     assert "≤ μ N_A = 51.50 N" not in page_of_file("crate-on-cart")
+
+
+def test_a_blow_without_sliding_tells_its_impulses_in_letters() -> None:
+    page = page_of_file("ball-that-grips-a-rough-floor")
+    assert "J_F,ball = m (v_x - v_Gx,2) = 2/7 m v_x J_N,ball = m (v_Gy,2 - v_Gy,1) = (1 + e) m v_y" in page
+    assert "as |J_F,ball| < μ J_N,ball: 2/7 m v_x < μ (1 + e) m v_y" in page

@@ -6,13 +6,17 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Test
-from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.presses import bounded_in
+from planar_cli.report.blocks import Block, Equation, Line, Math, line
+from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import IMPULSE
+
+SHORT = 16
+"""An impulse of more operations decides nothing that a reader sees."""
 
 
 def blow_limits(motion: MotionTrace, phrases: Phrases) -> Iterator[Line]:
@@ -24,6 +28,51 @@ def blow_limits(motion: MotionTrace, phrases: Phrases) -> Iterator[Line]:
             for mode in impact.solution.trial.system.modes.values():
                 tests = [t for t in mode.tests if bounded_in(impact.solution.trial.system, t) and not t.strict]
                 yield from _against(impact.solution, tests[:1], phrases)
+
+
+def grips_in_letters(motion: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """Both impulses of each contact that sticks in a blow, and when the one of friction is within its limit, where
+    everything is a letter: J_F = 2/7 m v_x, J_N = (1 + e) m v_y; no sliding if J_F < μ J_N.
+    """
+    sources = [e.source for leg in motion.route.steps for e in leg.relations]
+    impacts = {s.impact.since: s.impact for s in sources if isinstance(s, ImpactEquation)}
+    for impact in impacts.values() if phrases.symbolic else ():
+        blow = impact.solution
+        tests = [] if blow is None else [t for m in blow.trial.system.modes.values() for t in m.tests if not t.strict]
+        names: set[str] = set()
+        for test in tests:
+            name = bounded_in(blow.trial.system, test) if blow is not None else None
+            if name is not None and name not in names and blow is not None and test.constant == 0:
+                names.add(name)
+                yield from _grip(blow, test, name, motion, phrases)
+
+
+def _grip(blow: InstantSolution, test: Test, name: str, motion: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """The impulses by the velocities before and after, then in the letters of the file."""
+    system = blow.trial.system
+    pushes = {p.name: p for p in system.pushes}
+    told: dict[str, sp.Expr] = {}
+    lines: list[Block] = []
+    for own in (name, *(n for n, _ in test.pushes if n != name)):
+        formula = next(sum_of_forces(blow, pushes[own], system.symbols[own]), None)
+        if formula is None:
+            return
+        put = formula
+        for _ in motion.route.formulas:
+            put = put.xreplace(dict(motion.route.formulas))
+        told[own] = simplified(put)
+        if longer(told[own], SHORT) or told[own] == 0:
+            return
+        plain = formula.xreplace(dict(motion.route.plain))
+        sides = (phrases.math(system.symbols[own]), phrases.math(plain), phrases.math(told[own]))
+        lines.append(Equation(sides if sides[1] != sides[2] else (sides[0], sides[2])))
+    limit = sp.Add(*(factor * told[n] for n, factor in test.pushes if n != name))
+    letters = sp.Add(*(factor * system.symbols[n] for n, factor in test.pushes if n != name))
+    size = told[name] if phrases.certain(told[name]) > 0 else -told[name]
+    yield from lines
+    needs = line("|", Math(system.symbols[name]), "| < ", phrases.math(letters), ":")
+    sides = (phrases.math(size), phrases.math(simplified(limit)))
+    yield Equation(sides, None, line("They do not slide on each other, as ", *needs), relation="<")
 
 
 def _against(blow: InstantSolution, tests: list[Test], phrases: Phrases) -> Iterator[Line]:

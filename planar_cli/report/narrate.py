@@ -26,7 +26,7 @@ from planar_cli.report.blocks import (
     Paragraph,
     line,
 )
-from planar_cli.report.blow_limits import blow_limits
+from planar_cli.report.blow_limits import blow_limits, grips_in_letters
 from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
@@ -170,6 +170,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
             moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), blocks)
+        moving += grips_in_letters(part.motion, phrases) if why is None else ()
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)
