@@ -32,3 +32,9 @@ def test_a_blow_without_sliding_tells_its_impulses_in_letters() -> None:
     page = page_of_file("ball-that-grips-a-rough-floor")
     assert "J_F,ball = m (v_x - v_Gx,2) = 2/7 m v_x J_N,ball = m (v_Gy,2 - v_Gy,1) = (1 + e) m v_y" in page
     assert "as |J_F,ball| < μ J_N,ball: 2/7 m v_x < μ (1 + e) m v_y" in page
+
+
+def test_shared_friction_that_does_not_suffice_is_compared_at_its_best() -> None:
+    page = page_of_file("ladder-slips")
+    assert "no reactions satisfy" not in page
+    assert "even with |F_B| = μ N_B = 6.398 N it would need |F_A| = 31.99 N > μ N_A = 18.34 N" in page

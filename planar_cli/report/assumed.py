@@ -10,6 +10,7 @@ from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.decisions import needed, worked_out
 from planar_cli.report.presses import bounded_in
+from planar_cli.report.shared_friction import at_best
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
@@ -86,6 +87,8 @@ def _objection(trial: Any, instant: InstantSolution, phrases: Phrases) -> Line:
         return line(reasons.get(trial.objection, trial.objection))
     test, value = trial.tests[0]
     if value is None:
+        if compared := at_best(trial, phrases):
+            return compared
         words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
         return line("no reactions satisfy all of these: " + "; ".join(words))
     found = None if phrases.symbolic else needed(trial, test)

@@ -47,6 +47,7 @@ from planar_cli.solve.solution import InstantSolution
 
 OF_FORCES = ("limit", "extreme")
 """Relations of these sources rest on the equations of forces."""
+ROLLS = "rolls without slipping"
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
 
@@ -192,9 +193,11 @@ class Telling:
         relations = [w for w in relations if not kinetic or not self._of_forces(w)]
         relations = derivatives_after(sorted(relations, key=lambda w: w.source == "extreme"))
         ends = [found[0] for w in relations if (found := named_end(w, last, self.system)) is not None]
-        rates = [*(self._explicit(x, last) for x in last.lines if x in ends), *self._equations(relations, last)]
+        # The centre of what rolls comes first: the accelerations of other points rest on it.
+        first = [x for x in last.lines if x in ends or x.words.endswith(ROLLS)]
+        rates = [*(self._explicit(x, last) for x in first), *self._equations(relations, last)]
         rates += self._centres(last) if kinetic else ()
-        rates += [self._explicit(x, last) for x in last.lines if x not in ends]
+        rates += [self._explicit(x, last) for x in last.lines if x not in first]
         apart = rates and (blocks or (relations and stages))
         return [*blocks, *([Paragraph(line("Accelerations:"))] if apart else []), *rates]
 
