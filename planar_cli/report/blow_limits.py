@@ -64,8 +64,8 @@ def _grip(blow: InstantSolution, test: Test, name: str, motion: MotionTrace, phr
         if longer(told[own], SHORT) or told[own] == 0:
             return
         plain = formula.xreplace(dict(motion.route.plain))
-        sides = (phrases.math(system.symbols[own]), phrases.math(plain), phrases.math(told[own]))
-        lines.append(Equation(sides if sides[1] != sides[2] else (sides[0], sides[2])))
+        middle, last = phrases.math(plain), phrases.math(told[own])
+        lines.append(Equation((phrases.math(system.symbols[own]), *((middle,) if middle != last else ()), last)))
     limit = sp.Add(*(factor * told[n] for n, factor in test.pushes if n != name))
     letters = sp.Add(*(factor * system.symbols[n] for n, factor in test.pushes if n != name))
     size = told[name] if phrases.certain(told[name]) > 0 else -told[name]
