@@ -58,6 +58,7 @@ from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.special_case import special_case
 from planar_cli.report.steps import SOLVING, without_ritual
+from planar_cli.report.stretches import only_after, stretches
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
@@ -251,15 +252,15 @@ def _instant_blocks(
     blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
     if why is None:
         blocks = with_asked(blocks, telling, part.motion)
-    stretches = _stretches(part, instant)
+    acting = stretches(part, instant)
     if is_solved_in_steps(part.motion, part.motion.regime(instant)):
         blocks = _without_solution(blocks)
-    blocks = before.reduced(blocks, stretches, numbers[0])
+    blocks = before.reduced(blocks, acting, numbers[0])
     steps = numbers[0] + sum(isinstance(b, Heading) for b in blocks)
-    if len(part.instants) > 1 and all(isinstance(b, Note) for b in blocks) and _only_after(part, instant):
+    if len(part.instants) > 1 and all(isinstance(b, Note) for b in blocks) and only_after(part, instant):
         blocks = []
     if len(part.instants) > 1 and blocks:
-        blocks = of_motion(blocks, stretches)
+        blocks = of_motion(blocks, acting)
     printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
     return blocks, steps, max(printed, default=numbers[1])
 
@@ -315,31 +316,6 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
         return None
     found = next(f for f in part.found if f.name == why)
     return frozenset(s.name for e in found.asked for s in e.free_symbols)
-
-
-def _stretches(part: PartSolution, instant: InstantSolution) -> str:
-    """From which state to which a regime acts; in a blow nothing moves on, unless it acts in blows alone."""
-    assert part.motion is not None
-    moving, own = {(since, stop) for since, stop, _ in part.motion.stretches}, part.motion.regime(instant).stretches
-    told = [s for s in own if s in moving or s[0] == s[1] or not s[1]]
-    whole: list[tuple[str, str]] = []
-    for since, stop in told or own:
-        goes_on = bool(whole) and since == whole[-1][1] != stop
-        whole = [*whole[:-1], (whole[-1][0], stop)] if goes_on else [*whole, (since, stop)]
-    return ", ".join(_stretch(since, stop) for since, stop in whole)
-
-
-def _only_after(part: PartSolution, instant: InstantSolution) -> bool:
-    """Does a regime act only from the last state on?"""
-    assert part.motion is not None
-    last = part.motion.states[-1]
-    return all((since, stop) == (last, "") for since, stop in part.motion.regime(instant).stretches)
-
-
-def _stretch(since: str, stop: str) -> str:
-    if since == stop:
-        return f"in {since}"
-    return f"from {since} to {stop}" if stop else f"from {since} on"
 
 
 def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:
