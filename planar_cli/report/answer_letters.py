@@ -49,6 +49,8 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
         # Its direction says in which sense it counts.
         return Answer(found.name, said, "=")
     positive = (phrases.value.known(symbol) or 0) > 0 and not phrases.symbolic
+    if same and size and positive:
+        return Answer(found.name, said, "=")
     letter = line("|", Math(symbol), "|") if size and not positive else line(Math(symbol if size else asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)

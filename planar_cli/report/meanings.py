@@ -10,6 +10,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.line_of_centres import VERTICAL
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
+from planar_cli.report.across_speeds import across_meanings
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
 from planar_cli.report.counted import clockwise
 from planar_cli.report.mentioned import pieces_of
@@ -64,7 +65,7 @@ def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
 def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
     """By its letter what each coordinate is that the file does not declare."""
     own = {s.name for s in found.problem.coordinates}
-    meanings: dict[sp.Symbol, Line] = {}
+    meanings: dict[sp.Symbol, Line] = across_meanings(found)
     for regime in found.regimes:
         scene = regime.solution.instant.scene
         for c in scene.displacement.coordinates if scene.displacement is not None else ():

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
+from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.apart import with_letters_apart
@@ -141,7 +142,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
-    part, positive = with_signs(with_plain_answers(part))
+    part, positive = with_signs(with_plain_answers(with_across_speeds(part)))
     blocks: list[Block] = []
     figures = voice.figures
     steps = count = 0
