@@ -20,7 +20,8 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     "words",
     [
-        "x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t) x = l, ẋ = 0 at t = 0 (2) l cos(ω_0 t_middle) = 0 ω_0 t_middle = π/2",
+        "x = A cos(ω_0 t) + B sin(ω_0 t) x = l, ẋ = 0 at t = 0: A = l, B = 0 x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t)",
+        "(2) l cos(ω_0 t_middle) = 0 ω_0 t_middle = π/2",
         "(3) ẋ_middle = -l ω_0 sin(ω_0 t_middle) = -l ω_0 sin(π/2) = -l √(k/m)",
         "(4) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (4): t_stop = π √(m/k)",
         "(5) x_stop = l cos(ω_0 t_stop) = l cos π = -l",

@@ -122,8 +122,23 @@ class HarmonicTelling:
         t, rate = sp.Symbol("t", real=True), Name(f"{found.coordinate.name}_dot")
         motion = line(Math(found.coordinate), " = ", self.phrases.math(found.place(t)))
         moves = line(*motion, ",  ", rate, " = ", self.phrases.math(found.rate(t)))
-        begun = line(Math(found.coordinate), " = ", self.phrases.math(found.a), ", ", rate, " = ")
-        return [Equation((moves,), None, (), line(*begun, self.phrases.math(found.b), " at ", Math(t), " = 0"))]
+        return [*self._in_general(found, t), Equation((moves,))]
+
+    def _in_general(self, found: Harmonic, t: sp.Symbol) -> Iterator[Block]:
+        """x = A cos ω_0 t + B sin ω_0 t, and what the start makes of A and B."""
+        problem = self.found.problem
+        taken = {str(p.name) for p in problem.points} | {str(b.name) for b in problem.bodies}
+        taken |= {s.name for s in self.found.ledger.symbols.values()}
+        names = ("A", "B") if not {"A", "B"} & taken else ("C_1", "C_2")
+        first, second = (sp.Symbol(n, real=True) for n in names)
+        whole = line(Math(first * sp.cos(NATURAL * t)), " + ", Math(second * sp.sin(NATURAL * t)))
+        q, rate = Math(found.coordinate), Name(f"{found.coordinate.name}_dot")
+        begun = line(
+            q, " = ", self.phrases.math(found.a), ", ", rate, " = ", self.phrases.math(found.b), " at ", Math(t)
+        )
+        makes = line(Math(first), " = ", self.phrases.math(found.a), ", ", Math(second), " = ")
+        makes = line(*makes, self.phrases.math(simplified(found.b / NATURAL)))
+        yield Equation((line(q, " = ", *whole),), None, (), line(*begun, " = 0: ", *makes))
 
     def _phase(self, found: Harmonic, r: Result, state: str) -> list[Block]:
         """ω_0 t = π, before the time itself."""

@@ -97,9 +97,14 @@ def _told(
     squares = sp.Add(sp.Pow(across, 2, evaluate=False), sp.Pow(up, 2, evaluate=False), evaluate=False)
     lead = line("squared and added, since cos² + sin² = 1:")
     yield Equation((Math(squares), phrases.math(size**2)), None, lead)
+    right = expanded(size**2)
+    multiplied = expanded(whole + right)
+    if not right.free_symbols - multiplied.free_symbols and right != 0:
+        opened = "with the data of the start, multiplied out:"
+        yield Equation((phrases.math(multiplied), phrases.math(right)), None, line(opened))
     terms = sp.Add.make_args(whole)
     left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
-    yield Equation((phrases.math(left), phrases.math(left - whole)), None, line("with the data of the start:"))
+    yield Equation((phrases.math(left), phrases.math(left - whole)), None, line("hence:"))
     told = with_unit(root, TIME, phrases.ledger, phrases.figures) or phrases.math(root)
     none = whole.xreplace({other.unknown: sp.S.Zero}) == 0
     why = line("so that, as ", Math(other.unknown), " ≠ 0:") if none else line("so that:")
