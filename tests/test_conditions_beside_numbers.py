@@ -111,3 +111,27 @@ def test_no_drawn_number_leaves_the_program() -> None:
     (told,) = error.value.diagnostics
     assert told.code == "PL621"
     assert told.hint.endswith("does the motion get there; say under `assume` for which letters it does")
+
+
+ON_A_SLOPE = """
+title: Block on a slope that is drawn up by a weight
+plane: vertical
+given: {m_A: 4 kg, beta: 30 deg}
+symbols: {m_B: kg, mu: 1, h: m}
+points: {Q: [0, 0], A: {from: Q, distance: 1 m, angle: 180 deg + beta}, B: [0, -1 m]}
+surfaces: {slope: {through: A, angle: beta}}
+bodies: {block: {particle: A, mass: m_A}, weight: {particle: B, mass: m_B}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu}
+  - rope: {path: [A, Q, B], name: cord}
+states:
+  1: [at rest]
+  2: [y(B) = -1 m - h]
+find: {v: v(B).mag @ 2}
+"""
+
+
+def test_a_condition_once() -> None:
+    """In letters, and not with cos 30° = √3/2 again."""
+    page = _page(ON_A_SLOPE)
+    assert "Assume m_B > μ m_A cos β + m_A sin β block at A slips" in page

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -19,6 +20,8 @@ from planar_cli.solve.instant.conditions import without_factors
 from planar_cli.solve.solved_problem import PartSolution
 
 LONGEST = 30
+SEVERAL, SAME = 3, Decimal("1e-20")
+"""In so many draws at least two conditions are compared; a ratio that differs by less, as a part of it, is the same."""
 SIGNS = {"<": sp.StrictLessThan, ">": sp.StrictGreaterThan, "<=": sp.LessThan, ">=": sp.GreaterThan}
 
 
@@ -36,7 +39,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     signs += [p.positive for p in provisos if p.positive.free_symbols]
     if part.motion is not None:
         signs += [*part.motion.presumed, *_under_roots(part)]
-    for expr in dict.fromkeys(signs):
+    for expr in _once_each(part, list(dict.fromkeys(signs))):
         if not longer(expr, LONGEST) and (above := _above_zero(expr)) not in stated and above.reversed not in stated:
             yield Note("Assume", line(phrases.math(above)))
     for words in dict.fromkeys(p.words for p in provisos if p.words and _in_words(p.positive)):
@@ -55,6 +58,29 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     problem = part.motion.problem
     for told in (*_bounded(problem), *_steady(problem), *_taking_hold(problem), *_turning_with(part)):
         yield Note("Assume", line(told))
+
+
+def _once_each(part: PartSolution, signs: list[sp.Expr]) -> list[sp.Expr]:
+    """Without those that are a multiple of one before, as cos 30° is √3/2 where the file gives the angle."""
+    if len(signs) < 2:
+        return signs
+    draws = part.instants[0].instant.scene.everywhere()
+    kept: list[sp.Expr] = []
+    told: list[list[Decimal | None]] = []
+    for expr in signs:
+        numbers = [d.known(expr) for d in draws]
+        if not any(_are_multiples(numbers, others) for others in told):
+            kept.append(expr)
+            told.append(numbers)
+    return kept
+
+
+def _are_multiples(numbers: list[Decimal | None], others: list[Decimal | None]) -> bool:
+    """Have they the same ratio, which is positive, in all of several draws?"""
+    ratios = [a / b for a, b in zip(numbers, others, strict=True) if a is not None and b]
+    if len(ratios) < SEVERAL or len(ratios) < len(numbers):
+        return False
+    return all(r > 0 and abs(r / ratios[0] - 1) < SAME for r in ratios)
 
 
 def _in_words(expr: sp.Expr) -> bool:
