@@ -10,7 +10,8 @@ import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.counting import operations
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import longer, simplified, trigonometric
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.outermost import is_energy
@@ -70,7 +71,7 @@ class AskedTelling:
         asked = [(r, part, span) for r, part, span in self._asked() if r.find.name not in turning.names]
         own = {s.symbol for _, _, s in asked if s is not None}
         for span in self.found.spans:
-            if span.symbol not in own and nil_of_blow(span) is None and not self._is_a_way(span):
+            if span.symbol not in own and nil_of_blow(span) is None and not self._is_a_way(span) and self._needs(span):
                 yield from self.spans.blocks(span)
         decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
@@ -100,6 +101,12 @@ class AskedTelling:
                 last = _at(find)
                 yield Paragraph(line(at(last)))
             yield block
+
+    def _needs(self, span: SpanIntegral) -> bool:
+        """Is it more than a component of one blow, which the answer has in the letters of its impulses?"""
+        (first, *more) = span.pieces
+        alone = first.how == "blow" and not more and span.duration == 1 and span.formula is not None
+        return not alone or any(p.has(span.symbol) for r in self._requests() for p in r.parts)
 
     def _is_a_way(self, span: SpanIntegral) -> bool:
         """Is a quantity over a span the place at its end, counted from its beginning?"""
@@ -163,7 +170,10 @@ class AskedTelling:
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
             parts = [self._signed(self._of_changes(_without(p.xreplace(places), self._zeros))) for p in asked.parts]
-            became = any(p.is_Symbol and untold(p, self.found) is not None for p in parts)
+            resolved = [_along_its_direction(p) for p in parts]
+            became = resolved != parts
+            parts = resolved
+            became |= any(p.is_Symbol and untold(p, self.found) is not None for p in parts)
             formulas = (became or any(map(self._is_formula, parts))) and all(
                 p.is_Symbol or p == 0 or self._is_formula(p) for p in parts
             )
@@ -304,6 +314,16 @@ def _at(request: Request) -> str:
     what = request.find.found.what
     found = {n.at for n in walk(what) if isinstance(n, Quantity | Letter) and isinstance(n.at, str)}
     return found.pop() if len(found) == 1 else ""
+
+
+def _along_its_direction(part: sp.Expr) -> sp.Expr:
+    """What a component along a slanting line comes to where it was taken of components along x and y: J_N for
+    J_N sin² β + J_N cos² β.
+    """
+    if longer(part, LONGEST) or len(part.atoms(sp.sin, sp.cos)) < 2:
+        return part
+    found = trigonometric(expanded(part))
+    return found if 2 * operations(found) < operations(part) else part
 
 
 def _without(expr: sp.Expr, zeros: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
