@@ -54,3 +54,9 @@ def test_how_far_it_has_turned_where_that_is_asked(tmp_path: Path) -> None:
     (found,) = solution.parts[0].found
     assert found.values is not None
     assert degrees(float(found.values[0])) == pytest.approx(4 * degrees(acos(4 / 7)))
+
+
+def test_a_coordinate_of_the_file_stays_the_angle() -> None:
+    """A file that places the disk by an angle has that as its coordinate, and none beside it."""
+    page = page_of_file("disk-rolling-in-a-trough")
+    assert "v_G = " in page

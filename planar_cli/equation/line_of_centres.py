@@ -34,7 +34,8 @@ class LineOfCentres:
 
 
 def line_of_centres(scene: Scene, edge: Edge, surface: str, alone: bool) -> LineOfCentres | None:
-    """None: it rolls on what is straight or moves, nothing pulls it down, or the file speaks of how far it has turned.
+    """None: it rolls on what is straight or moves, nothing pulls it down, the file places it by a coordinate of its
+    own, or it speaks of how far it has turned.
     `surface`: the name of that on which it rolls; `alone`: is it the only body that turns?
     """
     joining = edge.joining
@@ -49,6 +50,8 @@ def line_of_centres(scene: Scene, edge: Edge, surface: str, alone: bool) -> Line
         return None
     normal = roll.tangent.turned()
     reach: Vec = normal * (1 / own - 1 / other)
+    if (reach.x.free_symbols | reach.y.free_symbols) & set(scene.ledger.coordinates):
+        return None
     ratio = simplified(-(1 / own) / (1 / other - 1 / own))
     place = scene.own_name(edge.body)
     upright = scene.is_zero(reach.x)
