@@ -45,6 +45,7 @@ from planar_cli.report.likewise import told_likewise
 from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.one_name import with_one_name, without_primes
+from planar_cli.report.only_body import with_only_body
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
@@ -135,7 +136,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    named = with_loads_by_letter(with_one_name((*opening, *blocks)), problem)
+    named = with_loads_by_letter(with_one_name(with_only_body((*opening, *blocks), problem)), problem)
     page = told_likewise(with_letters_apart(named, problem), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 

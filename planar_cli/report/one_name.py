@@ -51,11 +51,11 @@ def with_one_name(blocks: Sequence[Block]) -> list[Block]:
 
 def _is_one_of_a_set(letter: str, found: Mapping[str, Mapping[str, str]], used: _Used) -> bool:
     """Does another letter of its kind keep what this one would lose, T_rope,A beside T_D for T_rope,D?"""
-    dropped, stem = set(_left_out(found[letter][letter], letter)), _pieces(letter)[0]
+    dropped, stem = set(_left_out(found[letter][letter], letter)), pieces_of_name(letter)[0]
     if "__" in letter or stem in OF_POINTS:
         return False
     kept = (x for x in used.letters if not any(x in own for own in found.values()))
-    return any(_pieces(x)[0] == stem and dropped <= set(_pieces(x)) for x in kept)
+    return any(pieces_of_name(x)[0] == stem and dropped <= set(pieces_of_name(x)) for x in kept)
 
 
 def without_primes(blocks: Sequence[Block]) -> list[Block]:
@@ -68,7 +68,7 @@ def without_primes(blocks: Sequence[Block]) -> list[Block]:
         return list(blocks)
     # The time t__4 of a state reads as t_4, which may be what is asked.
     used = {plain_name(x) for x in _used(blocks).letters}
-    told = [(plain_name(b.name), _letter(b.line)) for b in blocks if isinstance(b, Answer)]
+    told = [(plain_name(b.name), letter_of_answer(b.line)) for b in blocks if isinstance(b, Answer)]
     names = {x: own for x, own in primed.items() if plain_name(own.removeprefix(CHANGE)) not in used}
     return renamed(
         blocks, {x: n for x, n in names.items() if all(letter == x for name, letter in told if name == plain_name(n))}
@@ -87,7 +87,7 @@ def _asked(blocks: Iterable[Block]) -> dict[str, str]:
     """The shorter name of an answer by the letter that it is told to be, where all that are asked for begin with it."""
     found: defaultdict[str, set[str]] = defaultdict(set)
     for block in blocks:
-        if isinstance(block, Answer) and (letter := _letter(block.line)):
+        if isinstance(block, Answer) and (letter := letter_of_answer(block.line)):
             found[letter].add(block.name)
     only = {letter: name for letter, names in found.items() if (name := _first_of(names))}
     return {letter: name for letter, name in only.items() if _may_stand_for(name, letter)}
@@ -104,13 +104,13 @@ def _may_stand_for(name: str, letter: str) -> bool:
     return _shortens(name, letter) and bool(_left_out(name, letter)) and not _tells_the_point(name, letter)
 
 
-def _letter(told: Line) -> str:
+def letter_of_answer(told: Line) -> str:
     """The letter L of an answer `L = value`."""
     first = told[0] if len(told) > 1 and told[1] == Text(" = ") else None
     return first.expr.name if isinstance(first, Math) and first.expr.is_Symbol else ""
 
 
-def _pieces(name: str) -> list[str]:
+def pieces_of_name(name: str) -> list[str]:
     """The stem of a name and what stands behind it, components apart: a, A, y of a_Ay."""
     found: list[str] = []
     for piece in name.replace("__", "_").split("_"):
@@ -121,8 +121,8 @@ def _pieces(name: str) -> list[str]:
 
 def _shortens(name: str, letter: str) -> bool:
     """Is a name the letter without some of what stands behind its stem, but for its state, which is kept whole?"""
-    (stem, *kept), (own, *left) = _pieces(name), _pieces(letter)
-    state = _pieces(letter.partition("__")[2]) if "__" in letter else []
+    (stem, *kept), (own, *left) = pieces_of_name(name), pieces_of_name(letter)
+    state = pieces_of_name(letter.partition("__")[2]) if "__" in letter else []
     rest = iter(left)
     if state and kept[-len(state) :] != state:
         return False
@@ -131,15 +131,15 @@ def _shortens(name: str, letter: str) -> bool:
 
 def _left_out(name: str, letter: str) -> list[str]:
     """What of a letter its shorter name leaves out."""
-    kept = _pieces(name)
-    return [p for p in _pieces(letter) if p not in kept]
+    kept = pieces_of_name(name)
+    return [p for p in pieces_of_name(letter) if p not in kept]
 
 
 def _tells_the_point(name: str, letter: str) -> bool:
     """Does what the name leaves out say of which point a place, a velocity or an acceleration is?"""
-    if _pieces(letter)[-1] in POLAR:
+    if pieces_of_name(letter)[-1] in POLAR:
         return False
-    return _pieces(letter)[0] in OF_POINTS and any(_POINT.fullmatch(p) for p in _left_out(name, letter))
+    return pieces_of_name(letter)[0] in OF_POINTS and any(_POINT.fullmatch(p) for p in _left_out(name, letter))
 
 
 def _along(other: str, letter: str, name: str) -> str:
@@ -158,13 +158,13 @@ def _along(other: str, letter: str, name: str) -> str:
 def _stays_beside(letter: str, own: Mapping[str, str], asked: Mapping[str, str], used: _Used) -> bool:
     """Do others stay that are called after the same body, v_block or x_block at the end beside x_block at the start?"""
     name = own[letter]
-    if "__" not in letter and _pieces(letter)[0] not in OF_POINTS:
+    if "__" not in letter and pieces_of_name(letter)[0] not in OF_POINTS:
         return False
     dropped = set(_left_out(name, letter))
     others = [x for x in used.letters if x not in own]
-    if _pieces(letter)[-1] in POLAR:
-        others = [x for x in others if x not in asked and _pieces(x)[-1] in POLAR]
-    return any(_kindred(x, letter) and dropped <= set(_pieces(x)) for x in others)
+    if pieces_of_name(letter)[-1] in POLAR:
+        others = [x for x in others if x not in asked and pieces_of_name(x)[-1] in POLAR]
+    return any(_kindred(x, letter) and dropped <= set(pieces_of_name(x)) for x in others)
 
 
 def _kindred(other: str, letter: str) -> bool:
@@ -216,7 +216,7 @@ class Renaming:
 
     def answered(self, answer: Answer) -> Answer:
         """An answer that is called what it is."""
-        called = self.names.get(_letter(answer.line)) == answer.name
+        called = self.names.get(letter_of_answer(answer.line)) == answer.name
         return replace(answer, line=self.of(answer.line[2:] if called else answer.line))
 
     def of(self, value: Any) -> Any:
@@ -237,7 +237,7 @@ class Renaming:
     def _math(self, value: Math, expr: Any) -> Inline:
         put = {
             s: sp.Symbol(self.names[s.name], **s.assumptions0)
-            for s in (*expr.free_symbols, *(value.values or ()))
+            for s in (*expr.atoms(sp.Symbol), *(value.values or ()))
             if s.name in self.names
         }
         values = value.values and {put.get(s, s): text for s, text in value.values.items()}

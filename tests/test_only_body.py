@@ -1,0 +1,23 @@
+"""Letters of a page with one particle: no word says whose they are, where nothing else moves."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    # On a line, without an axis; what is across it is no datum.
+    ("ex-1-06", ["thrown: v = v0; top: y largest", "v_half = -√(g h + v0²), that is downward"]),
+    ("car-three-phases", ["a = 2 m/s² from start to cruise", "cruise: v = 90 km/h", "v_cruise = a_start t_cruise"]),
+    # In the plane with its axes.
+    ("ex-1-11", ["parallel: v_y = -3/4 v_x", "x_B = v_x,launch t_B"]),
+    # What is asked as v_back is the size of the velocity, and keeps its name.
+    ("ball-up-with-drag", ["v_back = -v_y,back = -(-22.78) = 22.78 m/s", "dv_y = ∫[0 → t_top] dt"]),
+    # Another point that moves, or a distance from a pole.
+    ("ball-that-grips-a-rough-floor", ["m v_Gx,2 → at G"]),
+    ("pin-in-a-limacon-groove", ["r_pin"]),
+])  # fmt: skip
+def test_letters(stem: str, lines: list[str]) -> None:
+    page = page_of_file(stem)
+    assert not [line for line in lines if line not in page]
