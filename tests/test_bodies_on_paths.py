@@ -86,7 +86,7 @@ def test_a_long_coefficient_that_is_simple_is_written_so() -> None:
 def test_a_spring_between_drawn_places_has_a_length() -> None:
     page = _page("particles/slider-spring-damper")
     assert "length of the spring coil:   l_coil = √(0.8² + 0.6²) = 1 m" in page
-    assert "F_dashpot = -12/13 c_d v_P = -12/13 · 30 · 1.5 = -41.54 N" in page
+    assert "F_dashpot = -12/13 c_d v = -12/13 · 30 · 1.5 = -41.54 N" in page
     assert "F_s = k_s (l_coil - l_0) = 200 (1 - 0.7) = 60 N" in page
 
 

@@ -39,10 +39,10 @@ def test_an_angular_velocity_is_a_letter_too() -> None:
 
 def test_a_rate_with_several_numbers_is_named_after_the_states() -> None:
     text = page("motion/car-three-phases")
-    assert "_car = a_car,start = 2 m/s²" in text
+    assert "̈ = a_start = 2 m/s²" in text
     assert "For x of the car from brake on:" in text
-    assert "_car = a_car,brake = -2.5 m/s²" in text
-    assert "t_brake - v_car,brake/a_car,brake = 60 - 25/(-2.5) = 70 s" in text
+    assert "̈ = a_brake = -2.5 m/s²" in text
+    assert "t_brake - v_brake/a_brake = 60 - 25/(-2.5) = 70 s" in text
 
 
 def test_times_are_counted_forward() -> None:

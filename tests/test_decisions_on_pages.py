@@ -36,8 +36,8 @@ def _page(name: str) -> str:
         ("energy/block-with-a-fading-push", "|F_P| = F_0 exp(-x_P,stop/b) = 0.03381 N ≤ μ N_P = 4.4145 N"),
         ("motion/body-block-sent-up-a-slope", "stays: |F_P| = m g sin β = 24.525 N ≤ μ N_P = 29.73 N"),
         ("momentum/two-wheels-pressed-together", "mode_3: |F_C| = 0 N ≤ μ N_C = 12.5 N"),
-        ("motion/ball-through-a-window", "above_sill: y_ball,wall = 10.62 m > 10 m"),
-        ("motion/ball-through-a-window", "below_lintel: y_ball,wall = 10.62 m < 11.5 m"),
+        ("motion/ball-through-a-window", "above_sill: y_wall = 10.62 m > 10 m"),
+        ("motion/ball-through-a-window", "below_lintel: y_wall = 10.62 m < 11.5 m"),
     ],
 )
 def test_what_decides_is_printed(name: str, line: str) -> None:

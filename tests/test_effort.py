@@ -32,9 +32,9 @@ def test_a_way_between_given_places_is_in_letters() -> None:
 def test_a_constant_acceleration_that_is_needed_anyway_serves_for_speeds_and_heights_too() -> None:
     page = page_of_file("ex-1-06")
     assert "Principle Newton's second law. Constant acceleration." in page
-    assert "(3): y_ball,top = v0²/(2 g) + h" in page
+    assert "(3): y_top = v0²/(2 g) + h" in page
     assert "From thrown to half, constant acceleration of the ball along y:" in page
-    assert "(4) v_ball,y,half² = 2 g (h - y_ball,half) + v0²" in page
+    assert "(4) v_half² = v0² - 2 g (y_half - h)" in page
     assert "work and kinetic energy" not in page
 
 

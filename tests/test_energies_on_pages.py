@@ -94,9 +94,9 @@ def test_differences_are_positive_and_squares_are_squares(stem: str, line: str) 
 
 @pytest.mark.parametrize(("stem", "line"), [
     ("slider-crank-with-a-spring", "W_spring = U of the spring coil, as above = 2.989 J"),
-    ("leaking-bucket", "dt/(t_1 - t_0) = v_P,1/t_1 = 53.48/12 = 4.457 m/s²"),
-    ("leaking-bucket", "(1): a_P = F/(M - q t) - g"),
-    ("leaking-bucket", "y_P,1 = F t_1/q - F (M - q t_1) ln(M/(M - q t_1)) / q² - 1/2 g t_1²"),
+    ("leaking-bucket", "dt/(t_1 - t_0) = v_1/t_1 = 53.48/12 = 4.457 m/s²"),
+    ("leaking-bucket", "(1): a = F/(M - q t) - g"),
+    ("leaking-bucket", "y_1 = F t_1/q - F (M - q t_1) ln(M/(M - q t_1)) / q² - 1/2 g t_1²"),
 ])  # fmt: skip
 def test_what_is_known_is_put_in(stem: str, line: str) -> None:
     assert line in page(stem)
@@ -111,7 +111,7 @@ def test_the_root_of_a_time_by_the_start() -> None:
     assert "the first such time after the start" in page("ex-1-07")
     assert "the positive root, as t_rest > 0" in page("turntable-run")
     # Where the velocity is known already, no root of a time is left to choose.
-    assert "v_ball,y,half = v0 - g t_half (5): t_half = (v0 - v_ball,y,half)/g" in page("ex-1-06")
+    assert "v_half = v0 - g t_half (5): t_half = (v0 - v_half)/g" in page("ex-1-06")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -206,8 +206,8 @@ def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -
 
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page("block-coming-to-rest-by-dry-friction")
-    assert "from stops_2 to end, from end to stop: a_P" not in told
-    assert "from turn_1 to turn_2, from stops to stops_2: a_P = -(μ m g + k x_P)/m At stop: t_stop" in told
+    assert "from stops_2 to end, from end to stop: a" not in told
+    assert "from turn_1 to turn_2, from stops to stops_2: a = -(μ m g + k x)/m At stop: t_stop" in told
 
 
 def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
@@ -222,7 +222,7 @@ def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
         "v_G,2 = (R - r) φ̇_2 ω_ball,2 = -(R - r) φ̇_2 / r ball rolls without slipping",
     ),
     ("disk-rolling-in-a-trough", "v_G,2 = (R - r) φ̇_2 ω_disk,2 = -(R - r) φ̇_2 / r disk rolls without slipping"),
-    ("simple-pendulum", "v_P,2 = l θ̇_2 E_k,2"),
+    ("simple-pendulum", "v_2 = l θ̇_2 E_k,2"),
 ])  # fmt: skip
 def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: str, line: str) -> None:
     """A mass centre with a coordinate of its own moves as that tells, whether its body rolls or not."""

@@ -36,7 +36,7 @@ def test_the_least_speed_to_a_target() -> None:
 
 def test_the_highest_point_of_a_wall_that_a_jet_reaches() -> None:
     page = _page("motion/safety-parabola")
-    assert "y_drop,above_d(β) = d tan β - g d²/(2 v0² cos² β)" in page
+    assert "y_above_d(β) = d tan β - g d²/(2 v0² cos² β)" in page
     assert "arctan(v0²/(g d))" in page
 
 

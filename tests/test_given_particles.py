@@ -41,4 +41,4 @@ def test_a_rod_with_a_name_of_its_own_is_told_between_its_points(stem: str, word
 
 
 def test_the_first_state_says_what_a_letter_that_is_sought_stands_for() -> None:
-    assert "nozzle: |v_drop| = v_0, direction of v_drop = β, v_0 > 0; window:" in given("least-speed-to-a-target")
+    assert "nozzle: |v| = v_0, direction of v = β, v_0 > 0; window:" in given("least-speed-to-a-target")

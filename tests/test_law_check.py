@@ -24,7 +24,7 @@ def _page(stem: str) -> str:
 def test_mean_speed() -> None:
     page = _page("car-three-phases")
     found = re.search(
-        r"mean velocity times the time, x of the car: \((\S+) \+ (\S+)\)/2 · (\S+) = (\S+) m; x_car,cruise = (\S+) m",
+        r"mean velocity times the time, x of the car: \((\S+) \+ (\S+)\)/2 · (\S+) = (\S+) m; x_cruise = (\S+) m",
         page,
     )
     assert found is not None

@@ -22,7 +22,7 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     ("name", "equation"),
     [
-        ("friction/crate-pulled", "P cos 25° - μ_k N_A = m a_A"),
+        ("friction/crate-pulled", "P cos 25° - μ_k N_A = m a"),
         ("friction/stacked-blocks", "P - μ_A N_A - μ_B N_B = m_B a_B"),
         ("friction/spool-rolls-or-slips", "P r_h - μ_k N_C R = I_G α"),
         ("rigid-bodies/built-in-beam-with-prop", "F cos 35° + A_x = 0"),

@@ -40,7 +40,7 @@ def test_what_is_no_ratio_stays() -> None:
 
 
 def test_the_height_of_a_ball_in_air() -> None:
-    assert "y_ball,top = m ln(1 + c v_ball,y,up²/(m g)) / (2 c)" in page("motion/ball-up-with-drag")
+    assert "y_top = m ln(1 + c v_y,up²/(m g)) / (2 c)" in page("motion/ball-up-with-drag")
 
 
 def test_a_given_law_is_told_once() -> None:

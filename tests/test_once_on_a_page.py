@@ -37,7 +37,7 @@ def test_a_case_tells_only_what_differs() -> None:
 def test_before_is_the_last_diagram() -> None:
     """The case before has another mass, and nothing that enters: its diagram is not the one without F."""
     case = page_of_file("sand-wagon").partition("CASE coasting")[2]
-    assert "wagon: g (M + q t) ↓, v_P q ←, N_rails ↑ = (M + q t) a_P →" in case
+    assert "wagon: g (M + q t) ↓, v q ←, N_rails ↑ = (M + q t) a →" in case
 
 
 def test_what_is_as_before_has_a_name() -> None:

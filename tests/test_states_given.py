@@ -117,7 +117,7 @@ def test_words_of_a_state(relation: str, told: str) -> None:
 @pytest.mark.parametrize(
     ("stem", "told"),
     [
-        ("least-speed-to-a-target", "window: x_drop = 40 m, y_drop = 12 m, v_0 smallest"),
+        ("least-speed-to-a-target", "window: x = 40 m, y = 12 m, v_0 smallest"),
         ("racing-car-from-rest-on-a-circle", "a_car,t = a_t; start: at rest"),
         ("ex-4-13", "1: at rest; 2: just after 1; 3: ω_rod = 0"),
     ],

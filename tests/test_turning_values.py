@@ -7,7 +7,7 @@ from worked import page_of_file
 
 def test_the_condition_of_a_largest_value_is_said() -> None:
     page = page_of_file("follower-with-cycloidal-lift")
-    told = "a_follower,y is largest, where its derivative is zero: (3) cos(2 π t_a/T) = 0"
+    told = "a is largest, where its derivative is zero: (3) cos(2 π t_a/T) = 0"
     assert told in page
 
 
@@ -24,7 +24,7 @@ def test_the_value_is_told_in_letters_of_the_file() -> None:
 
 
 def test_a_place_that_the_file_gives_over_time_has_a_line() -> None:
-    assert "lift = y_follower,end = h = 0.03 m = 30 mm" in page_of_file("follower-with-cycloidal-lift")
+    assert "lift = y_end = h = 0.03 m = 30 mm" in page_of_file("follower-with-cycloidal-lift")
 
 
 def test_a_formula_that_stands_in_its_line_is_not_said_once_more() -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.report.blocks import Answer, Block, Inline, Line, Math, Name, Note, Text
+from planar_cli.report.formula import is_canonical
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 
@@ -241,4 +242,15 @@ class Renaming:
             if s.name in self.names
         }
         values = value.values and {put.get(s, s): text for s, text in value.values.items()}
-        return Math(expr.xreplace(put), values) if put else value
+        return Math(put_in_place(expr, put), values) if put else value
+
+
+def put_in_place(expr: Any, put: Mapping[sp.Symbol, sp.Symbol]) -> Any:
+    """A formula in other letters, as its author arranged it: (M - q t) a stays, 2 (R - r) is not multiplied out."""
+    if not expr.args:
+        return put.get(expr, expr)
+    args = [put_in_place(a, put) for a in expr.args]
+    if args == list(expr.args):
+        return expr
+    arranged = isinstance(expr, sp.Add | sp.Mul | sp.Pow) and not is_canonical(expr)
+    return expr.func(*args, evaluate=False) if arranged else expr.func(*args)

@@ -19,25 +19,27 @@ from planar_cli.report.one_name import OPENING, RATES, Renaming, letter_of_answe
 OF_PLACES, OF_MOTIONS, OF_OTHERS = ("x", "y"), ("v", "a"), ("r", "s")
 """Stems of coordinates, of velocities and accelerations, and of what else is called after a point."""
 AXES = ("x", "y")
-GIVEN = "Given"
+GIVEN, REST = "Given", "eq"
 
 
 @record
 class _Letter:
-    """A letter of a particle: `v`, `ball`, `y`, `dot`, and its state."""
+    """A letter of a particle: `v`, `ball`, `y`, `dot`, whether it is the one of its place of rest, and its state."""
 
     name: str
     stem: str
     subject: str
     axis: str
     dots: str
+    rest: bool
     state: str
 
     def short(self, with_axis: bool) -> str:
         """Its name without the particle, and without the axis of a velocity."""
         axis = f"_{self.axis}" if self.axis and with_axis and self.stem in OF_MOTIONS else ""
         dots = f"_{self.dots}" if self.dots else ""
-        return f"{self.stem}{axis}{dots}" + (f"__{self.state}" if self.state else "")
+        rest = f"_{REST}" if self.rest else ""
+        return f"{self.stem}{axis}{dots}{rest}" + (f"__{self.state}" if self.state else "")
 
 
 def with_only_body(blocks: Sequence[Block], problem: Problem) -> list[Block]:
@@ -95,11 +97,12 @@ def _read(name: str) -> _Letter | None:
     own, _, state = name.partition("__")
     stem, *rest = pieces_of_name(own)
     dots = next((p for p in rest if p in RATES), "")
-    rest = [p for p in rest if p not in RATES]
+    at_rest = REST in rest
+    rest = [p for p in rest if p not in (*RATES, REST)]
     axis = rest.pop() if len(rest) > 1 and rest[-1] in AXES and stem in OF_MOTIONS else ""
     if stem not in (*OF_PLACES, *OF_MOTIONS, *OF_OTHERS) or not rest:
         return None
-    return _Letter(name, stem, "_".join(rest), axis, dots, state)
+    return _Letter(name, stem, "_".join(rest), axis, dots, at_rest, state)
 
 
 def _collides(short: dict[str, str], names: Sequence[str], blocks: Sequence[Block]) -> bool:
