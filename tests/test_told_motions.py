@@ -78,9 +78,8 @@ def test_a_blow_names_its_bodies_and_components() -> None:
     assert "From 1 to 2, :" not in found
     assert "DA, angular momentum about A, zero before, and no impulse changes it:" in found
     assert "DA, momentum across the line of J:" in found
-    assert found.count("The impulse of hit on DB from state 1 to state 2:") == 1
-    assert "in the blow from 1 to 2, x:" in found
-    assert "in the blow from 1 to 2, y:" in found
+    assert "in the blow from" not in found
+    assert "J = 8.323 N·s" in found
     assert "v_Bx,1 = -w = -1 m/s" in found
 
 
@@ -131,10 +130,9 @@ find: {phi: r(G).angle @ leaves in deg, omega: abs(omega(roller) @ leaves)}
 def test_a_condition_of_forces_is_no_geometry() -> None:
     """The work of the weight is that of the height, whatever N = 0 says of it; both equations are solved in letters."""
     found = told(ROLLS_OFF)
-    assert "U of the weight of roller = m g (y_G,top - y_G,leaves) = m g (R + r) (1 - cos(r θ_leaves / (R + r)))" in (
-        found.replace("= 7.848 (1 - cos(0.25 θ_leaves)) in J", "= m g (R + r) (1 - cos(r θ_leaves / (R + r)))")
-    )
-    assert "θ_leaves = (R + r) arccos(4/7) / r" in found
+    assert "U of the weight of roller = m g (y_G,top - y_G,leaves)" in found
+    assert "(1 - cos φ_leaves)" in found
+    assert "cos φ_leaves = 4/7" in found
     assert "solved numerically" not in found
 
 
