@@ -16,6 +16,7 @@ from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.apart import with_letters_apart
 from planar_cli.report.asked_in_general import with_asked
+from planar_cli.report.at_one_state import where_asked, where_told
 from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import (
     Block,
@@ -52,12 +53,10 @@ from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.said import said, said_once, says_nothing
-from planar_cli.report.shown import place_drawn, place_of_rest
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
-from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.special_case import special_case
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.stretches import only_after, stretches
@@ -236,9 +235,8 @@ def _instant_blocks(
 
     phrases = phrases_of(instant, voice.figures)
     if part.motion is not None:
-        near = is_of_small_deviations(part.motion, instant)
-        drawn = place_of_rest(part.motion, instant) if near else place_drawn(part.motion, instant)
-        phrases = replace(phrases, ways=part.motion.regime(instant).ways, drawn=drawn)
+        ways = part.motion.regime(instant).ways
+        phrases = replace(phrases, ways=ways, drawn=where_told(part.motion, instant))
     wanted = _needed(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
@@ -251,7 +249,7 @@ def _instant_blocks(
         told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
         asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or said(b) not in told)
         return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count
-    blocks = in_small_deviations(blocks, part.motion, instant, telling, phrases)
+    blocks = where_asked(blocks, part.motion, instant, telling, phrases)
     if why is None:
         blocks = with_asked(blocks, telling, part.motion)
     acting = stretches(part, instant)

@@ -50,6 +50,11 @@ def place_of_rest(motion: MotionTrace, instant: InstantSolution) -> Valuation:
     the line in which it lies there.
     """
     ((state, _),) = set(motion.regime(instant).stretches)
+    return place_at(motion, instant, state)
+
+
+def place_at(motion: MotionTrace, instant: InstantSolution, state: str) -> Valuation:
+    """The numbers of one state."""
     return instant.value.extended(motion.value.values).extended(_at(motion, state))
 
 

@@ -1,0 +1,31 @@
+"""What is asked of forces at one state alone, in letters, stands on the page at that state: no sine of any angle."""
+
+from __future__ import annotations
+
+import unicodedata
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Accelerations at 2, θ = 0: a⃗_B = α_AB × r⃗_B/A - ω_AB² r⃗_B/A r⃗_B/A = [l, 0]",
+        "(3) α_AB = -α_BC",
+        "free-body diagram = kinetic diagram At 2, θ = 0: AB: m g ↓ at G_AB",
+        "1/2 m l α_AB ↑ at G_AB, 1/2 m l ω_AB² ← at G_AB",
+        "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = 7/4 m l² α_AB + 3/4 m l² α_BC + I_AB α_AB + I_BC α_BC",
+        "(5): α_AB = -m g l / (1/2 m l² + I_AB + I_BC)",
+    ],
+)
+def test_two_rods_that_fall_flat(words: str) -> None:
+    page = unicodedata.normalize("NFC", page_of_file("two-rods-falling-flat"))
+    plain = page.replace("\u20d7", "")
+    assert words.replace("\u20d7", "") in plain
+    assert "sin θ" not in plain
+
+
+def test_what_rests_on_the_general_position_keeps_it() -> None:
+    """The motion of a pendulum is integrated: its equation holds for every angle."""
+    assert "θ̈ = -g sin θ / l" in unicodedata.normalize("NFC", page_of_file("simple-pendulum"))
