@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import PI, Valuation
 from planar_cli.solve.between.one_by_one import without_factors
 from planar_cli.solve.regimes.equations import Equation
 
@@ -40,3 +40,18 @@ def test_a_pulley_pulled_against_a_spring() -> None:
     assert "(1) 1/2 k R (1 + 2 y_Q,2) = P r" in page
     assert "(2) 0 = 1/2 + R θ_2 + y_Q,2" in page
     assert "solved numerically" not in page
+
+
+def test_of_a_product_that_vanishes_the_factor_that_does_is_told() -> None:
+    """l ω sin θ = 0 while it turns: sin θ = 0; what vanishes altogether, or has one letter of the state, stays."""
+    omega, theta = sp.Symbol("omega__2", real=True), sp.Symbol("theta__2", real=True)
+
+    def left(residual: sp.Expr, turning: str, angle: Decimal) -> sp.Expr:
+        value = Valuation({R: Decimal("0.4"), omega: Decimal(turning), theta: angle})
+        return without_factors(Equation(residual, "given", "as given", "2"), value).residual
+
+    speed = R * omega * sp.sin(theta)
+    assert left(speed, "3", +PI) == sp.sin(theta)
+    assert left(speed, "0", Decimal(1)) == omega
+    assert left(speed, "0", +PI) == speed
+    assert left(R * omega, "0", Decimal(1)) == R * omega

@@ -19,8 +19,9 @@ def standing(pieces: EnergyPieces) -> dict[str, sp.Expr]:
     found = {}
     for body, amount in pieces.balance.amounts:
         speeds = [s for s in amount.free_symbols if s in units and units[s].dimension in (RATE, VELOCITY)]
-        sought = set(speeds).intersection(pieces.unknowns)
-        if sought and value.vanishes(amount) and all(value.known(s) for s in speeds):
+        sought = amount.free_symbols.intersection(pieces.unknowns)
+        # Where the place is still to be found, no place has made it vanish yet.
+        if sought and sought <= set(speeds) and value.vanishes(amount) and all(value.known(s) for s in speeds):
             found[body] = pieces.put(amount)
     return found
 

@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.between.derivation import Derivation
+from planar_cli.solve.between.substitution import STATE
 from planar_cli.solve.regimes.equations import Equation
 
 Inside = Callable[[Equation], frozenset[sp.Symbol]]
@@ -68,13 +69,18 @@ def _smallest(
 def without_factors(equation: Equation, value: Valuation) -> Equation:
     """A condition whose factors are known not to vanish loses them: of 2 v dv/dt = 0 with v > 0, dv/dt = 0 is left. A
     number stays with a polynomial in numbers: of (20 - 4 t)/m = 0, 20 - 4 t = 0 is left. What has a sign there is not
-    told by its size: with y < 0, -y stands for |y|.
+    told by its size: with y < 0, -y stands for |y|. Of what the file says of letters of a state, the one factor that
+    vanishes is left: of l ω sin θ = 0 with ω > 0, sin θ = 0.
     """
     if equation.kind in SIGNED:
         equation = _signed(equation, value)
+    factors = sp.Mul.make_args(sp.factor_terms(equation.residual))
+    if equation.kind == "given":
+        moving = [f for f in factors if any(STATE in s.name for s in f.free_symbols)]
+        nil = [f for f in moving if not _differs_from_zero(f, value)]
+        return equation if len(nil) != 1 or len(moving) == 1 else replace(equation, residual=nil[0])
     if equation.kind != "extreme":
         return equation
-    factors = sp.Mul.make_args(sp.factor_terms(equation.residual))
     kept = [f for f in factors if not _differs_from_zero(f, value)]
     if len(kept) == len(factors) or not kept:
         return equation

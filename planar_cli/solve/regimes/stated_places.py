@@ -36,11 +36,12 @@ def stated_places(
     for state in states:
         relations = [r for r in state.relations if isinstance(r, Relation) and _tells_place(r, names)]
         stated = tuple(c for c in _read(relations, quantities) if c.residual.free_symbols & symbols)
-        inside = {s for c in (*stated, *constraints) for s in c.residual.free_symbols}
-        if not stated or any(drawn.known(c.residual) is None for c in stated):
+        every = (*constraints, *stated)
+        inside = {s for c in every for s in c.residual.free_symbols}
+        if not stated or any(drawn.known(c.residual) is None for c in every):
             continue
         unknowns = tuple(c.symbol for c in coordinates if c.symbol in inside)
-        found = _projected((*constraints, *stated), unknowns, drawn)
+        found = _projected(every, unknowns, drawn)
         if found is not None:
             yield drawn.extended(found)
 
@@ -55,7 +56,7 @@ def _read(relations: Sequence[Relation], quantities: Quantities) -> tuple[Constr
     """The relations as residuals; none where they can not be read in a general position."""
     try:
         found = list(place_residuals(relations, quantities))
-    except PlanarError:
+    except (PlanarError, NoValue):
         return ()
     return tuple(Constraint(sp.sympify(residual), text, "", "given") for _, text, residual in found)
 
