@@ -19,6 +19,7 @@ from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
+from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.idle_zeros import is_untold
@@ -53,7 +54,6 @@ from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
-from planar_cli.report.results import numbered
 from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at
@@ -199,8 +199,9 @@ class MotionTelling:
         if (inserted := one_in_another(leg, self.found, route.plain)) is not None:
             return (yield from told_inserted(inserted, numbers, self.phrases, self._chain))
         named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
-        yield from () if named else self._in_numbers(leg, numbers, route)
-        lead = line(numbered(numbers) + (" together:" if len(numbers) > 1 else ":"))
+        put = with_others_put_in(leg, route, numbers, self.phrases, self._is_told)
+        yield from put or (() if named else self._in_numbers(leg, numbers, route))
+        lead = lead_of(numbers, put)
         for i, r in enumerate(needed_results(leg, self.found)):
             plain = (formula := self._formula(r)) is not None and not longer(formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted

@@ -1,0 +1,25 @@
+"""Of equations that give several unknowns together one is told with the others put in, from which a result follows."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_restitution_is_put_into_the_momentum() -> None:
+    page = page_of_file("carriages-that-collide")
+    assert "(1) in (2): m_A v_A,1 + m_B v_B,1 = m_A (v_B,2 - e (v_A,1 - v_B,1)) + m_B v_B,2 hence: v_B,2 =" in page
+
+
+def test_the_square_of_a_speed_is_put_into_the_energy() -> None:
+    page = page_of_file("cylinder-that-rolls-off-a-cylinder")
+    assert "m g (R + r) (1 - cos φ_leaves) = 3/4 m g (R + r) cos φ_leaves hence: cos φ_leaves = 4/7" in page
+
+
+def test_of_three_equations_two_are_put_into_the_third() -> None:
+    assert "(2), (3) in (1): -r (m r + I_f/r) ω_rear,2 - M t_2 = I_r ω_rear,2" in page_of_file("ex-4-18")
+
+
+def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
+    page = page_of_file("ball-on-a-cord-that-goes-slack")
+    assert "(6) in numbers: 2.771 = 0.8 r_3² φ̇_3" in page
+    assert "(5), (6) together: r_3 = 0.5108 m" in page
