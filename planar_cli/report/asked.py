@@ -32,6 +32,7 @@ from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
+from planar_cli.report.only_reaction import size_of_only
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.polar_slides import SlideTelling
 from planar_cli.report.rates_in_turn import rate_in_turn
@@ -139,7 +140,8 @@ class AskedTelling:
             assert isinstance(what, Quantity)
             vector = self._parts(what)
             if vector is not None:
-                size = size_of(vector, answer.unit.dimension, self.phrases)
+                only = size_of_only(what, self.system, self.phrases)
+                size = only or size_of(vector, answer.unit.dimension, self.phrases)
                 values = self.phrases.in_units(answer.values[0], answer.unit, answer.energy)
                 yield Equation((line(Name(answer.name)), size, *values))
                 return

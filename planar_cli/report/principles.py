@@ -22,6 +22,7 @@ DERIVATIVES = "Velocity and acceleration as derivatives: v = ds/dt, a = dv/dt."
 ROLLS = "Rolling without slipping: the points that touch have the same velocity."
 ROLLS_BY_ARC = "Rolling without slipping: the centre advances by the arc r φ (φ in radians)."
 POSITIONS = "Position vectors: r_B = r_A + r_B/A."
+POLAR = "Polar coordinates: v_r = ṙ, v_θ = r θ̇; a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇."
 STREAM = "Momentum of a stream: its force is the mass per second times its velocity."
 EXTREME = "A largest or smallest value: there its derivative is zero."
 RADIAN = "rad"
@@ -139,7 +140,7 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
     yield from _relative(uses, page)
     yield from _bodies(uses, page)
     if RADIAL in uses.passages or "e_r" in page.names:
-        yield "Polar coordinates: v_r = ṙ, v_θ = r θ̇; a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇."
+        yield POLAR
     if "e_n" in page.names or ALONG in uses.passages:
         yield "Path coordinates: a = v̇ e_t + v²/ρ e_n."
     if RATES in uses.passages:
@@ -154,6 +155,9 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
 
 
 def _relative(uses: Uses, page: Printed) -> Iterator[str]:
+    if "r_dot" in page.names and "e_r" not in page.names:
+        yield POLAR
+        return
     if page.coriolis or "a_xi" in page.names or (uses.forces and uses.sliding):
         yield "Motion relative to a turning body: v_P = v_P′ + v_rel, a_P = a_P′ + a_rel + 2 ω × v_rel."
     elif uses.coriolis:

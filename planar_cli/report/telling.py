@@ -22,6 +22,7 @@ from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, in_numbers, places
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
+from planar_cli.report.grooves import groove_told
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
@@ -274,6 +275,9 @@ class Telling:
         if rope := rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero):
             self.solving.merged.add((id(stage.algebra), w.number))
             return rope
+        if groove := groove_told(w, stage, self.vectors, number):
+            self.solving.merged.add((id(stage.algebra), w.number))
+            return groove
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
         length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:

@@ -1,0 +1,174 @@
+"""What is driven along a fixed groove r(θ) by a rod that turns about the pole: how r changes tells how fast it slides
+on the rod, with no components.
+
+    r = f(θ),   ṙ = f′ ω,   r̈ = f″ ω² + f′ α
+    tan ψ = r/(dr/dθ), the angle from the radius to the tangent of the groove
+
+(An Introduction to Planar Dynamics, 1.3.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.curves import curve_formula
+from planar_cli.equation.motion import Edge
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.scene import GROUND, Curve
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.enough_figures import DEGREE
+from planar_cli.report.told import Told
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY
+
+
+@record
+class Groove:
+    """A point on a rod through the pole and in a groove r = `radius`(`angle`). `sense`: 1 where its rate along the rod
+    counts outward; `turned`: the angle θ of the rod, rad; `spin`, `gain`: ω and α of the rod.
+    """
+
+    place: str
+    rod: str
+    pole: str
+    name: str
+    angle: sp.Symbol
+    radius: sp.Expr
+    sense: int
+    turned: Decimal
+    spin: sp.Expr
+    gain: sp.Expr
+
+
+def groove_told(w: Written, stage: Stage, told: Told, number: int) -> list[Block]:
+    """The lines of one relation, of velocities or of accelerations; empty: it is about something else."""
+    if w.source != "closure" or told.phrases.symbolic:
+        return []
+    joining = next((j for j in told.system.tree.closures if j.joint == w.lead and j.place == w.place), None)
+    found = None if joining is None else _groove(told, joining)
+    result = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,) and not x.letters), None)
+    if joining is None or found is None or result is None:
+        return []
+    edge = next(e for e in told.system.tree.edges if e.body == joining.mover)
+    if result.symbol == edge.slide:
+        return list(_velocity(found, result, told.phrases, number))
+    return list(_acceleration(found, result, told.phrases, number)) if result.symbol == edge.slide_rate else []
+
+
+def _groove(told: Told, joining: Joining) -> Groove | None:
+    scene, motion, edges = told.system.scene, told.motion, {e.body: e for e in told.system.tree.edges}
+    edge = edges.get(joining.mover)
+    joint = next((j for j in scene.problem.joints if j.name == joining.joint), None)
+    along = getattr(joint, "along", None)
+    surface = scene.surfaces.get(getattr(along, "name", along) or "")
+    if edge is None or surface is None or surface.body is not None or joining.base != GROUND:
+        return None
+    shape = surface.shape
+    if not isinstance(shape, Curve) or shape.kind != "r" or not _turns_about_pole(edge, edges):
+        return None
+    assert edge.joining is not None
+    assert edge.joining.path is not None
+    phrases, at, way = told.phrases, joining.point, edge.joining.path.tangent
+    if not phrases.value.is_zero(at.cross(way)):
+        return None
+    angle, radius = curve_formula(scene, shape)
+    spin, gain = motion.velocities[edge.parent].angular, motion.accelerations[edge.parent].angular
+    pole = edges[edge.parent].joining
+    assert pole is not None
+    sense = 1 if phrases.certain(at.dot(way)) > 0 else -1
+    turned = phrases.value(sp.atan2(at.y, at.x))
+    letters = radius.free_symbols - {angle}
+    if not all(phrases.has_numbers(s) for s in letters) or phrases.value.is_zero(spin):
+        return None
+    if not phrases.value.is_zero(radius.xreplace({angle: sp.atan2(at.y, at.x)}) ** 2 - at.dot(at)):
+        return None
+    return Groove(joining.place, edge.parent, pole.place, surface.name, angle, radius, sense, turned, spin, gain)
+
+
+def _turns_about_pole(edge: Edge, edges: dict[str, Edge]) -> bool:
+    """Does it slide along a straight line of a body that turns about the origin of the axes?"""
+    straight = edge.joining is not None and edge.joining.path is not None and edge.joining.path.curvature == 0
+    rod = edges.get(edge.parent)
+    if not straight or rod is None or rod.joining is None or rod.parent != GROUND:
+        return False
+    return rod.joining.only_turns and (rod.joining.point.x, rod.joining.point.y) == (0, 0)
+
+
+def _velocity(g: Groove, result: SolvedLine, phrases: Phrases, number: int) -> Iterator[Block]:
+    words = f"{g.place} slides along {g.rod}, which turns about {g.pole}, and along {g.name}; "
+    yield Paragraph(line(words, Name("r"), f" = {g.pole}{g.place}:"))
+    sizes = _sizes(g, phrases)
+    length = phrases.of_dimension(phrases.value.extended(sizes)(g.radius), LENGTH)
+    yield Equation((line(Name("r")), phrases.math(g.radius), *_numbers(g.radius, sizes, phrases), length))
+    rate = sp.diff(g.radius, g.angle) * g.spin
+    yield _rate(g, result, rate, Name("r_dot"), (phrases, VELOCITY), number)
+
+
+def _acceleration(g: Groove, result: SolvedLine, phrases: Phrases, number: int) -> Iterator[Block]:
+    slope = sp.diff(g.radius, g.angle)
+    rate = sp.diff(slope, g.angle) * g.spin**2
+    if not phrases.value.is_zero(g.gain):
+        rate += slope * g.gain
+    yield _rate(g, result, rate, Name("r_ddot"), (phrases, ACCELERATION), number)
+    sizes = _sizes(g, phrases)
+    value = phrases.value.extended(sizes)
+    if value.is_zero(slope):
+        return
+    quotient = g.radius / slope
+    angle = sp.atan(quotient) if value(quotient) > 0 else sp.pi + sp.atan(quotient)
+
+    def pure(size: sp.Expr) -> Value:
+        return phrases.of_dimension(value(size), PURE)
+
+    degrees = phrases.of_dimension(value(angle) / DEGREE, PURE)
+    tangent = line("tan ", Name("psi"))
+    formula = line(Name("r"), "/(d", Name("r"), "/d", Name("theta"), ") = ", phrases.math(quotient))
+    yield Equation(
+        (tangent, formula, *_numbers(quotient, sizes, phrases), phrases.of_dimension(value(quotient), PURE)),
+        None,
+        note=line(
+            Name("psi"),
+            " = ",
+            degrees,
+            f"°, from {g.pole}{g.place} to the tangent of {g.name}; ",
+            "sin ",
+            Name("psi"),
+            " = ",
+            pure(sp.sin(angle)),
+            ", cos ",
+            Name("psi"),
+            " = ",
+            pure(sp.cos(angle)),
+        ),
+    )
+
+
+def _rate(g: Groove, result: SolvedLine, rate: sp.Expr, letter: Name, by: tuple[Phrases, Any], number: int) -> Equation:
+    """v_P,rod = ṙ = formula = numbers = value."""
+    phrases, dimension = by
+    sizes = _sizes(g, phrases)
+    value = phrases.of_dimension(g.sense * phrases.value.extended(sizes)(rate), dimension)
+    named: Line = line("" if g.sense > 0 else "-", letter)
+    signed = g.sense * rate
+    return Equation(
+        (phrases.math(result.symbol), named, phrases.math(signed), *_numbers(signed, sizes, phrases), value), number
+    )
+
+
+def _sizes(g: Groove, phrases: Phrases) -> dict[sp.Symbol, Decimal]:
+    inside = [s for s in (g.spin, g.gain) if isinstance(s, sp.Symbol)]
+    return {g.angle: g.turned, **{s: phrases.value(s) for s in inside}}
+
+
+def _numbers(formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], phrases: Phrases) -> list[Any]:
+    known = {s: sizes.get(s, phrases.value.known(s)) for s in formula.free_symbols}
+    put = phrases.numbers(formula, {s: n for s, n in known.items() if n is not None})
+    return [] if put is None else [put]
