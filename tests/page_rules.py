@@ -302,6 +302,7 @@ def _grade(r: Row, answer: Told, solved: bool) -> str:
     """`solved`: its formula stands on a line before."""
     left = r.left
     own = left in (answer.name, answer.letter, f"{answer.name}, x", f"{answer.name}, y") or base(left) == answer.name
+    own = own or answer.letter in _vectors_of(left)
     if along := re.fullmatch(r"(\S+) · [eu]′?", left):
         left, own = along[1], along[1] == answer.letter
     if answer.value is None:
@@ -321,6 +322,12 @@ def _grade(r: Row, answer: Told, solved: bool) -> str:
     if formula and (numbers or single):
         return "full" if own else "other"
     return "short" if formula or numbers else "bare"
+
+
+def _vectors_of(left: str) -> set[str]:
+    """The vectors of which a letter may be a component: v_B,2 of v_Bx,2, and r_B,2 of x_B,2."""
+    parts = {re.sub(r"(?<=[A-Z\d])[xy](?=,|$)", "", left), re.sub(r",[xy](?=,|$)", "", left)} - {left}
+    return parts | ({f"r{left[1:]}"} if left[:2] in ("x_", "y_") else set())
 
 
 def _along_an_axis(side: str) -> tuple[float, str] | None:

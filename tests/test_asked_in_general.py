@@ -12,7 +12,7 @@ def test_a_point_of_a_body_has_its_vector_equation_and_components() -> None:
     assert "v_By = l ω cos θ = v_A/tan θ" in page
     assert "a_M = α × r_M/A - ω² r_M/A r_M/A = [1/2 l cos θ, 1/2 l sin θ]" in page
     assert "a_Mx = -1/2 l α sin θ - 1/2 l ω² cos θ = 0" in page
-    assert "a_M, y = -v_A²/(2 l sin³ θ_2) = -0.5² / (2 · 4 sin³ 135°) = -0.08839 m/s²" in page
+    assert "a_My,2 = -v_A²/(2 l sin³ θ_2) = -0.5² / (2 · 4 sin³ 135°) = -0.08839 m/s²" in page
 
 
 def test_what_holds_at_one_state_is_not_said_of_all() -> None:

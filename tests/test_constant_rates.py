@@ -28,13 +28,13 @@ def test_an_acceleration_is_told_once_in_numbers() -> None:
 def test_what_is_asked_is_told_in_it() -> None:
     text = page("textbook/ex-1-10")
     assert "a_t = R α = 0.6 · 0.16667 = 0.1 m/s²" in text
-    assert "a_B, x = -R (α sin θ_2 + ω_2² cos θ_2)" in text
+    assert "a_Bx,2 = -R (α sin θ_2 + ω_2² cos θ_2)" in text
 
 
 def test_an_angular_velocity_is_a_letter_too() -> None:
     text = page("textbook/ex-1-09")
     assert "v_E = r_h ω = 0.3 · 0.33333 = 0.1 m/s" in text
-    assert "v_B_at_2s, x = -R ω sin θ_2" in text
+    assert "v_Bx,2 = -R ω sin θ_2" in text
 
 
 def test_a_rate_with_several_numbers_is_named_after_the_states() -> None:

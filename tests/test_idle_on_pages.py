@@ -58,3 +58,8 @@ def test_the_reason_of_a_root_stands_beside_its_equation() -> None:
     assert isinstance(first, Equation)
     assert first.note == ROOT.line
     assert second == solved
+
+
+def test_an_answer_is_not_called_what_another_state_has() -> None:
+    """State 1 is at rest: ω_1 = ω_2, by the name that the file gives to what is asked, would be false there."""
+    assert "Answer ω_2 = 2.8125 rad/s counterclockwise (asked for as ω_1)" in page_of_file("ex-4-13")

@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
+from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Name, Text, Value, line
 from planar_cli.report.letter_vectors import letter_vector_words
 from planar_cli.report.mode_words import mode_words
 from planar_cli.report.names import plain_name
@@ -48,12 +48,21 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     ):
         # Its direction says in which sense it counts.
         return Answer(found.name, said, "=")
+    if asked == symbol and _is_of_another_state(found.name, symbol, part):
+        return Answer(symbol.name, line(said, " (asked for as ", Name(found.name), ")"), "=")
     positive = (phrases.value.known(symbol) or 0) > 0 and not phrases.symbolic
     if same and size and positive:
         return Answer(found.name, said, "=")
     letter = line("|", Math(symbol), "|") if size and not positive else line(Math(symbol if size else asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
+
+
+def _is_of_another_state(name: str, symbol: sp.Symbol, part: PartSolution) -> bool:
+    """Is the name that the file gives to ω_2 on this page that of the same letter in state 1? ω_1 = ω_2 reads so."""
+    own = part.motion.general if part.motion is not None else {}
+    others = (s for s, general in own.items() if s != symbol and general == own.get(symbol))
+    return any(plain_name(s.name) == plain_name(name) for s in others)
 
 
 def _second_rate(found: Found) -> sp.Symbol | None:

@@ -33,6 +33,7 @@ from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
+from planar_cli.report.component_letters import with_component_letters
 from planar_cli.report.decisions import decision_lines
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
@@ -180,6 +181,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
+    blocks = with_component_letters(blocks, part.found)
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):
