@@ -105,6 +105,13 @@ def test_a_rod_that_falls_flat_is_told_by_its_own_speed() -> None:
     assert "10⁻" not in page
 
 
+def test_what_stands_still_needs_no_moment_of_inertia() -> None:
+    found, page = told(WHEEL.format(states="3: [theta(AB) = 180 deg]", find="v_B: v(B).x @ 3"))
+    assert first(found["v_B"]) == 0
+    assert "moment of inertia of AB: I_AB = 1/12 m l²" in page
+    assert "I_wheel" not in page
+
+
 def test_nothing_is_divided_by_what_vanishes_there() -> None:
     """m l² α/3 = m g l/2;  a_B = -l ω²;  N_A = m l ω²/2 + 3 m_w l ω²/2."""
     find = "alpha: alpha(AB) @ 3, a_B: a(B).x @ 3, N_A: N(A) @ 3"

@@ -18,7 +18,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
-from planar_cli.units import LENGTH
+from planar_cli.units import LENGTH, RATE, VELOCITY
 
 LONGEST, FEW = 40, 6
 """A longer formula is told by its value; and in the letters of the file not at all."""
@@ -91,6 +91,13 @@ def _of_blows(motion: MotionTrace, phrases: Phrases, told: Collection[Line]) -> 
     return found
 
 
+def _stands(omega: sp.Expr, motion: MotionTrace) -> bool:
+    """Does a body not turn where a state is, however fast the others go?"""
+    units = motion.ledger.units
+    speeds = [s for s in omega.free_symbols if s in units and units[s].dimension in (RATE, VELOCITY)]
+    return bool(speeds) and motion.value.vanishes(omega) and all(motion.value.known(s) for s in speeds)
+
+
 def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
     """The bodies whose turning counts in a balance of the way to the answers, with the centre of its moments."""
     found: set[tuple[str, str]] = set()
@@ -98,7 +105,8 @@ def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
         if isinstance(source, BalanceTrace) and source.parts is not None:
             if are_zero((source.before, source.after), motion.route.formulas):
                 continue
-            found |= {(m.body, "") for m in source.parts.moving if m.inertia != 0 and m.omega != 0}
+            turning = (m for m in source.parts.moving if m.inertia != 0 and m.omega != 0)
+            found |= {(m.body, "") for m in turning if not _stands(sp.sympify(m.omega), motion)}
         elif isinstance(source, ImpactEquation) and source.law == "moment":
             found |= {(body, source.lead) for body in source.bodies}
     return found
