@@ -21,6 +21,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.scene import GROUND, Curve
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.enough_figures import DEGREE
 from planar_cli.report.told import Told
 from planar_cli.report.words import Phrases
@@ -58,9 +59,14 @@ def groove_told(w: Written, stage: Stage, told: Told, number: int) -> list[Block
     if joining is None or found is None or result is None:
         return []
     edge = next(e for e in told.system.tree.edges if e.body == joining.mover)
+    key = f"groove {joining.place}"
     if result.symbol == edge.slide:
+        told.valued.add(key)
         return list(_velocity(found, result, told.phrases, number))
-    return list(_acceleration(found, result, told.phrases, number)) if result.symbol == edge.slide_rate else []
+    # Where something else tells how fast it slides, r has no line.
+    if result.symbol != edge.slide_rate or key not in told.valued:
+        return []
+    return list(_acceleration(found, result, told.phrases, number))
 
 
 def _groove(told: Told, joining: Joining) -> Groove | None:
@@ -87,6 +93,8 @@ def _groove(told: Told, joining: Joining) -> Groove | None:
     turned = phrases.value(sp.atan2(at.y, at.x))
     letters = radius.free_symbols - {angle}
     if not all(phrases.has_numbers(s) for s in letters) or phrases.value.is_zero(spin):
+        return None
+    if angle not in scene.ledger.units or not is_clean(scene.ledger, radius, dimension=LENGTH):
         return None
     if not phrases.value.is_zero(radius.xreplace({angle: sp.atan2(at.y, at.x)}) ** 2 - at.dot(at)):
         return None
