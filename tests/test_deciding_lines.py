@@ -38,3 +38,9 @@ def test_shared_friction_that_does_not_suffice_is_compared_at_its_best() -> None
     page = page_of_file("ladder-slips")
     assert "no reactions satisfy" not in page
     assert "even with |F_B| = μ N_B = 6.398 N it would need |F_A| = 31.99 N > μ N_A = 18.34 N" in page
+
+
+def test_why_the_second_contact_slips_too_is_told() -> None:
+    page = page_of_file("stacked-blocks")
+    second = "Assume lower at B slips; upper at A does not slip Fails it would need |F_A| = 29.71 N > μ_A N_A"
+    assert second in page

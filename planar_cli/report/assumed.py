@@ -35,9 +35,33 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
         return [
             Note("Assume", line("; ".join(assumed))),
             Note("Fails", _objection(_on_its_side(natural, instant), instant, phrases)),
+            *_then(natural, instant, phrases),
             Note("Instead", line("; ".join(_placed(trial)))),
         ]
     return [Note("Assume", line("; ".join(_placed(trial))))] if words else []
+
+
+def _then(natural: Trial, instant: InstantSolution, phrases: Phrases) -> Iterator[Block]:
+    """Where two contacts slip though both were assumed to stick: why the second does not stick when the first slips."""
+    final = instant.trial.system.modes
+    changed = [n for n, mode in final.items() if natural.system.modes[n].name == "stick" and mode.name == "slip"]
+    if len(changed) != 2 or phrases.symbolic or not natural.tests or natural.tests[0][1] is None:
+        return
+    for trial in instant.rejected:
+        apart = [n for n, mode in trial.system.modes.items() if (mode.name, mode.direction) != _way(final[n])]
+        test = trial.tests[0][0] if trial.tests else None
+        if len(apart) != 1 or trial.system.modes[apart[0]].name != "stick" or test is None or test.joint != apart[0]:
+            continue
+        if not trial.outcomes or (found := needed(trial, test)) is None:
+            continue
+        yield Note("Assume", line("; ".join(_words(trial))))
+        told = worked_out(found, trial, instant, phrases).told(" > ", phrases)
+        yield Note("Fails", line("it would need ", *told))
+        return
+
+
+def _way(mode: Mode) -> tuple[str, int]:
+    return mode.name, mode.direction
 
 
 def _words(trial: Trial) -> list[str]:
