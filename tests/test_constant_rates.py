@@ -94,5 +94,5 @@ def test_a_mass_that_cancels_leaves_numbers() -> None:
 
 def test_vectors_have_both_components() -> None:
     text = page("impact/dumbbell-hit-by-a-ball")
-    assert "B_3, x = " in text
-    assert "B_3, y = " in text
+    assert "x_B,3 = " in text
+    assert "y_B,3 = " in text

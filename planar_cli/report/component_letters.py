@@ -18,6 +18,8 @@ from planar_cli.solve.solution import Found
 
 PLACE, WORDS = "r", ("r", "v", "a")
 """What a point has: its place, whose components are its coordinates, its velocity and its acceleration."""
+SIZES = ("|", "direction of ")
+"""What stands before the name of a vector of which the size or the direction is told."""
 _POINT = re.compile(r"[A-Z]\d*")
 
 
@@ -87,7 +89,9 @@ def _lettered(block: Block, vector: _Vector) -> Block:
 
 
 def _named(side: Any, vector: _Vector) -> Any:
-    """A side in which the vector has its letter."""
-    if isinstance(side, tuple):
-        return tuple(_named(p, vector) for p in side)
-    return Name(vector.whole) if isinstance(side, Name) and side.name == vector.name else side
+    """A side in which the vector has its letter where its size or its direction is told; its formula in general has
+    the letter of every instant.
+    """
+    if not isinstance(side, tuple) or not any(isinstance(p, Text) and p.text in SIZES for p in side):
+        return side
+    return tuple(Name(vector.whole) if isinstance(p, Name) and p.name == vector.name else p for p in side)
