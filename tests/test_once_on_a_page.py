@@ -25,13 +25,9 @@ def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:
 
 
 def test_a_case_tells_only_what_differs() -> None:
-    """The kinematics of one line are as before, and one force is gone from the diagram; I_G has no number any more."""
-    case = page_of_file("ex-4-05").partition("CASE")[2]
-    assert "STEP 1 Kinematic analysis at rest: all velocities are zero; as before: (1) STEP 2" in case
-    assert (
-        "spool: the diagram as before, without F_C moment of inertia of spool: I_G = m k_G² Without friction at C"
-        in case
-    )
+    """Two forces are gone from the diagram."""
+    case = page_of_file("car-with-locked-wheels").partition("CASE")[2]
+    assert "car: the diagram as before, without N_A, μ N_A At the limit: N_A vanishes" in case
 
 
 def test_before_is_the_last_diagram() -> None:

@@ -27,7 +27,7 @@ def _sides(found: re.Match[str] | None) -> list[tuple[float, float]]:
     ("stem", "pattern"),
     [
         ("ex-4-16", r"block, bar together: ↑ ΣF_y = (.*?) N, Σ m a_y = (.*?) N"),
-        ("ex-4-05", r"spool: ↻ ΣM_C = (75) N·m; I α and the moment of m a_G: (.*?) N·m"),
+        ("spool-rolls-or-slips", r"spool: [↺↻] ΣM_C = (.*?) N·m; I α and the moment of m a_G: (.*?) N·m"),
         ("crate-on-cart", r"crate: ↺ ΣM_B = (.*?) N·m; the moment of m a_G: (.*?) N·m"),
     ],
 )

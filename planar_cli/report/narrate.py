@@ -29,6 +29,7 @@ from planar_cli.report.blocks import (
     line,
 )
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
+from planar_cli.report.by_formula_above import by_formula_above, without_foretold
 from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
@@ -114,9 +115,11 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             declared = (c.name for c in problem.coordinates)
             own = with_turning_rates(list(with_meanings(own, part.motion, meanings)), declared)
         if part.case:
-            blocks.append(Heading("CASE", part.case.replace("_", " ")))
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
+            if why is None and (shorter := by_formula_above(part, solution, mine, own)) is not own:
+                blocks, own = without_foretold(blocks, part, solution), shorter
+            blocks.append(Heading("CASE", part.case.replace("_", " ")))
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
         own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
         own = without_primes(list(without_ritual(own)))

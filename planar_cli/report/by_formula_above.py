@@ -1,0 +1,159 @@
+"""For which value of a datum something is zero: the formula that was found for it, with that datum open, not a second
+solution.
+
+friction = 0:  P (R (R + r)/(R² + k_G²) - 1) = 0
+               k_G² = R r
+               k_G = √(R r) = √(0.45 · 0.3) = 0.3674 m
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import fields
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.common_factors import together
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
+from planar_cli.equation.plain import identically_zero, longer, simplified
+from planar_cli.problem.expression import Name as Named
+from planar_cli.problem.expression import Number, Quantity, Relation
+from planar_cli.problem.scene import Problem
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Check,
+    Equation,
+    Forces,
+    Heading,
+    Line,
+    Math,
+    Name,
+    Note,
+    Paragraph,
+    Result,
+    Table,
+    line,
+)
+from planar_cli.report.blocks import Relation as Stated
+from planar_cli.report.clean import is_clean
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution, Solution
+
+LONGEST = 40
+"""A formula of more operations is better found anew."""
+OWN = ("given", "unknowns", "find", "instant", "cases", "answers", "title", "text", "note", "tolerance", "source")
+"""What a case of this kind has for itself."""
+INDEPENDENT = "checked by an independent"
+
+
+def by_formula_above(part: PartSolution, solution: Solution, phrases: Phrases | None, own: list[Block]) -> list[Block]:
+    """The blocks of a case with its steps told so; as they are where it asks something else. `phrases`: of the case."""
+    found = _asked(part, solution)
+    told = [] if found is None or phrases is None else _equations(*found, phrases)
+    if found is None or not told:
+        return own
+    head = Heading("STEP 1", "The formula above, set to zero", line(Name(found[0].name), " = 0"))
+    kept = [b for b in own if not isinstance(b, Check | Heading | Paragraph | Equation | Forces | Table | Result)]
+    answers = [b for b in kept if isinstance(b, Answer)]
+    checks = [b for b in own if isinstance(b, Check) and any(INDEPENDENT in getattr(p, "text", "") for p in b.line)]
+    return [*(b for b in kept if b not in answers), head, *told, *answers, *checks]
+
+
+def without_foretold(blocks: list[Block], part: PartSolution, solution: Solution) -> list[Block]:
+    """Without the remark that says beforehand for which value something vanishes that such a case asks for."""
+    found = _asked(part, solution)
+    if found is None:
+        return blocks
+    letters = {s.name for s in found[1].asked[0].free_symbols}
+    return [b for b in blocks if not (isinstance(b, Note) and b.kind == "Discussion" and _names(b.line) & letters)]
+
+
+def _names(words: Line) -> set[str]:
+    sides = [side for p in words for side in ((p.left, p.right) if isinstance(p, Stated) else (p,))]
+    return {s.name for side in sides if isinstance(side, Math) for s in side.expr.free_symbols}
+
+
+def _asked(part: PartSolution, solution: Solution) -> tuple[Found, Found] | None:
+    """What is to vanish, as it was found in general, and the value that is asked; None: it is another case."""
+    whole = solution.problem
+    case = next((c.problem for c in whole.cases if c.name == part.case), None)
+    if case is None or part.motion is not None or len(part.found) != 1 or case.instant is None:
+        return None
+    (answer,) = part.found
+    what = answer.find.found.what if answer.find is not None else None
+    new = {u.name for u in case.unknowns} - {u.name for u in whole.unknowns}
+    before = {_key(s) for s in whole.instant or ()}
+    stated = [s for s in case.instant if _key(s) not in before]
+    equal = [s for s in stated if isinstance(s, Relation) and s.operator == "="]
+    bounds = [s for s in stated if isinstance(s, Relation) and s.operator != "="]
+    if not isinstance(what, Named) or {what.name} != new or len(equal) != 1 or len(equal) + len(bounds) < len(stated):
+        return None
+    first = next((p for p in solution.parts if not p.case and p.motion is None), None)
+    sides = equal[0]
+    nought = isinstance(sides.right, Number) and sides.right.value == 0
+    if first is None or not nought or not isinstance(sides.left, Quantity) or not _like(case, whole):
+        return None
+    finds = (f for f in first.found if f.find is not None and _key(f.find.found.what) == _key(sides.left))
+    zero = next((f for f in finds if f.kind == "number" and f.expressions), None)
+    return None if zero is None else (zero, answer)
+
+
+def _like(case: Problem, whole: Problem) -> bool:
+    """Are bodies, joints and loads the same?"""
+    return all(getattr(case, f.name) == getattr(whole, f.name) for f in fields(whole) if f.name not in OWN)
+
+
+def _key(tree: Any) -> str:
+    """What a tree says, wherever it stands in the file."""
+    return re.sub(r"mark=Mark\([^)]*\)", "", repr(tree))
+
+
+def _equations(zero: Found, answer: Found, phrases: Phrases) -> list[Block]:
+    """The formula set to zero, what that leaves of it, and the value; empty where the value does not fulfil it."""
+    (x,) = answer.asked or (None,)
+    if not zero.expressions or not answer.expressions or not isinstance(x, sp.Symbol):
+        return []
+    formula, value = simplified(zero.expressions[0]), answer.expressions[0]
+    own = next((s for s in formula.free_symbols if s.name == x.name), None)
+    if own is None or longer(formula, LONGEST) or not identically_zero(formula.xreplace({own: value})):
+        return []
+    open_, shown = formula.xreplace({own: x}), phrases.shown(x)
+    if not is_clean(phrases.ledger, open_):
+        return []
+    sides: tuple[Any, ...] = (phrases.math(x), phrases.math(value), *phrases.substituted(value, shown), shown)
+    left = _left(open_, x)
+    return [
+        Equation((phrases.math(open_), Math(sp.S.Zero))),
+        *([Equation((phrases.math(left[0]), phrases.math(left[1])))] if left is not None else []),
+        Equation(sides),
+    ]
+
+
+def _left(formula: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """What is left of a formula that is zero, with the letter on the left; None: nothing that would help."""
+    numerator = factored(expanded(sp.fraction(together(formula))[0]))
+    (factor, *more) = [f for f in sp.Mul.make_args(numerator) if x in f.free_symbols] or (sp.S.Zero,)
+    terms = sp.Add.make_args(expanded(factor))
+    own = sp.Add(*(t for t in terms if x in t.free_symbols))
+    right = sp.Add(*(-t for t in terms if x not in t.free_symbols))
+    if own.is_Add and own.is_polynomial(x):
+        # (P - m g sin β) k_G² for two terms with one power of the letter.
+        power = x ** sp.degree(own, x)
+        own = power * simplified(own / power)
+    if more or own.is_Add or own == 0 or (own.is_Mul and sum(x in f.free_symbols for f in own.args) > 1):
+        return None
+    if right.could_extract_minus_sign():
+        own, right = -own, -right
+    if own.is_Mul and any(f.is_Add for f in own.args):
+        own = sp.Mul(*(f for f in own.args if not f.is_Add and f != -1), *(_signed(own)))
+    return (own, right) if own != x else None
+
+
+def _signed(product: sp.Expr) -> list[sp.Expr]:
+    """The sums in a product, with its sign in the first of them."""
+    sums = [f for f in product.args if f.is_Add]
+    return [-sums[0], *sums[1:]] if -1 in product.args else sums
