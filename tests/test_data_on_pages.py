@@ -65,6 +65,6 @@ def test_what_a_wheel_carries_moves_with_it() -> None:
 def test_what_holds_at_a_state_is_told_in_sentences() -> None:
     """`At 2, as given:` and `At meet, x_A = x_B:`, without a label that has a second label behind it."""
     told = page_of_file("ex-4-11")
-    assert "At 1, as given: β_1 = 45°" in told
+    assert "1: β = 45°, at rest" in told
     assert "to be found: x_max = " in told
     assert "At meet, x_A = x_B:" in page_of_file("police-chase")

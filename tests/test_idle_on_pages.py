@@ -63,3 +63,8 @@ def test_the_reason_of_a_root_stands_beside_its_equation() -> None:
 def test_an_answer_is_not_called_what_another_state_has() -> None:
     """State 1 is at rest: ω_1 = ω_2, by the name that the file gives to what is asked, would be false there."""
     assert "Answer ω_2 = 2.8125 rad/s counterclockwise (asked for as ω_1)" in page_of_file("ex-4-13")
+
+
+def test_impulses_that_meet_at_a_point_of_the_file_need_no_other() -> None:
+    page = page_of_file("ball-that-grips-a-rough-floor")
+    assert "angular momentum about C, through which J_N,ball and J_F,ball pass: (2) ↺ H_C:" in page

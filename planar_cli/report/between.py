@@ -312,18 +312,30 @@ class BetweenTelling:
         if e.law == "relation":
             return ()
         if e.law == "moment":
-            return line("↺ ", Name(f"H_{e.lead}"), ":")
+            return line("↺ ", Name(f"H_{point_at(e) or e.lead}"), ":")
         return line(f"{self.phrases.along(e.along)} ")
 
     def _about(self, e: ImpactEquation, group: str) -> Line:
         if e.centre is None:
             return line(f"{group}, angular momentum about ", Name(e.lead))
+        if at := point_at(e):
+            return line(f"{group}, angular momentum about ", Name(at), *self._through(e.centre.through))
         x, y = (self.phrases.math(self._put(p)) for p in (e.centre.x, e.centre.y))
         through = e.centre.through
         parts: list[Any] = [f"{group}, angular momentum about ", Name(e.lead), " at (", x, ", ", y, ")"]
         if through:
             parts += [", where ", self.phrases.math(through[0]), " and ", self.phrases.math(through[1]), " meet"]
         return line(*parts)
+
+
+def point_at(e: ImpactEquation) -> str:
+    """The point of the file that lies where two impulses meet, which needs no other name; "" for none."""
+    solution = e.impact.solution
+    if e.centre is None or solution is None:
+        return ""
+    value, points = solution.value, solution.instant.scene.points
+    apart = {name: (place.x - e.centre.x, place.y - e.centre.y) for name, place in points.items()}
+    return next((name for name, (x, y) in apart.items() if value.is_zero(x) and value.is_zero(y)), "")
 
 
 def dimension_of_balance(b: BalanceTrace) -> Dimension:

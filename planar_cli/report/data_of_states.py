@@ -33,10 +33,11 @@ def datum_blocks(
     yield from condition_blocks(leg, found, phrases[0])
     for r in leg.results:
         chain = chain_of(r)
-        stated = stated_in(found.problem, e.stop, e.words) if e.kind == "given" and _is_number(r, phrases[0]) else None
+        said_there = stated_in(found.problem, e.stop, e.words) if e.kind == "given" else None
+        stated = said_there if _is_number(r, phrases[0]) else None
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
-        if headed and len(sides) == 2 and _is_repeated(stated, r):
+        if headed and len(sides) == 2 and _is_repeated(said_there, r):
             continue
         if stated is None or gives(stated, r.value, phrases[1]):
             another = list(given_by_another(e, r, found, phrases)) if e.kind == "given" and stated is None else []
