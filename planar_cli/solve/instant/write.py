@@ -93,7 +93,7 @@ class Writer:
         """The arm or the share of a force: multiplied out, where that keeps its letters."""
         found = tidy(coefficient)
         spread = expanded(found) if longer(found, LONGEST) else found
-        return self.short(found if longer(spread, LONGEST) else spread)
+        return self.short(coefficient if longer(spread, LONGEST) else spread)
 
     def shortened(self, expr: sp.Expr) -> sp.Expr:
         """A known side: powers of speeds stay visible, their long coefficients become numbers."""
