@@ -29,6 +29,7 @@ from planar_cli.solve.instant import candidates as c
 from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced
 from planar_cli.solve.instant.drawn_ways import named_ways
 from planar_cli.solve.instant.numbers import Numbers
+from planar_cli.solve.instant.pressed_across import pressed_across_lines
 from planar_cli.solve.multibody.linear import Row
 
 MOST_GROUPS = 72
@@ -254,7 +255,7 @@ class Offers:
         ]
         for direction, words in named_ways(self.system, self.numbers, group.bodies):
             found.append(self._force(group, direction, words, self._form_along(words, group)))
-        if not group.turning:
+        if not group.turning or any(b in self._crossed for b in group.bodies[1:] and group.bodies):
             return c.cheapest(found, self.most)
         named = self._named_points(group)
         for name, place in named.items():
@@ -268,6 +269,11 @@ class Offers:
             for k, b in lines[i + 1 :]:
                 found.append(self._crossing(group, (j, a), (k, b), points))
         return c.cheapest(found, self.most)
+
+    @cached_property
+    def _crossed(self) -> frozenset[str]:
+        """Particles about whose arms nobody asks."""
+        return pressed_across_lines(self.system)
 
     def _form_along(self, words: str, group: Group) -> float:
         """How it is drawn: along a contact or tie; also across a tie, along the arc on which it leads a particle."""
