@@ -203,6 +203,47 @@ def test_what_is_wrong_is_told_in_its_place(
     assert (found.student, len(found.answers)) == ("s", answers)
 
 
+@pytest.mark.parametrize(
+    ("line", "text"),
+    [
+        ("p.b: [1.61, -0.579] m/s", "[1.61, -0.579] m/s"),
+        ("p.b: {1.61, -0.579} m/s   # of G", "{1.61, -0.579} m/s"),
+        ("p.b: [1.61, -0.579 m/s", "[1.61, -0.579 m/s"),
+        ("p.b: x: 3, y: 4", "x: 3, y: 4"),
+        ("p.b: - 15.8 m/s", "- 15.8 m/s"),
+        ("p.b: @5 N", "@5 N"),
+        ("p.b: '5 N", "'5 N"),
+        ("p.b: *m", "*m"),
+        ("p.b: %5", "%5"),
+    ],
+)
+def test_a_line_that_is_no_yaml_is_one_text_and_costs_no_other(tmp_path: Path, line: str, text: str) -> None:
+    found = one(tmp_path, "f.yaml", f"student: s1\nvariant: 2\nanswers:\n  p.a: 1 N\n  {line}\n  p.c: [3, 4]\n")
+    assert (found.student, found.variant, found.wrong) == ("s1", 2, ())
+    assert found.answers == (("p", "a", "1 N"), ("p", "b", text), ("p", "c", "[3, 4]"))
+
+
+@pytest.mark.parametrize("line", ["p.b 5 N", "\x01", "}"])
+def test_a_line_that_says_nothing_is_told_and_left_out(tmp_path: Path, line: str) -> None:
+    found = one(tmp_path, "f.yaml", f"student: s1\nanswers:\n  p.a: 1 N\n  {line}\n  p.c: 2 N\n")
+    assert found.student == "s1"
+    assert {a for _, a, _ in found.answers} == {"a", "c"}
+    assert len(found.wrong) == 1
+    assert "f.yaml:4:" in found.wrong[0]
+
+
+def test_what_is_answered_twice_costs_nothing_else(tmp_path: Path) -> None:
+    found = one(tmp_path, "f.yaml", "answers:\n  p.a: 1 N\n  p.b: 2 N\n  p.a: 3 N\n")
+    assert found.answers == (("p", "b", "2 N"),)
+    assert wrong(found) == ["f.yaml:4:3: `p.a` stands here a second time; the first is in line 2; neither is graded"]
+
+
+def test_whose_a_file_is_that_cannot_be_read(tmp_path: Path) -> None:
+    found = one(tmp_path, "f.yaml", "student: s1\nanswers: {}\n---\n[\n")
+    assert (found.student, found.answers) == ("s1", ())
+    assert found.wrong
+
+
 def test_a_bad_line_of_a_class_costs_nobody_else(tmp_path: Path) -> None:
     lines = [
         "student,problem,find,answer,variant",

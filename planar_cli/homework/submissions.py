@@ -10,13 +10,15 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, Mark, PlanarError
 from planar_cli.homework.paper import Submission
-from planar_cli.homework.submitted import from_tree, sentence, student_of_file
+from planar_cli.homework.submitted import LONGEST_NAME, from_tree, sentence, student_of_file
 from planar_cli.homework.submitted_csv import from_csv
 from planar_cli.homework.submitted_json import json_tree
-from planar_cli.problem.nodes import Node, mark_behind, read_text, regular_bytes
+from planar_cli.homework.submitted_yaml import student_told, yaml_tree
+from planar_cli.problem.nodes import Node, mark_behind, regular_bytes
 from planar_cli.problem.show import visible
 from planar_cli.records import record
 
@@ -106,27 +108,20 @@ def submissions(read: Contents) -> tuple[Submission, ...]:
         where = Mark(path, 0, 0)
         return (_unread(path, sentence(where, f"the name of a submission ends in {', '.join(SUFFIXES)}")),)
     tree, wrong = reader(text, path)
+    told = tuple(sentence(d.mark, d.message, d.hint) for d in wrong)
     if tree is None:
-        told = tuple(sentence(d.mark, d.message, d.hint) for d in wrong)
-        return (Submission(student_of_file(path), 0, (), path, told),)
-    return (from_tree(tree, path),)
+        student = visible(student_told(text)[:LONGEST_NAME]) or student_of_file(path)
+        return (Submission(student, 0, (), path, told),)
+    found = from_tree(tree, path)
+    return (replace(found, wrong=(*told, *found.wrong)) if told else found,)
 
 
 def _unread(path: str, why: str) -> Submission:
     return Submission(student_of_file(path), 0, (), path, (why,))
 
 
-def _yaml_tree(text: str, path: str) -> tuple[Node | None, list[Diagnostic]]:
-    tree, wrong = read_text(text, path, blanks=True)
-    if tree is None and not text.strip():
-        wrong = [Diagnostic(Mark(path, 1, 1), "PL106", "the file is empty", "begin with `answers:`")]
-    elif tree is None and not wrong:
-        wrong = [Diagnostic(Mark(path, 1, 1), "PL106", "there is nothing in the file", "begin with `answers:`")]
-    return tree, wrong
-
-
 _TREES: dict[str, Callable[[str, str], tuple[Node | None, list[Diagnostic]]]] = {
-    ".yaml": _yaml_tree,
-    ".yml": _yaml_tree,
+    ".yaml": yaml_tree,
+    ".yml": yaml_tree,
     ".json": json_tree,
 }
