@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import sympy as sp
@@ -16,6 +16,7 @@ from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
+from planar_cli.report.put_in import put_in
 from planar_cli.report.told import Across
 from planar_cli.report.with_units import led, with_units
 from planar_cli.report.words import Phrases
@@ -47,6 +48,10 @@ def vanishing(stage: Stage) -> frozenset[sp.Symbol]:
     """Unknowns that are zero at sight or by the file."""
     data = (w for block in stage.blocks for w in block.equations if w.given and w.right == 0)
     return frozenset((*stage.zero, *(w.left for w in data)))
+
+
+TURNING = {"1/s": "rad/s", "1/s^2": "rad/s^2"}
+"""Units of what turns, as they are said."""
 
 
 def lasts(stages: Collection[Stage], constants: Phrases) -> bool:
@@ -228,6 +233,22 @@ class NumericTelling:
         if found is None or solved is None:
             return None
         return ((found.left, found.right), _unit_note(found, self.phrases)), [solved]
+
+    def by_letter(self, block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, Printed]]:
+        """What the other unknowns of a block are by its one letter, in numbers: S = 100 - 3.333 a_A."""
+        explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
+        formulas = {x.symbol: x.formula.xreplace(explicit) for x in told}
+        for x in told:
+            formula = x.formula.xreplace(explicit)
+            for _ in told:
+                formula = formula.xreplace(formulas)
+            found = put_in(x.symbol, formula, {x.symbol, *block.letters}, self.phrases)
+            if found is not None and formula.free_symbols & set(block.letters):
+                unit = self.phrases.ledger.units.get(x.symbol)
+                own = None if unit is None else coherent_unit(unit.dimension, us=self.phrases.ledger.us).text
+                note = found.note if own is None else line(f"in {pretty_unit(TURNING.get(own, own))}")
+                yield x, ((Math(x.symbol), found.right), note)
 
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:

@@ -217,7 +217,13 @@ class SolvingTelling:
         *put, last = (self.number(stage, w.number) for w in block.equations)
         lead = line(f"{numbered(put)} in ({last}):")
         value = self.phrases.shown(x.symbol, x.value)
-        return [Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
+        told: list[Block] = []
+        by_letter = list(self.numeric.by_letter(block, stage))
+        for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
+            told.append(
+                Equation(chain, None, line(f"{numbered([self.number(stage, n) for n in one.equations])}:"), beside)
+            )
+        return [*told, Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
 
     def _put_into(self, block: SolvedBlock) -> bool:
         """Do the lines in letters all stand already as equations, so that they are put into the last ones?"""
