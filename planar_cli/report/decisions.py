@@ -1,8 +1,8 @@
 """The decision that an exercise in friction turns on, as the last line of its solution: what a contact needs beside
 what it can give.
 
-|F_A| = 108.8 N < μ_s N_A = 0.4 · 341.7 = 136.7 N: crate at A does not slip
-|M_C| = 117.7 N·m < 1/2 N_C b = 1/2 · 588.6 · 0.6 = 176.6 N·m: it slips before it tips
+|F_A| = 108.8 N < μ_s N_A = 0.4 · 341.7 = 136.7 N                      crate at A does not slip
+|M_C| = 117.7 N·m < 1/2 N_C b = 1/2 · 588.6 · 0.6 = 176.6 N·m            it slips before it tips
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) ->
         words = _instead(test, happens) if largest else _holds(mode, test)
         if words:
             told = worked_out(found, trial, instant, phrases).told(" < ", phrases)
-            yield found.symbol, Equation((line(*told, f": {words}"),))
+            yield found.symbol, Equation((line(*told),), None, (), line(words))
 
 
 def at_limit(instant: InstantSolution) -> set[sp.Symbol]:
