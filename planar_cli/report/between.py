@@ -28,6 +28,7 @@ from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.spread import spread
 from planar_cli.report.standing import standing, standing_lines
+from planar_cli.report.turning_groups import turning_group
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
@@ -103,7 +104,13 @@ class BetweenTelling:
         before, after = self._put(b.before), self._put(b.after)
         if not law.letter:
             yield from MomentumTelling(b, self.unknowns, self.numeric, self.plain, self.made).lines()
-            yield self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
+            whole = self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
+            group = turning_group(b, self.numeric, self._put) if number in self.counted else None
+            if group is not None:
+                yield from group[0]
+                yield Equation(group[1], number, lead)
+                whole = replace(whole, number=None, lead=line(f"({number}) in numbers:"))
+            yield whole
             return
         first, last = f"{law.letter}__{b.since}", f"{law.letter}__{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))

@@ -1,0 +1,125 @@
+"""The angular momentum of bodies that turn together about a fixed point while some move along others: by the moment of
+inertia of them all, at both states.
+
+    I_O,1 = I_rod + 2 I_A + 2 m_A d_A,1²,   I_O,1 ω_1 = I_O,2 ω_2      d: distances from O
+
+What moves along a line through the point has no other part of it. (An Introduction to Planar Dynamics, 4.4.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.plain import simplified
+from planar_cli.principles.base import Moving
+from planar_cli.records import record
+from planar_cli.report.blocks import Equation, Math, Name, line
+from planar_cli.report.component_sums import Term, sum_of_products
+from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace
+from planar_cli.units import INERTIA, LENGTH, MASS
+
+CLOSE = Decimal("1e-12")
+
+
+@record
+class Share:
+    """What one body has of the moment of inertia: its own and m d², as numbers in base units and in letters."""
+
+    own: tuple[sp.Expr, Decimal]
+    mass: tuple[sp.Expr, Decimal]
+    arm: tuple[sp.Symbol, Decimal]
+
+    @property
+    def whole(self) -> Decimal:
+        return self.own[1] + self.mass[1] * self.arm[1] ** 2
+
+
+def turning_group(
+    b: BalanceTrace, phrases: Phrases, put: Callable[[sp.Expr], sp.Expr]
+) -> tuple[list[Equation], tuple[Math, Math]] | None:
+    """The lines of both moments of inertia, and the sides of the balance in their letters; None: one body turns alone,
+    they turn apart, or something is not known. `put`: puts in the data of a route.
+    """
+    if b.parts is None or not b.law.about or len(b.parts.moving) < 2 or phrases.symbolic or b.gain != 0:
+        return None
+    spins = {m.omega for m in b.parts.moving if m.omega != 0}
+    (spin,) = spins if len(spins) == 1 else (sp.S.Zero,)
+    ending = f"{STATE}{b.stop}"
+    if not isinstance(spin, sp.Symbol) or not spin.name.endswith(ending):
+        return None
+    back = {
+        s: next((x for x in b.before.free_symbols if x.name == s.name.removesuffix(ending) + f"{STATE}{b.since}"), None)
+        for m in b.parts.moving
+        for e in (m.omega, *m.place)
+        for s in sp.sympify(e).free_symbols
+        if s.name.endswith(ending)
+    }
+    earlier = {s: x for s, x in back.items() if x is not None}
+    if spin not in earlier:
+        return None
+    equations: list[Equation] = []
+    sides: list[Math] = []
+    for state, amount, turned in ((b.since, b.before, earlier), (b.stop, b.after, {})):
+        pairs = zip(b.parts.moving, b.law.moving, strict=True)
+        shares = [_share(m, general, turned, f"{STATE}{state}", phrases, put) for m, general in pairs]
+        known = [s for s in shares if s is not None]
+        whole = phrases.value.known(put(simplified(amount / spin.xreplace(turned))))
+        total = sum((s.whole for s in known), Decimal(0))
+        if len(known) < len(shares) or whole is None or abs(total - whole) > CLOSE * abs(whole):
+            return None
+        name = sp.Symbol(f"I_{b.law.about}{STATE}{state}", positive=True)
+        equations.append(_line(name, known, phrases, "" if equations else b.law.about))
+        sides.append(Math(name * put(spin.xreplace(turned))))
+    return equations, (sides[0], sides[1])
+
+
+def _share(
+    m: Moving,
+    general: Moving,
+    turned: dict[sp.Symbol, sp.Symbol],
+    ending: str,
+    phrases: Phrases,
+    put: Callable[[sp.Expr], sp.Expr],
+) -> Share | None:
+    x, y = (sp.sympify(p) for p in m.place)
+    square = put(simplified(x**2 + y**2).xreplace(turned))
+    numbers = [phrases.value.known(put(sp.sympify(e))) for e in (m.inertia, m.mass)]
+    reach = phrases.value.known(square)
+    if None in numbers or reach is None or reach < 0:
+        return None
+    own, mass = (n or Decimal(0) for n in numbers)
+    fixed = (x, y) == (0, 0)
+    letter = sp.Symbol(f"d_{m.center or m.body}{ending}", positive=True)
+    return Share(
+        (sp.sympify(general.inertia), own),
+        (sp.S.Zero if fixed else sp.sympify(general.mass), Decimal(0) if fixed else mass),
+        (letter, reach.sqrt()),
+    )
+
+
+def _line(name: sp.Symbol, shares: Sequence[Share], phrases: Phrases, about: str) -> Equation:
+    """I_O,1 = letters = numbers = value; equal bodies once, with their number. `about`: the point, where it is told
+    that d is the distance from there.
+    """
+    letters: list[sp.Expr] = []
+    terms: list[Term] = []
+    for numbers in dict.fromkeys((s.own[1], s.mass[1], s.arm[1]) for s in shares):
+        alike = [s for s in shares if (s.own[1], s.mass[1], s.arm[1]) == numbers]
+        count, one = len(alike), alike[0]
+        times = ((Decimal(count), 1),) if count > 1 else ()
+        shown = phrases.of_dimension(one.own[1], INERTIA).number
+        if one.own[1]:
+            letters.append(count * one.own[0])
+            terms.append((1, (*times, (shown, 1))))
+        if one.mass[1] and one.arm[1]:
+            letters.append(count * one.mass[0] * one.arm[0] ** 2)
+            mass, arm = phrases.of_dimension(one.mass[1], MASS), phrases.of_dimension(one.arm[1], LENGTH)
+            terms.append((1, (*times, (mass.number, 1), (arm.number, 2))))
+    whole = phrases.of_dimension(sum((s.whole for s in shares), Decimal(0)), INERTIA)
+    sides = (line(Name(name.name)), Math(sp.Add(*letters)), sum_of_products(terms, phrases.figures), whole)
+    return Equation(sides, None, note=line(f"d: distance from {about}") if about else ())
