@@ -28,7 +28,7 @@ from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.spread import spread
 from planar_cli.report.standing import standing, standing_lines
-from planar_cli.report.turning_groups import turning_group
+from planar_cli.report.turning_groups import Turning, by_group, turning_group
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
@@ -62,6 +62,8 @@ class BetweenTelling:
     """Stretches of springs, heights and kinetic energies that were told."""
     made: set[sp.Symbol] = field(default_factory=set)
     """What momenta are made of, and impulses, that were told."""
+    groups: dict[str, Turning] = field(default_factory=dict)
+    """By the state, bodies that turn together, whose moment of inertia was told."""
     counted: set[int] = field(default_factory=set)
     """The numbers of equations in which numbers were put in at once."""
 
@@ -107,8 +109,9 @@ class BetweenTelling:
             whole = self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
             group = turning_group(b, self.numeric, self._put) if number in self.counted else None
             if group is not None:
-                yield from group[0]
-                yield Equation(group[1], number, lead)
+                yield from (t.line for t in group)
+                yield Equation(tuple(t.momentum for t in group), number, lead)
+                self.groups |= {b.since: group[0], b.stop: group[1]}
                 whole = replace(whole, number=None, lead=line(f"({number}) in numbers:"))
             yield whole
             return
@@ -142,8 +145,8 @@ class BetweenTelling:
     def _energies(self, b: BalanceTrace, number: int) -> Iterator[Block]:
         """Energies one by one with their numbers, then their balance."""
         telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
-        yield from telling.lines()
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
+        yield from by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
         gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
         parts = [put for put in (self._put(b.before), *gains) if put != 0]

@@ -8,7 +8,8 @@ What moves along a line through the point has no other part of it. (An Introduct
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -16,13 +17,14 @@ import sympy as sp
 from planar_cli.equation.plain import simplified
 from planar_cli.principles.base import Moving
 from planar_cli.records import record
-from planar_cli.report.blocks import Equation, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, line
 from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import INERTIA, LENGTH, MASS
 
+HALF = sp.Rational(1, 2)
 CLOSE = Decimal("1e-12")
 
 
@@ -39,11 +41,51 @@ class Share:
         return self.own[1] + self.mass[1] * self.arm[1] ** 2
 
 
+@record
+class Turning:
+    """Bodies that turn together at one state: the line of their moment of inertia, that with its number, their rate."""
+
+    line: Equation
+    inertia: tuple[sp.Symbol, Decimal]
+    spin: sp.Expr
+
+    @property
+    def momentum(self) -> Math:
+        """I ω."""
+        return Math(self.inertia[0] * self.spin)
+
+
+def by_group(
+    blocks: Iterable[Block], name: str, energy: sp.Expr, group: Turning | None, phrases: Phrases
+) -> Iterator[Block]:
+    """The lines of a balance of energies, with the kinetic energy of that name by the moment of inertia of a group that
+    has no other: T_1 = 1/2 I_O,1 ω².
+    """
+    whole = None if group is None else HALF * group.inertia[0] * group.spin**2
+    for block in blocks:
+        own = isinstance(block, Equation) and block.sides[0] == line(Name(name)) and len(block.sides) > 2
+        if group is None or whole is None or not own or not isinstance(block, Equation):
+            yield block
+            continue
+        value = phrases.value.extended(dict([group.inertia]))
+        told, known = value.known(whole), phrases.value.known(energy)
+        put = phrases.numbers(whole, {**dict([group.inertia]), **_numbers(group.spin, phrases)})
+        if told is None or known is None or put is None or abs(told - known) > CLOSE * abs(known):
+            yield block
+        else:
+            yield replace(block, sides=(block.sides[0], Math(whole), put, block.sides[-1]))
+
+
+def _numbers(expr: sp.Expr, phrases: Phrases) -> dict[sp.Symbol, Decimal]:
+    known = {s: phrases.value.known(s) for s in expr.free_symbols}
+    return {s: n for s, n in known.items() if n is not None}
+
+
 def turning_group(
     b: BalanceTrace, phrases: Phrases, put: Callable[[sp.Expr], sp.Expr]
-) -> tuple[list[Equation], tuple[Math, Math]] | None:
-    """The lines of both moments of inertia, and the sides of the balance in their letters; None: one body turns alone,
-    they turn apart, or something is not known. `put`: puts in the data of a route.
+) -> tuple[Turning, Turning] | None:
+    """The group at the beginning and at the end of a balance; None: one body turns alone, they turn apart, or something
+    is not known. `put`: puts in the data of a route.
     """
     if b.parts is None or not b.law.about or len(b.parts.moving) < 2 or phrases.symbolic or b.gain != 0:
         return None
@@ -62,8 +104,7 @@ def turning_group(
     earlier = {s: x for s, x in back.items() if x is not None}
     if spin not in earlier:
         return None
-    equations: list[Equation] = []
-    sides: list[Math] = []
+    found: list[Turning] = []
     for state, amount, turned in ((b.since, b.before, earlier), (b.stop, b.after, {})):
         pairs = zip(b.parts.moving, b.law.moving, strict=True)
         shares = [_share(m, general, turned, f"{STATE}{state}", phrases, put) for m, general in pairs]
@@ -73,9 +114,9 @@ def turning_group(
         if len(known) < len(shares) or whole is None or abs(total - whole) > CLOSE * abs(whole):
             return None
         name = sp.Symbol(f"I_{b.law.about}{STATE}{state}", positive=True)
-        equations.append(_line(name, known, phrases, "" if equations else b.law.about))
-        sides.append(Math(name * put(spin.xreplace(turned))))
-    return equations, (sides[0], sides[1])
+        told = _line(name, known, phrases, "" if found else b.law.about)
+        found.append(Turning(told, (name, whole), put(spin.xreplace(turned))))
+    return found[0], found[1]
 
 
 def _share(
