@@ -79,6 +79,65 @@ def test_another_wrong_formula_is_not_diagnosed(homework: Homework) -> None:
     assert (one.verdict, one.mistakes, one.feedback) == ("wrong", (), "")
 
 
+HAMMER = """
+title: Ball that strikes a block
+plane: vertical
+symbols: {m: kg, v0: m/s}
+given:
+  n: {one_of: [1, 2]}
+  e: {one_of: [0.5, 0.4]}
+points: {P: [0, 0], Q: [1 m, 0]}
+bodies:
+  ball: {particle: P, mass: m}
+  block: {particle: Q, mass: n*m}
+joints:
+  - guide: {point: P, along: 0 deg}
+  - guide: {point: Q, along: 0 deg}
+  - impact: {between: [ball, block], normal: 0 deg, restitution: e, during: 2->3}
+states:
+  1: [v(ball).x = v0, v(block).x = 0]
+  2: [x(P) = x(Q)]
+  3: [just after 2]
+find: {v: v(block).x @ 3}
+"""
+
+
+@pytest.fixture(scope="module")
+def blow(tmp_path_factory: pytest.TempPathFactory) -> Homework:
+    folder = tmp_path_factory.mktemp("blow")
+    path = folder / "set.yaml"
+    (folder / "letters.yaml").write_text(HAMMER)
+    path.write_text("problems: [letters.yaml]\nvariants: {number: 4, seed: 1}\n")
+    homework_set = read_set(str(path))
+    return assembled(homework_set, [prepared(p, 4, 1, None, told_formulas) for p in homework_set.problems])
+
+
+def test_given_numbers_may_stand_for_their_letters(blow: Homework) -> None:
+    for variant in range(1, 5):
+        (task,) = blow.papers[variant].tasks
+        known = dict(task.expected[0].known)
+        factor = (1 + known["e"]) / (1 + known["n"])
+        for typed in (
+            "(1 + e)*v0/(1 + n)",
+            f"(1 + e)*v0/{1 + known['n']:g}",
+            f"{factor:.12g}*v0",
+            f"{factor:.3f}*m*v0/m",
+        ):
+            result = grade(Submission("ann", variant, (("letters", "v", typed),)), blow.papers, Rules())
+            assert result.graded[0].verdict == "right", typed
+        for typed in (f"{factor * 1.02:.5g}*v0", f"{factor * 1.001 + 0.1:.12g}*v0", "(1 - e)*v0/(1 + n)"):
+            result = grade(Submission("ann", variant, (("letters", "v", typed),)), blow.papers, Rules())
+            assert result.graded[0].verdict == "wrong", typed
+
+
+def test_the_key_of_a_variant_has_its_numbers_put_in(blow: Homework) -> None:
+    texts = {blow.papers[k].tasks[0].expected[0].text for k in range(1, 5)}
+    assert len(texts) == 4
+    letters, numbers = zip(*(text.split(" = ") for text in texts), strict=True)
+    assert len(set(letters)) == 1
+    assert all("e" not in text and "n" not in text for text in numbers)
+
+
 def test_formulas_are_written_by_the_functions_of_a_file() -> None:
     x, y = sp.symbols("x y", real=True)
     assert as_written(sp.Abs(sp.sqrt(x + y))) == "sqrt(x + y)"

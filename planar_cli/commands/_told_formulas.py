@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import sympy as sp
+
     from planar_cli.solve.solved_problem import Solution
 
 
-def told_formulas(solution: Solution) -> dict[str, str]:
-    """By the names of the finds. Workers find it by its name; what tells a formula is loaded there."""
+def told_formulas(solution: Solution, numbers: Mapping[str, sp.Rational]) -> dict[str, str]:
+    """By the names of the finds, with `numbers` put in for some letters. Workers find it by its name; what tells a
+    formula is loaded there.
+    """
     from planar_cli.report.key import formulas_told
 
-    return formulas_told(solution)
+    return formulas_told(solution, numbers)

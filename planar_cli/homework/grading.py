@@ -136,10 +136,19 @@ def shown(text: str) -> str:
 
 
 def _same_formula(text: str, expected: Expected) -> bool:
-    from planar_cli.homework.typed_formula import same_equation, same_formula
+    """As a formula, or with the numbers put in that the sheet gives for some letters."""
+    from planar_cli.homework.typed_formula import SAME, is_rounded, same_equation, same_formula
 
-    same = same_equation if expected.kind == "equation" else same_formula
-    return same(text, expected.formula, expected.letters)
+    letters = (*expected.letters, *expected.others)
+    for known in dict.fromkeys(((), expected.known)):
+        if expected.kind == "equation":
+            same = same_equation(text, expected.formula, letters, known)
+        else:
+            tolerance = expected.tolerance if is_rounded(text) else SAME
+            same = same_formula(text, expected.formula, letters, known, tolerance)
+        if same:
+            return True
+    return False
 
 
 def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:

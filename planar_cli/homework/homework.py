@@ -9,8 +9,11 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
+from planar_cli.homework.given_letters import pure_numbers, with_given
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
@@ -34,8 +37,8 @@ from planar_cli.units import pretty_unit
 
 Page = Callable[[Solution], tuple[str, str]]
 """Writes a worked solution, as Markdown and as plain text."""
-Formulas = Callable[[Solution], dict[str, str]]
-"""Tells the answers in letters, by their finds."""
+Formulas = Callable[[Solution, Mapping[str, sp.Rational]], dict[str, str]]
+"""Tells the answers in letters, by their finds, with numbers put in for some letters."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
@@ -59,8 +62,11 @@ def prepared(
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
-    told = formulas(solved.solution) if formulas is not None and any(e.formula for e in base) else {}
-    asked = [_with_points(problem, _in_words(problem, _as_told(e, base, told))) for e in rows]
+    told = _Told(solved, base, formulas)
+    asked = [
+        _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
+        for d, e in zip(draws, rows, strict=True)
+    ]
     made = [_task(problem, solved, d, e, page) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
@@ -105,13 +111,37 @@ def _check_finds(problem: SetProblem, solved: WorkedProblem) -> None:
         raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
 
 
-def _as_told(expected: Sequence[Expected], base: Sequence[Expected], told: Mapping[str, str]) -> tuple[Expected, ...]:
-    """Answers in letters that are those of the file itself, as they are told of that."""
-    same = {e.find: e.formula for e in base}
-    return tuple(
-        replace(e, text=told[e.find]) if e.formula and e.find in told and e.formula == same.get(e.find) else e
-        for e in expected
-    )
+class _Told:
+    """Answers in letters as a page tells them: where they are those of the file itself, and with the numbers of a
+    variant put in for what its sheet gives.
+    """
+
+    def __init__(self, solved: WorkedProblem, base: Sequence[Expected], formulas: Formulas | None) -> None:
+        self.solved = solved
+        self.same = {e.find: e.formula for e in base if e.formula}
+        self.formulas = formulas if self.same else None
+        self._known: dict[tuple[tuple[str, sp.Rational], ...], dict[str, str]] = {}
+
+    def of(self, expected: Sequence[Expected], values: Mapping[str, str]) -> tuple[Expected, ...]:
+        """The finds of a variant with these values."""
+        if self.formulas is None:
+            return tuple(expected)
+        letters, numbers = self._with({}), self._with(pure_numbers(self.solved, values))
+
+        def text(e: Expected) -> str:
+            if not e.formula or e.find not in letters or e.formula != self.same[e.find]:
+                return e.text
+            same = letters[e.find] == numbers[e.find] or e.kind == "equation"
+            return letters[e.find] if same else f"{letters[e.find]} = {numbers[e.find]}"
+
+        return tuple(replace(e, text=text(e)) for e in expected)
+
+    def _with(self, numbers: Mapping[str, sp.Rational]) -> dict[str, str]:
+        assert self.formulas is not None
+        key = tuple(sorted(numbers.items()))
+        if key not in self._known:
+            self._known[key] = self.formulas(self.solved.solution, numbers)
+        return self._known[key]
 
 
 def _in_words(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:

@@ -28,11 +28,14 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
 
 def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
     """The same of a wrong formula."""
-    from planar_cli.homework.typed_formula import same_formula
+    from planar_cli.homework.typed_formula import SAME, is_rounded, same_formula
+
+    letters = (*expected.letters, *expected.others)
+    tolerance = WIDEST if is_rounded(text) else SAME
 
     def is_it(wrong: str) -> bool:
         try:
-            return same_formula(text, wrong, expected.letters)
+            return same_formula(text, wrong, letters, expected.known, tolerance)
         except Unreadable:
             # Where the two have no values in common nothing is told of the mistake; the answer is wrong all the same.
             return False

@@ -54,6 +54,10 @@ class Expected:
     """Of a formula: itself, as a problem file would write it."""
     letters: tuple[tuple[str, str], ...] = ()
     """Of a formula: its letters with their units."""
+    others: tuple[tuple[str, str], ...] = ()
+    """Of a formula: the other letters of the problem, which may stand in an answer and cancel there."""
+    known: tuple[tuple[str, float], ...] = ()
+    """Of a formula: the letters that the sheet gives as numbers, with these in SI units."""
     points: float = 1.0
     mistakes: tuple[Mistaken, ...] = ()
 

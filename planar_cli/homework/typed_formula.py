@@ -102,25 +102,37 @@ def constant(text: str) -> float:
     return found
 
 
+def is_rounded(text: str) -> bool:
+    """Does a decimal number stand in a formula that need not be exact, as 1.732 for √3? Halves and quarters are."""
+    return any(isinstance(n, Number) and (n.value * 4).denominator != 1 for n in walk(parsed(text)))
+
+
 def _is_angle(unit: str) -> bool:
     known = parse_unit(unit)
     return known.angle and known.dimension == PURE
 
 
 @lru_cache(MANY)
-def same_formula(typed: str, right: str, letters: tuple[tuple[str, str], ...]) -> bool:
-    """Are two formulas of some letters identical? They are compared at places that are the same in every run.
+def same_formula(
+    typed: str,
+    right: str,
+    letters: tuple[tuple[str, str], ...],
+    known: tuple[tuple[str, float], ...] = (),
+    tolerance: float = SAME,
+) -> bool:
+    """Are two formulas of some letters identical, where those that are `known` have these values? They are compared at
+    places that are the same in every run, relatively within `tolerance`.
 
     Unreadable: what was typed is no formula of these letters. In a class the same few are typed again and again.
     """
     mine = parsed(typed)
     met = 0
-    for values, b in _values(right, letters):
+    for values, b in _values(right, letters, known):
         a = evaluated(mine, _Numbers(values))
         if not (math.isfinite(a) and math.isfinite(b)):
             continue
         met += 1
-        if abs(a - b) > SAME * max(abs(a), abs(b)):
+        if abs(a - b) > tolerance * max(abs(a), abs(b)):
             return False
     if met < NEEDED:
         raise Unreadable("the formula has no value at most places")
@@ -128,22 +140,28 @@ def same_formula(typed: str, right: str, letters: tuple[tuple[str, str], ...]) -
 
 
 @lru_cache(RIGHT)
-def _values(right: str, letters: tuple[tuple[str, str], ...]) -> tuple[tuple[dict[str, float], float], ...]:
+def _values(
+    right: str, letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...]
+) -> tuple[tuple[dict[str, float], float], ...]:
     """Values of the letters, and what a formula comes to with them."""
     side, rng = parsed(right), random.Random(1)
-    drawn = [{name: _drawn(unit, rng) for name, unit in letters} for _ in range(DRAWS)]
+    drawn = [{name: _drawn(unit, rng) for name, unit in letters} | dict(known) for _ in range(DRAWS)]
     return tuple((values, evaluated(side, _Numbers(values))) for values in drawn)
 
 
 @lru_cache(MANY)
-def same_equation(typed: str, right: str, letters: tuple[tuple[str, str], ...]) -> bool:
-    """Is an equation of a curve the right one, but for a factor? Unreadable: it is no equation in these letters."""
+def same_equation(
+    typed: str, right: str, letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...] = ()
+) -> bool:
+    """Is an equation of a curve the right one, but for a factor, where letters that are `known` have these values?
+    Unreadable: it is no equation in these letters.
+    """
     if typed.count("=") != 1:
         raise Unreadable("an equation is asked, such as `y = 2*x^2`")
     mine, theirs = (tuple(map(parsed, text.split("="))) for text in (typed, right))
     rng, ratios = random.Random(1), []
     for _ in range(DRAWS):
-        values = {name: _drawn(unit, rng) for name, unit in letters}
+        values = {name: _drawn(unit, rng) for name, unit in letters} | dict(known)
         (a, b), (c, d) = ([evaluated(side, _Numbers(values)) for side in sides] for sides in (mine, theirs))
         if math.isfinite(a - b) and math.isfinite(c - d) and c != d:
             ratios.append((a - b) / (c - d))

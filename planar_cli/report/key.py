@@ -4,10 +4,11 @@ key of a homework.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.homework.verdict import Verdict
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.blocks import Block, Bullet, Document, Heading, Name, Note, line
@@ -41,8 +42,10 @@ def _answers(part: PartSolution, figures: int) -> list[Bullet]:
     return [Bullet(line(Name(a.name), ": " if a.relation == ":" else f" {a.relation} ", *a.line)) for a in told]
 
 
-def formulas_told(solution: Solution) -> dict[str, str]:
-    """The answers in letters by the names of their finds, as the page tells them: √(2 g L (sin β - μ cos β))."""
+def formulas_told(solution: Solution, numbers: Mapping[str, sp.Rational]) -> dict[str, str]:
+    """The answers in letters by the names of their finds, as the page tells them: √(2 g L (sin β - μ cos β)); with
+    `numbers` put in for some letters.
+    """
     told: dict[str, str] = {}
     for part in solution.parts:
         phrases = phrases_in(part, FIGURES) if part.motion is None else motion_phrases(part.motion, FIGURES)
@@ -50,8 +53,14 @@ def formulas_told(solution: Solution) -> dict[str, str]:
             if found.values is None and len(found.expressions or ()) == 1 and not found.word:
                 (expr,) = found.expressions or ()
                 sides = (expr.lhs, expr.rhs) if isinstance(expr, sp.Eq) else (expr,)
-                told[found.name] = " = ".join(plain(phrases.math(side).expr) for side in sides)
+                put_in = (_with_numbers(side, numbers) for side in sides)
+                told[found.name] = " = ".join(plain(phrases.math(side).expr) for side in put_in)
     return told
+
+
+def _with_numbers(expr: sp.Expr, numbers: Mapping[str, sp.Rational]) -> sp.Expr:
+    known = {s: numbers[s.name] for s in expr.free_symbols if s.name in numbers}
+    return factor_terms(expr.xreplace(known)) if known else expr
 
 
 def with_disagreements(document: Document, verdicts: Sequence[Verdict]) -> Document:
