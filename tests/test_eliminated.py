@@ -30,3 +30,9 @@ def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_lette
     assert (
         "a_B = -0.75 a_A - 2.5 in m/s² (4): S_strut = 100 - 3.333 a_A in N (3), (4) in (5): 4.917 a_A = 101.9" in page
     )
+
+
+def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> None:
+    page = page_of_file("two-rods-falling-flat")
+    assert "α_2 = -m g l / (1/2 m l² + I_AB + I_BC) = -3 g/(2 l)" in page
+    assert "N_C = 1/2 m g + 1/4 m l α_AB - I_BC α_AB/l = 1/4 m g" in page

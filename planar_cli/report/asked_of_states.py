@@ -17,6 +17,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
+from planar_cli.report.at_its_state import at_its_state
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
@@ -212,7 +213,8 @@ class AskedTelling:
         shown = damped or self._shown(formula, span, asked.unit, values, phrases)
         if shown and values and shown[0].expr == sp.Symbol(asked.find.name, real=shown[0].expr.is_real):
             shown = shown[1:]  # the file calls it as the page does
-        sides: list[Any] = [name, *shown, *values]
+        before = at_its_state(asked.find.name, formula, self.found) if span is None and not part.axis else None
+        sides: list[Any] = [name, *([] if before is None else [phrases.math(before)]), *shown, *values]
         if span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))
         elif span is None:
