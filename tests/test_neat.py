@@ -56,6 +56,9 @@ DRAWS, CERTAIN = 4, 1e-9
         (m * (R**2 * sp.sin(phi) ** 2 + R**2 * sp.cos(phi) ** 2 - L**2), "m (R² - L²)"),
         (m * (R**2 / 2 - 16 * R**2 / (9 * sp.pi**2)), "(1/2 - 16/(9 π²)) m R²"),
         (m * k * (r - (r - R) * sp.cos(phi)), "m k (r + (R - r) cos φ)"),
+        (sp.sqrt((2 * g - 2 * g * sp.cos(phi)) / L), "√(2 g (1 - cos φ) / L)"),
+        (g * L * ((m * r + L) / L - 1) / r, "m g"),
+        ((sp.sqrt(k**2 * g + m) - k * sp.sqrt(g)) / (L * sp.sqrt(g)), "(√((m + k² g)/g) - k)/L"),
     ],
 )
 def test_neat(expr: Any, text: str) -> None:
@@ -142,3 +145,10 @@ def _compare(before: Any, after: Any, ledger: Ledger) -> None:
 def _value(symbol: sp.Symbol, ledger: Ledger, chance: random.Random) -> Any:
     known = ledger.values.get(symbol)
     return known if known is not None and known.is_number else sp.Rational(chance.randint(20, 300), 100)
+
+
+def test_no_fraction_under_a_fraction_stroke() -> None:
+    """Two gears: all is multiplied by both radii."""
+    m_1, m_2, k_1, k_2 = sp.symbols("M_1 M_2 I_1 I_2", positive=True)
+    told = Neat(Ledger(), Valuation({}))((m_1 * r / R - m_2) / (k_1 * r / R + k_2 * R / r))
+    assert plain(told) == "r (M_1 r - M_2 R) / (I_1 r² + I_2 R²)"

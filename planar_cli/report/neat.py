@@ -22,6 +22,7 @@ from planar_cli.report.binomials import multiplied
 from planar_cli.report.divided import divided_out
 from planar_cli.report.durations import over_durations
 from planar_cli.report.logarithms import of_ratios
+from planar_cli.report.nested import below, holds_fraction, holds_quotient, is_nested
 from planar_cli.report.notation import plain
 from planar_cli.report.pythagoras import of_one
 from planar_cli.report.relative_speeds import with_differences
@@ -95,7 +96,7 @@ class Neat:
             isinstance(p, sp.Abs)
             or (p.is_Pow and (_holds_sum(p.base) or isinstance(p.base, sp.sin)))
             or (p.is_Mul and any(_shares(a) or (_may_turn(a) and self._is_turned(a)) for a in p.args))
-            or (p.is_Add and _square_inside(p) is not None)
+            or (p.is_Add and (_square_inside(p) is not None or holds_quotient(p)))
             for p in sp.preorder_traversal(expr)
         )
 
@@ -106,17 +107,20 @@ class Neat:
         sums = set(_sums(term))
         if not sums and not any(isinstance(p, sp.Abs) for p in sp.preorder_traversal(term)):
             return term
-        nested = any(map(_is_nested, sums)) or any(map(_holds_fraction, _below(term)))
+        nested = is_nested(term, sums)
         flat = simplified(term) if nested else term
         forms = dict.fromkeys((term, flat, *(self._put_together(f) for f in {flat: 0, term: 0})))
         return min(forms, key=self._effort) if len(forms) > 1 else term
 
     def _effort(self, term: sp.Expr) -> int:
-        """How long a term is on the page. Bars count twice, as they hide a sign; r - R counts more than -(R - r)."""
-        text = plain(term)
+        """How long a term is on the page, its spaces apart. Bars count twice, as they hide a sign; r - R counts more
+        than -(R - r), and so does a fraction under a fraction stroke.
+        """
+        text = plain(term).replace(" ", "")
+        turned_over = TURNED * sum(map(holds_fraction, below(term)))
         # That 1 comes before cos θ decides only between two that are as long.
         turned = sum(1 if s.as_coeff_Add()[0] else TURNED for s in _sums(term) if self._is_turned(s))
-        return len(text) + text.count("|") + turned
+        return len(text) + text.count("|") + turned + turned_over
 
     def _is_turned(self, total: sp.Expr) -> bool:
         """Is it r - R or -R - r, surely negative, with a minus that can be put before it?"""
@@ -278,23 +282,6 @@ def _sums(term: sp.Expr) -> Iterator[sp.Expr]:
     if term.is_Add or term.is_Mul or term.is_Pow or isinstance(term, sp.Abs):
         for a in term.args:
             yield from _sums(a)
-
-
-def _is_nested(total: sp.Expr) -> bool:
-    """Does a sum stand under a fraction stroke inside a sum?"""
-    parts = sp.preorder_traversal(total)
-    return any(p.is_Pow and p.base.is_Add and p.exp.is_Integer and p.exp.is_negative for p in parts)
-
-
-def _below(term: sp.Expr) -> Iterator[sp.Expr]:
-    """The sums by which a term is divided."""
-    return (f.base for f in sp.Mul.make_args(term) if f.is_Pow and f.exp == -1 and f.base.is_Add)
-
-
-def _holds_fraction(total: sp.Expr) -> bool:
-    """Is a term of a sum divided by letters?"""
-    factors = (f for t in total.args for f in sp.Mul.make_args(t))
-    return any(f.is_Pow and f.exp.is_Integer and f.exp.is_negative for f in factors)
 
 
 def _square_root(total: sp.Expr) -> sp.Expr | None:
