@@ -33,7 +33,7 @@ def test_an_acceleration_that_is_zero_is_not_drawn(name: str, row: str) -> None:
     ("name", "row"),
     [
         ("momentum/leaking-bucket", "bucket:  g (M - q t) ↓,  F ↑   =   (M - q t) a ↑\n"),
-        ("momentum/rocket-up-and-along", "rocket:  g (M - q t) ↓,  u q ↑   =   (M - q t) a_P ↑\n"),
+        ("momentum/rocket-up-and-along", "rocket:  g (M - q t) ↓,  u q ↑   =   (M - q t) a ↑\n"),
         ("impact/ball-dropped-on-a-sprung-plate", "plate:  J_N,ball ↓   =   m_B v_B,3 ↑\n"),
     ],
 )
