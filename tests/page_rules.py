@@ -188,6 +188,7 @@ def value_of(side: str) -> tuple[float, str] | None:
 _PLAIN = "°|rad|rev|rpm|m|mm|cm|km|ft|in|mi|s|min|h|kg|g|t|N|kN|lbf|lb|slug|J|kJ|W|kW|hp|Hz|mph|Pa|kPa|1|kt|%"
 _UNIT = re.compile(rf"(?:{_PLAIN})[²³]?(?:[·/](?:\(?(?:{_PLAIN})[²³]?(?:·(?:{_PLAIN})[²³]?)*\)?))*")
 _AFTER = "to the|upward|downward|clockwise|counterclockwise|by |in tension|in compression|that is|at |above|below|along"
+_AFTER += r"|up the|down the|perpendicular|\(asked"
 _SUPER = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
