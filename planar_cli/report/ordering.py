@@ -23,7 +23,7 @@ _GROUPS = (
     ("L", "l", "R", "r", "d", "D", "h", "H", "b", "s", "x", "y", "w"),
     ("alpha", "omega", "Omega"),
     ("theta", "phi", "psi", "Delta"),
-    ("t", "tau"),
+    ("t", "tau", "dt"),
 )
 _RANKS = {name: rank for rank, names in reversed(list(enumerate(_GROUPS))) for name in names}
 _OTHER_LETTERS = 6

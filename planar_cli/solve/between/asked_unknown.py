@@ -136,7 +136,7 @@ def _changed(motion: MotionTrace, change: _Change) -> MotionTrace | None:
         return None
     number = motion.value(change.request.parts[0])
     value = motion.value.extended({change.asked: number})
-    result = _result(residual, change.asked, value, motion.symbolic)
+    result = solved_for_asked(residual, change.asked, value, motion.symbolic)
     if result is None:
         return None
     ledger, unit = motion.ledger, change.request.unit
@@ -159,7 +159,7 @@ def _changed(motion: MotionTrace, change: _Change) -> MotionTrace | None:
     )
 
 
-def _result(residual: sp.Expr, asked: sp.Symbol, value: Valuation, symbolic: bool) -> Result | None:
+def solved_for_asked(residual: sp.Expr, asked: sp.Symbol, value: Valuation, symbolic: bool) -> Result | None:
     """What is asked from its equation, with all roots."""
     truth = value(asked)
     try:

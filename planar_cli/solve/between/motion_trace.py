@@ -18,6 +18,7 @@ from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
+from planar_cli.solve.between.elapsed import by_what_passes
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
@@ -105,7 +106,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_what_is_asked(made)
+    return by_what_passes(by_what_is_asked(made))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
