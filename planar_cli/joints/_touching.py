@@ -190,10 +190,9 @@ class Touching:
         point, place, curvature = self.place, self.contact.at, self._base_curvature()
         if self.mover.kind == "arc" and self.mover.center is not None:
             point, place = self.mover.center, self.mover.center_name
-            # The height of the centre is the radius, in letters that no root of a sum of squares hides.
-            radius = 1 / self.mover.curvature
-            height = radius * self.scene.sign(radius) * self.scene.sign((point - self.place).dot(self.normal))
-            curvature = curvature / (1 - curvature * height)
+            # As high as the radius, in letters that no root of a sum of squares hides.
+            sense = self.scene.sign((point - self.place).dot(self.normal) * self.mover.curvature)
+            curvature = curvature / (1 - curvature * sense / self.mover.curvature)
         return Joining(
             self.name,
             self.mover.body,
