@@ -49,7 +49,7 @@ def test_from_velocity_and_acceleration() -> None:
     [
         ("disk-in-circular-track", "ρ_G = R - r_d = 0.5 - 0.15 = 0.35 m"),
         ("paths-of-points-of-a-wheel", "ρ_T = 4 R = 4 · 0.4 = 1.6 m"),
-        ("ex-1-13", "ρ = (1 + y′²)^(3/2)/y″ = (1 + 2²)^(3/2)/1 = 11.18 m"),
+        ("ex-1-13", "ρ = (1 + y′²)^(3/2)/y″ = (1 + 2²)^(3/2)/1 = 5 √5 m = 11.18 m"),
     ],
 )
 def test_where_less_tells_it(stem: str, line: str) -> None:

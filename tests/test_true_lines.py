@@ -26,7 +26,7 @@ def page(name: str) -> str:
             "ρ = ",
         ),
         ("particles/pendulum-tension", "ρ = l = 1.2 m", "√(l² + 4 y_P²)/2 ="),
-        ("textbook/ex-1-13", "ρ = (1 + y′²)^(3/2)/y″ = (1 + 2²)^(3/2)/1 = 11.18 m", "ρ = 11.18 m\n\n"),
+        ("textbook/ex-1-13", "ρ = (1 + y′²)^(3/2)/y″ = (1 + 2²)^(3/2)/1 = 5 √5 m = 11.18 m", "ρ = 11.18 m\n\n"),
         ("particles/skier-in-a-parabolic-dip", "y′ = 2 c x_1 = 2 · 0.00625 · 40 = 0.5", "ρ = (1 + 4 c²"),
         ("impact/where-a-bat-meets-the-ball", "= 2.083 ft = 25 in", "d = 25 in = "),
         ("momentum/rocket-up-and-along", "a = u q / (M - q t) - g", "sin φ"),

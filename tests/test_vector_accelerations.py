@@ -124,7 +124,7 @@ def test_a_particle_that_has_another_name_than_its_point() -> None:
     problem, wrong = load_text(SKIER)
     assert problem is not None, wrong
     page = Terminal(width=110).render(narrate(solve_problem(problem)))
-    assert page.count("ρ = (1 + y′²)^(3/2)/y″ = (1 + 1²)^(3/2)/0.1 = 28.28 m") == 1
+    assert page.count("ρ = (1 + y′²)^(3/2)/y″ = (1 + 1²)^(3/2)/0.1 = 20 √2 m = 28.28 m") == 1
     flat = " ".join(page.split())
     assert "a_A = a_At e_t + v_A²/ρ e_n = [-0.7071 · 2 - 0.7071 · 6² / 28.28, " in flat
     assert "28.284] = [-2.314, -0.5142] m/s²" in flat

@@ -23,7 +23,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Curve
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import along_unit, both_told
 from planar_cli.report.names import plain_name
@@ -35,6 +35,8 @@ from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension
 
 SHORT = 6
 """y′ and y″ of more operations are told by their values."""
+FEW, SMALL, ROUNDING = 4, 20, 1e-9
+"""Operations and numbers of a root that is told before its value; so near it must be to that."""
 LONGEST = 40
 """A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
 SLOPE, BEND = sp.symbols("y′ y″", real=True)
@@ -173,7 +175,8 @@ class PathTelling:
             return
         put = Phrases(phrases.ledger, phrases.value, phrases.figures, False).numbers(formula, sizes, turns=False)
         value = phrases.of_dimension(phrases.value(radius), LENGTH)
-        yield Equation((line("ρ"), Math(formula), *([] if put is None else [put]), value), None, note=note)
+        exact = _exact(radius, value)
+        yield Equation((line("ρ"), Math(formula), *([] if put is None else [put]), *exact, value), None, note=note)
 
     def _radius(self, path: Path, place: str, body: str, note: Line = ()) -> Iterator[Block]:
         """ρ of the path of a point, once; nothing where the file gives it by that letter."""
@@ -209,6 +212,15 @@ class PathTelling:
             return None
         told = list(self._radius(path, place, body))
         return told if told or place in self._told else None
+
+
+def _exact(size: sp.Expr, value: Value) -> tuple[Line, ...]:
+    """5 √5 m before 11.18 m: a short root of whole numbers, in the base unit; nothing for what is no such root."""
+    root = simplified(size)
+    if not root.is_number or root.is_Rational or longer(root, FEW) or abs(float(root) - float(value.number)) > ROUNDING:
+        return ()
+    whole = all((a.is_Integer and abs(int(a)) <= SMALL) or a == sp.Rational(1, 2) for a in root.atoms(sp.Number))
+    return (line(Math(root), f" {value.unit}"),) if whole else ()
 
 
 def vector_of(vector: Vec, dimension: Dimension, phrases: Phrases) -> Line:
