@@ -8,6 +8,8 @@ _WORDS = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi
 _LETTERS = "αβγδεζηθκλμνξπρστφχψω"
 _CAPITALS = {"Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ"}
 _GREEK = {**dict(zip(_WORDS.split(), _LETTERS, strict=True)), **_CAPITALS, "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω"}
+LETTERS = {**{sign: word for word, sign in _GREEK.items()}, "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Ω": "Omega"}
+"""The word of each Greek letter, also of its other forms."""
 
 
 def printed(name: str) -> str:
