@@ -120,8 +120,7 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
         if expected.kind == "word":
             return _of_word(blank, answer.word == expected.text, rules), None
         if expected.kind in ("formula", "equation"):
-            one = _of_word(blank, _same_formula(answer.formula, expected), rules)
-            return (named_formula(one, expected, answer.formula) if one.verdict == WRONG else one), None
+            return _of_formula(blank, expected, answer.formula, rules), None
         return _of_numbers(blank, expected, answer, rules)
     except Unreadable as why:
         return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {why}"), None
@@ -135,20 +134,19 @@ def shown(text: str) -> str:
     return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
 
 
-def _same_formula(text: str, expected: Expected) -> bool:
-    """As a formula, or with the numbers put in that the sheet gives for some letters."""
-    from planar_cli.homework.typed_formula import SAME, is_rounded, same_equation, same_formula
+def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> Graded:
+    """A formula or the equation of a curve."""
+    from planar_cli.homework.grading_formulas import equation_is_right, formula_verdict
 
-    letters = (*expected.letters, *expected.others)
-    for known in dict.fromkeys(((), expected.known)):
-        if expected.kind == "equation":
-            same = same_equation(text, expected.formula, letters, known)
-        else:
-            tolerance = expected.tolerance if is_rounded(text) else SAME
-            same = same_formula(text, expected.formula, letters, known, tolerance)
-        if same:
-            return True
-    return False
+    if expected.kind == "equation":
+        one = _of_word(blank, equation_is_right(text, expected), rules)
+        return named_formula(one, expected, text) if one.verdict == WRONG else one
+    found = formula_verdict(text, expected, rules)
+    one = replace(blank, value=found.value, unit=found.unit, sign=found.sign, precision=RIGHT)
+    one = _scored(one, rules, found.why)
+    if one.value == WRONG:
+        one = named_formula(replace(one, precision="", message=found.why), expected, found.text)
+    return replace(one, message="; ".join(filter(None, (one.message, *found.notes))))
 
 
 def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:

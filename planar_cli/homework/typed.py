@@ -35,7 +35,7 @@ _BRACKET = re.compile(r"[\[(<]([^\])>]*)[\])>]\s*(.*)")
 _IJ = re.compile(rf"\(?\s*({_NUMBER})\s*\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*\*?\s*j\s*\)?\s*(.*)")
 _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
 
-_NAMED = re.compile(r"^(?:[A-Za-z][A-Za-z0-9_]*\s*)?[=≈≃~]\s*")
+_NAMED = re.compile(r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*")
 """What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
 _BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
@@ -149,7 +149,7 @@ def _number(text: str) -> Typed:
         raise Unreadable("a comma in a number can mean two things; write 1200 or 1.2")
     if any(word in text for word in _AT) and (polar := _polar(text)) is not None:
         return polar
-    plain, sense, axis, way = _without_direction(text)
+    plain, sense, axis, way = without_direction(text)
     value, unit, figures, unread = _quantity(plain)
     if (sense or way) and any(word.strip("(),.") in _WAYS or word in _SENSES for word in unread.lower().split()):
         raise Unreadable("two directions stand behind the number; write one of them, or a sign")
@@ -187,7 +187,7 @@ def _polar(text: str) -> Typed | None:
     return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True, notes=_not_read(unread))
 
 
-def _without_direction(text: str) -> tuple[str, int, str, int]:
+def without_direction(text: str) -> tuple[str, int, str, int]:
     """The text before a sense of rotation or a direction in words, and those."""
     if text.endswith(")") and (bracket := _IN_BRACKETS.fullmatch(text)) is not None:
         words = bracket[2].lower().strip()
@@ -315,7 +315,7 @@ def _vector(text: str) -> Typed:
     polar = _polar(text)
     if polar is not None:
         return polar
-    plain, _, axis, way = _without_direction(text)
+    plain, _, axis, way = without_direction(text)
     if way:
         size, unit, figures_of_size, unread = _quantity(plain)
         size, said_twice = _once(size, way, text)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import random
+import re
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -15,12 +17,14 @@ from planar_cli.problem.evaluation import ARITHMETIC, evaluated
 from planar_cli.problem.expression import Binary, Function, Name, Number, Quantity, Scaled, Side
 from planar_cli.problem.parser import ParseError, parse_side
 from planar_cli.problem.walk import walk
-from planar_cli.units import PURE, parse_unit
+from planar_cli.units import PURE, Dimension, parse_unit
 
 DRAWS, NEEDED = 24, 6
 """So many places are drawn; at so many both formulas must have a value."""
 SAME = 1e-9
 """Two formulas that are identical differ by rounding alone, in parts of the larger."""
+CLOSE = 1e-6
+"""Exponents of a dimension that differ by more are not the same."""
 MANY, RIGHT = 4096, 256
 """So many typed formulas, and right ones, are remembered."""
 HERE = Mark("<answer>", 1, 1)
@@ -105,6 +109,34 @@ def constant(text: str) -> float:
 def is_rounded(text: str) -> bool:
     """Does a decimal number stand in a formula that need not be exact, as 1.732 for √3? Halves and quarters are."""
     return any(isinstance(n, Number) and (n.value * 4).denominator != 1 for n in walk(parsed(text)))
+
+
+def letters_in(text: str) -> tuple[str, ...]:
+    """The names in a text that are no functions, in their order."""
+    words = dict.fromkeys(re.findall(r"[A-Za-z][A-Za-z0-9_]*", re.sub(r"[0-9.]+[eE][+-]?[0-9]+", "", text)))
+    return tuple(w for w in words if w not in FUNCTIONS and w != "pi")
+
+
+@lru_cache(MANY)
+def dimension(text: str, letters: tuple[tuple[str, str], ...]) -> Dimension | None:
+    """The dimension of a formula; None: its terms have several. It is measured: with units of half the size a formula
+    of the dimension L^a has the 2^a-fold value, at whatever place.
+    """
+    side, rng = parsed(text), random.Random(2)
+    places = [{name: _drawn(unit, rng) for name, unit in letters} for _ in range(DRAWS)]
+    exponents: list[Fraction] = []
+    for base in ("length", "mass", "time"):
+        powers = {name: float(getattr(parse_unit(unit).dimension, base)) for name, unit in letters}
+        found: list[float] = []
+        for values in places:
+            scaled = {name: value * 2.0 ** powers[name] for name, value in values.items()}
+            one, other = evaluated(side, _Numbers(values)), evaluated(side, _Numbers(scaled))
+            if math.isfinite(one) and math.isfinite(other) and one and other / one > 0:
+                found.append(math.log2(other / one))
+        if not found or max(found) - min(found) > CLOSE:
+            return None
+        exponents.append(Fraction(found[0]).limit_denominator(12))
+    return Dimension(*exponents)
 
 
 def _is_angle(unit: str) -> bool:

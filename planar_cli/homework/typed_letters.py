@@ -136,9 +136,8 @@ def _with_roots(tokens: list[_Token]) -> list[_Token]:
             found.append(token)
             continue
         behind = tokens[number + 1 : number + 3]
-        if len(behind) == 2 and behind[0].kind == "number" and behind[1].kind in ("name", "number"):
-            if not behind[1].apart:
-                raise Unreadable("it is not clear where the root ends; write `sqrt(…)`")
+        if [t.kind for t in behind] == ["number", "name"] and not behind[1].apart:
+            raise Unreadable("it is not clear where the root ends; write `sqrt(…)`")
         found.append(_Token("function", "sqrt", token.apart))
     return found
 
@@ -194,8 +193,11 @@ class _Writer:
         """Is the divisor just taken a number below a number, with a space behind: 5/2 m g, as keys print it?"""
         numbers = [t.kind for t in self.tokens[max(self.place - 3, 0) : self.place]] == ["number", "/", "number"]
         before = self.tokens[self.place - 4].kind if self.place > 3 else ""
-        return numbers and before in ("", "+", "-", "(", "*") and self.place < len(self.tokens) and (
-            self.tokens[self.place].apart
+        return (
+            numbers
+            and before in ("", "+", "-", "(", "*")
+            and self.place < len(self.tokens)
+            and (self.tokens[self.place].apart)
         )
 
     def _operand(self, ahead: int = 0) -> bool:

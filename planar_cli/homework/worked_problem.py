@@ -243,7 +243,7 @@ def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[
         _text(found, values, sense),
         tolerance_of(problem.problem, found.name),
         scale,
-        rotation and len(values) == 1,
+        rotation and (len(values) == 1 or found.values is None),
         direction,
         axis,
     )
