@@ -105,6 +105,9 @@ def _words(found: Found, positive: bool) -> str:
         if part.kind == "along" and isinstance(part.direction, PointPair):
             ends = (part.direction.origin, part.direction.to)
             return "from {} towards {}".format(*(ends if positive else reversed(ends)))
+        if part.kind == "across" and isinstance(part.direction, PointPair):
+            named = f"{part.direction.origin}{part.direction.to}"
+            return f"perpendicular to {named}, {'counter' if positive else ''}clockwise from it"
         quarter = _quarter(part)
         return "" if quarter is None else WAYS[(quarter + (0 if positive else 2)) % 4]
     return ""
