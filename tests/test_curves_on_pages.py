@@ -19,9 +19,10 @@ def _page(name: str) -> str:
 def test_each_frame_says_what_varies() -> None:
     page = _page("textbook/ex-1-01")
     assert "Path of A over the ground (s varies, h is constant):" in page
-    assert "does not turn, with A as origin (β varies, l is constant):" in page
+    told = " ".join(page.split())
+    assert "does not turn, in which A is at rest, the origin of x′, y′ (β varies, l is constant):" in told
     assert "seen from the boom, origin at A, x axis along the boom (c varies):" in page
-    assert "straight line through A along the boom, y = 0" in page
+    assert "straight line through A along the boom, y″ = 0" in page
     assert "circle about A of radius l, x² + y² = l²" in page
 
 

@@ -40,6 +40,7 @@ from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
+from planar_cli.report.frames_apart import with_frames_apart
 from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
@@ -184,7 +185,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
-    blocks = with_component_letters(blocks, part.found)
+    blocks = with_frames_apart(with_component_letters(blocks, part.found), part.found)
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):
