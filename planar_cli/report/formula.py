@@ -18,7 +18,7 @@ from planar_cli.records import record
 from planar_cli.report.fractional_powers import absorbed, with_whole_powers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
-from planar_cli.report.ordering import factor_key, term_key
+from planar_cli.report.ordering import in_order, term_key
 
 Values = Mapping[sympy.Symbol, str]
 
@@ -282,7 +282,7 @@ def factors_of(expr: Any) -> list[Any]:
     if not expr.is_Mul:
         return [expr]
     if is_canonical(expr):
-        return sorted(expr.args, key=factor_key)
+        return in_order(expr.args)
     return [f for arg in expr.args for f in factors_of(arg)]
 
 
@@ -299,6 +299,7 @@ def is_negative(expr: Any) -> bool:
     return bool(expr.is_Number and expr.is_negative)
 
 
+_TENTHS = 10
 _DECIMALS = 6
 _LARGEST_PART = 10_000
 """A rational that does not end within so many decimals stays a fraction if its parts are smaller than this."""
@@ -327,6 +328,9 @@ def _with_coefficient(q: Any, above: list[Formula], below: list[Formula], togeth
     if not above and not below:
         return number(q)
     coefficient = _rational(q, coefficient=True) if q.is_Rational else number(q)
+    if q.is_Rational and q.q == _TENTHS and q.p < _TENTHS and any(isinstance(f, Variable) for f in below):
+        # 7 J²/(10 m): one fraction.
+        coefficient = Quotient(Numeral(str(q.p)), Numeral(str(q.q)))
     if not isinstance(coefficient, Quotient):
         above = above if coefficient == _ONE else [coefficient, *above]
         return Quotient(_times(above), _times(below)) if below else _times(above)

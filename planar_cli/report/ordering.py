@@ -65,6 +65,26 @@ def factor_key(factor: Any) -> Key:
     return (_FUNCTIONS, False, base.func.__name__[::-1], str(base), power)
 
 
+def in_order(factors: tuple[Any, ...]) -> list[Any]:
+    """The factors of a product. e is a coefficient of restitution and stands first, but beside α or ω² it is an
+    eccentricity: m e R ω².
+    """
+    if not (any(map(_is_e, factors)) and any(map(_is_turned_by, factors))):
+        return sorted(factors, key=factor_key)
+    return sorted(factors, key=lambda f: (_RANKS["R"], *factor_key(f)[1:]) if _is_e(f) else factor_key(f))
+
+
+def _is_e(factor: Any) -> bool:
+    return bool(factor.is_Symbol and stem(factor.name) == "e")
+
+
+def _is_turned_by(factor: Any) -> bool:
+    """Is it α, or ω²: what an arm is multiplied by in an acceleration?"""
+    base, exponent = factor.as_base_exp()
+    wanted = {"alpha": 1, "omega": 2}.get(stem(base.name)) if base.is_Symbol else None
+    return bool(wanted == exponent)
+
+
 def term_key(term: Any) -> tuple[float, list[Key]]:
     """Sorts the terms of a sum: by powers of time, then as their factors sort."""
     factors = term.args if term.is_Mul else (term,)
