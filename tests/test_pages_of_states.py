@@ -213,7 +213,7 @@ def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
     """The tension of a pendulum from the speed that was just found, both where the sense of the motion is kept."""
     solution, _ = worked(ROOT / "problems" / "oscillations" / "simple-pendulum.yaml")
     page = " ".join(Terminal(width=110).render(narrate(solution)).split())
-    assert "ω_squared from 1 to 2, as a function of θ: From 1 on, ω dω = α dθ:" in page
+    assert "ω_squared from 1 to 2, as a function of θ: From 1 on, θ̇ dθ̇ = θ̈ dθ:" in page
     assert "S from 1 to 2, as a function of θ: S = m (g cos θ + l" in page
     assert page.count("From 1 on, ") == 1
 

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Note, Paragraph, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
@@ -26,20 +26,26 @@ def in_one_line(blocks: Sequence[Block]) -> list[Block]:
 
 
 def under_one_heading(blocks: Iterable[Block]) -> Iterator[Block]:
-    """`From 1 to 2, constant acceleration, x:` once over equations that follow each other."""
-    over: Block | None = None
+    """`From 1 to 2, constant acceleration, x:` once over equations that follow each other; a formula that stands behind
+    it stands alone the second time.
+    """
+    over: Line = ()
     for block in blocks:
-        if isinstance(block, Paragraph) and _heads(block):
-            if block == over and STRETCH.match(_words(block)):
+        if isinstance(block, Paragraph) and (heading := _heading(block)):
+            if heading == over and STRETCH.match(_words(block)):
+                formula = tuple(p for p in block.line[len(heading) :] if p != Text(" "))
+                yield from (Paragraph(formula),) if formula else ()
                 continue
-            over = block
+            over = heading
         elif not isinstance(block, Paragraph | Equation):
-            over = None
+            over = ()
         yield block
 
 
-def _heads(paragraph: Paragraph) -> bool:
-    return _words(paragraph).endswith(":")
+def _heading(paragraph: Paragraph) -> Line:
+    """Its words up to the colon, behind which a formula may stand; empty: it is none."""
+    ends = [i for i, p in enumerate(paragraph.line, 1) if isinstance(p, Text) and p.text.endswith(":")]
+    return paragraph.line[: ends[0]] if ends else ()
 
 
 def _words(paragraph: Paragraph) -> str:
