@@ -21,3 +21,9 @@ def test_a_time_that_is_asked_itself_stays() -> None:
 
 def test_a_place_after_that_time_is_told_by_it() -> None:
     assert "y_G,4 = y_G,3 + v_Gy,3 t_flat - 1/2 g t_flat²" in page_of_file("slanting-rod-falls-on-a-floor")
+
+
+def test_a_time_that_goes_when_two_equations_are_solved_is_not_needed() -> None:
+    page = page_of_file("ball-on-a-rough-slope")
+    assert "y_4 = v_y,3 (t_4 - t_3) - 1/2 g (t_4 - t_3)²" in page
+    assert "t_2 =" not in page

@@ -6,7 +6,7 @@ v_3 + a (t_4 - t_3) = 0 -> v_3 + a Δ = 0, Δ being what is asked
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -29,8 +29,8 @@ def by_what_passes(motion: MotionTrace) -> MotionTrace:
         pair = _elapsed(request, times)
         changed = None if pair is None else _changed(motion, request, *pair)
         if changed is not None:
-            motion = _without_idle_times(changed, times)
-    return motion
+            motion = changed
+    return _without_idle_times(motion, times)
 
 
 def _elapsed(request: Request, times: Iterable[sp.Symbol]) -> tuple[sp.Symbol, sp.Symbol] | None:
@@ -120,17 +120,32 @@ def _later(step: RouteStep, put: Put) -> RouteStep:
 
 
 def _without_idle_times(motion: MotionTrace, times: Iterable[sp.Symbol]) -> MotionTrace:
-    """Without steps that give times on which nothing rests."""
-    steps = list(motion.route.steps)
+    """Without steps that give times on which no number rests: where t_4 - t_3 goes when two equations are solved
+    together, t_3 is not needed.
+    """
+    steps, every = list(motion.route.steps), set(times)
     asked = {s for r in motion.requests for e in (*r.parts, *(f for _, f in r.beside)) for s in e.free_symbols}
-    asked |= {s for span in motion.spans for piece in span.pieces for s in piece.limits}
-    while idle := [s for s in steps if set(s.unknowns) <= set(times) - asked - set(_needed(steps, s))]:
+    asked |= {s for span in motion.spans for piece in span.pieces if piece.how != "blow" for s in piece.limits}
+    asked |= {s for route in motion.passing.values() for step in route.steps for s in step.needs}
+    while idle := [s for s in steps if set(s.unknowns) <= every - asked - _seen(steps, s, every - asked)]:
         steps = [s for s in steps if s not in idle]
     return replace(motion, route=replace(motion.route, steps=tuple(steps)))
 
 
-def _needed(steps: Iterable[RouteStep], own: RouteStep) -> Iterator[sp.Symbol]:
-    for step in steps:
-        if step is not own:
-            yield from step.needs
-            yield from (s for e in step.relations for s in e.residual.free_symbols if s not in step.unknowns)
+def _seen(steps: Iterable[RouteStep], own: RouteStep, spare: Collection[sp.Symbol]) -> set[sp.Symbol]:
+    """Letters whose numbers other steps show. `spare`: times that are not asked, which a step may find beside."""
+    found: set[sp.Symbol] = set()
+    for step in (s for s in steps if s is not own):
+        beside = len(step.unknowns) > 1
+        for r in step.results:
+            if beside and r.unknown in spare and not _rests(steps, step, r.unknown):
+                continue
+            if r.formula is None or not beside:
+                found |= step.needs | {s for e in step.relations for s in e.residual.free_symbols}
+            else:
+                found |= r.formula.free_symbols
+    return found
+
+
+def _rests(steps: Iterable[RouteStep], own: RouteStep, letter: sp.Symbol) -> bool:
+    return any(letter in e.residual.free_symbols for s in steps if s is not own for e in s.relations)
