@@ -21,9 +21,9 @@ def test_each_frame_says_what_varies() -> None:
     assert "Path of A over the ground (s varies, h is constant):" in page
     told = " ".join(page.split())
     assert "does not turn, in which A is at rest, the origin of x′, y′ (β varies, l is constant):" in told
-    assert "seen from the boom, origin at A, x axis along the boom (c varies):" in page
+    assert "seen from the boom, origin at A, x″ axis along the boom (c varies):" in page
     assert "straight line through A along the boom, y″ = 0" in page
-    assert "circle about A of radius l, x² + y² = l²" in page
+    assert "circle about A of radius l, x′² + y′² = l²" in page
 
 
 def test_a_circle_has_its_radius_and_x_of_t_stands_once() -> None:

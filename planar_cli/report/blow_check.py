@@ -8,6 +8,7 @@ bodies the velocity at which these part (Thomson and Tait, Treatise on Natural P
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
@@ -20,7 +21,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Line, Math, Name, Text, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree, chain, counting
@@ -28,6 +29,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Impact, ImpactEquation, MotionTrace
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, RATE, VELOCITY
 
+LETTERS = ("u", "c", "q", "s")
+"""For a velocity in the check, the first that the file leaves free."""
 DEFINED = "; u, u′: velocities along each J, before and after"
 STRUCK = "; u, u′: velocity of the point struck along J, before and after"
 PARTING = "; u, u′: velocity at which the two points part, before and after"
@@ -92,10 +95,16 @@ def blow_check(motion: MotionTrace, phrases: Phrases) -> Line:
     for impact in impacts.values():
         try:
             if told := _told(impact, phrases, len(impacts) > 1):
-                return told
+                return _in_a_free_letter(told, phrases)
         except Unvalued:
             continue
     return ()
+
+
+def _in_a_free_letter(told: Line, phrases: Phrases) -> Line:
+    """The check with another letter for the velocities u and u′, where u is a letter of the file."""
+    letter = next((x for x in LETTERS if x not in phrases.ledger.symbols), LETTERS[0])
+    return tuple(Text(re.sub(r"\bu(?=\b|′)", letter, p.text), p.style) if isinstance(p, Text) else p for p in told)
 
 
 def _told(impact: Impact, phrases: Phrases, several: bool) -> Line:
