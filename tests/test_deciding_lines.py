@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from worked import page_of_file
 
+from planar_cli.report.latex import words
+
 
 def test_whether_it_slips_is_decided_by_a_line() -> None:
     page = page_of_file("crate-pulled")
@@ -44,3 +46,8 @@ def test_why_the_second_contact_slips_too_is_told() -> None:
     page = page_of_file("stacked-blocks")
     second = "Assume lower at B slips; upper at A does not slip Fails it would need |F_A| = 29.71 N > μ_A N_A"
     assert second in page
+
+
+def test_the_sign_of_a_comparison_is_one_of_mathematics() -> None:
+    assert words(" < ") == r" \lt "
+    assert words(" ≥ ") == r" \ge "

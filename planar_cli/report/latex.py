@@ -26,6 +26,7 @@ _SIGNS = {
 }
 _SPOKEN = {
     **{sign: f" {sign} " for sign in "+-="},
+    **{sign: rf" {_RELATIONS[sign]} " for sign in "<≤>≥"},
     "×": r" \times ",
     "·": r" \cdot ",
     "/": "/",
