@@ -36,6 +36,13 @@ RIGHT = "m*g*(sin(beta) - mu*cos(beta))"
         ("3 meters per second", 3, "m/s"),
         ("3 rad/sec", 3, "rad/s"),
         ("7", 7, None),
+        ("4.98 s⁻¹", 4.98, "s^-1"),
+        ("3 m·s⁻²", 3, "m*s^-2"),
+        ("533.5 [N]", 533.5, "N"),
+        ("444,5 N", 444.5, "N"),
+        ("0,437 m", 0.437, "m"),
+        ("approx. 1.2 m/s", 1.2, "m/s"),
+        ("ω = 5 rad/s", 5, "rad/s"),
         ("-9.436 1/s", -9.436, "1/s"),
         ("4.093/s", 4.093, "1/s"),
         ("≈ 4.61 m/s²", 4.61, "m/s^2"),
@@ -62,6 +69,11 @@ def test_numbers_with_units(text: str, value: float, unit: str | None) -> None:
         ("3 m/s", 0, "", 0),
         ("1.954 m/s (to the left)", 0, "x", -1),
         ("4.093/s cw", -1, "", 0),
+        ("4 m in the x direction", 0, "x", 1),
+        ("15.8 m/s^2 in -x direction", 0, "x", -1),
+        ("1.836 m/s in +x", 0, "x", 1),
+        ("3 m/s (in the negative y-direction)", 0, "y", -1),
+        ("3 ft along -x", 0, "x", -1),
     ],
 )
 def test_senses_and_directions(text: str, sense: int, axis: str, way: int) -> None:
@@ -77,7 +89,7 @@ def test_senses_and_directions(text: str, sense: int, axis: str, way: int) -> No
         ("-5 m/s right", -5, "the opposite"),
         ("4.00 m/s down the slope", 4, "not read: 'down the slope'"),
         ("59.42 N opposite to the motion", 59.42, "not read: 'opposite to the motion'"),
-        ("4 m in the x direction", 4, "not read: 'in the x direction'"),
+        ("533 ± 1 N", 533, "not read: '± 1'"),
         ("12 N m towards the wall", 12, "not read: 'towards the wall'"),
     ],
 )
@@ -97,6 +109,14 @@ def test_how_words_were_read_is_told(text: str, value: float, note: str) -> None
         ("5 m/s at -53 deg", (5, -math.radians(53)), True),
         ("10 N @ 30°", (10, math.radians(30)), True),
         ("9.81 m/s^2 down", (0, -9.81), False),
+        ("1.61 m/s i - 0.579 m/s j", (1.61, -0.579), False),
+        ("v_x = 1.61 m/s, v_y = -0.579 m/s", (1.61, -0.579), False),
+        ("{1.61, -0.579} m/s", (1.61, -0.579), False),
+        ("[1.61 -0.579] m/s", (1.61, -0.579), False),
+        ("[1,15; -0,437] m/s", (1.15, -0.437), False),
+        ("[3,4] m/s", (3, 4), False),
+        ("1.709 m/s at 19.8 deg below +x", (1.709, -math.radians(19.8)), True),
+        ("5 m/s, 30° above the negative x-axis", (5, math.radians(150)), True),
     ],
 )
 def test_pairs(text: str, values: tuple[float, float], polar: bool) -> None:
@@ -145,10 +165,15 @@ def test_what_is_no_answer_is_told_so(text: str, kind: str) -> None:
     assert str(told.value)
 
 
-def test_a_comma_is_a_decimal_point_only_where_the_set_says_so() -> None:
-    assert read("12,5 N", "number", comma=True).values == (12.5,)
-    with pytest.raises(Unreadable):
-        read("12,5 N", "number")
+def test_a_comma_before_three_digits_is_a_decimal_point_only_where_the_set_says_so() -> None:
+    assert read("3,607 N", "number", comma=True).values == (3.607,)
+    with pytest.raises(Unreadable, match="write 3607 or 3.607"):
+        read("3,607 N", "number")
+
+
+def test_words_are_no_number() -> None:
+    with pytest.raises(Unreadable, match="a number with its unit is asked"):
+        read("see attached sheet", "number")
 
 
 @pytest.mark.parametrize(("number", "figures"), [("0.0120", 3), ("120", 3), ("1.20e3", 3), ("5", 1), ("-0.5", 1)])

@@ -11,7 +11,8 @@ from collections.abc import Collection, Iterator
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import RIGHT, WRONG, Expected
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed import unit_of, without_direction
+from planar_cli.homework.typed import unit_of
+from planar_cli.homework.typed_directions import without_direction
 from planar_cli.homework.typed_formula import SAME, dimension, is_rounded, letters_in, same_equation, same_formula
 from planar_cli.homework.typed_letters import readings
 from planar_cli.homework.unreadable import Unreadable

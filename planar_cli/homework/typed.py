@@ -11,8 +11,10 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from functools import lru_cache
 
+from planar_cli.homework.typed_directions import SENSES, WAYS, without_direction
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
 from planar_cli.units import Unit, UnitError, parse_unit
@@ -20,43 +22,50 @@ from planar_cli.units import Unit, UnitError, parse_unit
 LONGEST = 500
 """More characters are no answer."""
 LARGEST = 1e50
+MOST_UNCERTAIN = 0.05
+"""Of a number: what may stand behind ±."""
+NO_ANSWER = "this is not an answer that can be read: a number with its unit is asked, such as `12.5 N`"
 
-_SIGNS = str.maketrans(
-    {"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "²": "^2", "³": "^3", "µ": "u", "\u00a0": " "}
-)
+_SIGNS = str.maketrans({"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "µ": "u", "\u00a0": " ", "î": "i", "ĵ": "j"})
+_RAISED = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
+_POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?(?![0-9.])"
 """All digits of it: what is left of a number that was cut off is no unit."""
 _PLAIN = re.compile(
     rf"({_NUMBER})(?:\s*(?:\*|x)\s*10\s*\^\s*\(?([+-]?[0-9]{{1,3}})\)?)?\s*((?:1\s*/\s*[A-Za-z(]|[^0-9\s(\[<.]).*)?"
 )
+_UNCERTAIN = re.compile(rf"({_NUMBER})\s*(?:±|\+/-|\+-)\s*([0-9]+(?:\.[0-9]+)?)\s*(.*)")
 _RATIO = re.compile(rf"({_NUMBER})\s*/\s*([0-9]+(?:\.[0-9]+)?)\s*([A-Za-z].*)?")
+_DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9]{1,2}(?![0-9,]))|(?<=\b0),(?=[0-9])")
+"""Of thousands three digits stand behind the comma."""
 _PAIR = re.compile(rf"[\[(<]\s*({_NUMBER})\s*([^,;\])>]*)[,;]\s*({_NUMBER})\s*([^,;\])>]*)[\])>]\s*(.*)")
 _BRACKET = re.compile(r"[\[(<]([^\])>]*)[\])>]\s*(.*)")
-_IJ = re.compile(rf"\(?\s*({_NUMBER})\s*\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*\*?\s*j\s*\)?\s*(.*)")
+_SPACED = re.compile(rf"[\[(<]\s*({_NUMBER})\s+({_NUMBER})\s*[\])>]\s*(.*)")
+_UNIT = r"(?:[A-Za-z]+[A-Za-z/*^0-9-]*\s+|[A-Za-z]+/[A-Za-z]+[0-9^]*\s*\*?\s*)?"
+_IJ = re.compile(
+    rf"\(?\s*({_NUMBER})\s*({_UNIT})\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*({_UNIT})\*?\s*j"
+    r"\s*\)?\s*(.*)"
+)
+_NAMED_PAIR = re.compile(rf"({_NUMBER})\s*([^,;=]*)[,;]\s*(?:and\s+)?[^\W\d]\w*y\s*[=≈]\s*({_NUMBER})\s*([^,;=]*)")
+_BRACKETED_UNIT = re.compile(r"^([^\[\]]*[0-9])\s*\[([^\[\]]+)\]$")
+_FROM_X = re.compile(
+    rf"(.+?)\s*(?:@|,|\bat(?: an angle of)?\b|∠)?\s*({_NUMBER})\s*(?:deg|degrees|°)\s*(above|below)\s+(?:the\s+)?"
+    r"(positive\s+|negative\s+|\+\s*|-\s*|)x(?:[- ]axis)?"
+)
 _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
 
-_NAMED = re.compile(r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*")
+_NAMED = re.compile(
+    r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*|^(?:approx(?:\.|imately)?|about|ca\.?)\s+"
+)
 """What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
 _BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
-_IN_BRACKETS = re.compile(r"(.*\S)\s*\(\s*([A-Za-z][A-Za-z -]*|[↺↻→←↑↓])\s*\)")
-_AT = ("@", "∠", " at ", "angle")
+_AT = ("@", "∠", " at ", "angle", "above", "below")
 _ONLY_WORDS = re.compile(r"[A-Za-z][A-Za-z ,.;'’()-]*")
 _NO_END_OF_A_UNIT = frozenset({"in", "at", "a", "to", "per"})
 _OF_UNITS = frozenset({"per", "times", "or", "and", "by"})
 """What is begun so is more of a unit, or another answer: not to be passed over."""
 
-_SENSES = {
-    **dict.fromkeys(("ccw", "counterclockwise", "counter-clockwise", "anticlockwise", "anti-clockwise", "↺"), 1),
-    **dict.fromkeys(("cw", "clockwise", "↻"), -1),
-}
-_WAYS = {
-    **dict.fromkeys(("right", "rightward", "rightwards", "to the right", "→"), ("x", 1)),
-    **dict.fromkeys(("left", "leftward", "leftwards", "to the left", "←"), ("x", -1)),
-    **dict.fromkeys(("up", "upward", "upwards", "↑"), ("y", 1)),
-    **dict.fromkeys(("down", "downward", "downwards", "↓"), ("y", -1)),
-}
-_ENDINGS = tuple(sorted((*_SENSES, *_WAYS), key=lambda words: -len(words)))
 _WORDS = {
     **dict.fromkeys(("yes", "true", "y", "t"), "true"),
     **dict.fromkeys(("no", "false", "n", "f"), "false"),
@@ -112,7 +121,7 @@ class Typed:
 
 def read(text: str, kind: str, comma: bool = False) -> Typed:
     """An answer to a find of a kind. `comma`: 12,5 is twelve and a half. Raises Unreadable."""
-    plain = text.translate(_SIGNS).strip()
+    plain = _RAISED.sub(lambda m: f"^{m[0].translate(_POWERS)}", text).translate(_SIGNS).strip()
     if kind != "equation":
         plain = _NAMED.sub("", plain, count=1)
     if not plain:
@@ -125,13 +134,23 @@ def read(text: str, kind: str, comma: bool = False) -> Typed:
         return _word(plain)
     if kind in ("formula", "equation"):
         return Typed(formula=plain)
-    if re.search(r"±|\+/-|\+-", plain):
-        raise Unreadable("one number is asked, not an interval")
-    if comma:
+    plain, uncertain = _without_uncertainty(plain)
+    if comma or (kind in ("vector", "list") and ";" in plain):
         plain = re.sub(r"(?<=[0-9]),(?=[0-9])", ".", plain)
     if kind == "list":
         return _list(plain)
-    return _vector(plain) if kind == "vector" else _number(plain)
+    found = _vector(plain) if kind == "vector" else _number(plain)
+    return replace(found, notes=(*found.notes, *uncertain)) if uncertain else found
+
+
+def _without_uncertainty(text: str) -> tuple[str, tuple[str, ...]]:
+    """`533 ± 1 N` is 533 N: the answer is one number, and what it may be off is small and not read."""
+    if not re.search(r"±|\+/-|\+-", text):
+        return text, ()
+    found = _UNCERTAIN.fullmatch(text)
+    if found is None or not 0 <= float(found[2]) <= MOST_UNCERTAIN * abs(float(found[1])):
+        raise Unreadable("one number is asked, not an interval")
+    return f"{found[1]} {found[3]}", (f"not read: '± {found[2]}'",)
 
 
 def _word(text: str) -> Typed:
@@ -145,13 +164,18 @@ def _word(text: str) -> Typed:
 
 
 def _number(text: str) -> Typed:
-    if re.search(r"[0-9],[0-9]", text):
-        raise Unreadable("a comma in a number can mean two things; write 1200 or 1.2")
+    if text.startswith(("[", "<")) or _IJ.fullmatch(text) or _is_pair(text):
+        return _vector(text)
+    text = _DECIMAL_COMMA.sub(".", text)
+    if (number := re.search(r"[0-9]+,[0-9]+", text)) is not None:
+        whole, point = number[0].replace(",", ""), number[0].replace(",", ".")
+        raise Unreadable(f"the comma in {number[0][:30]} can mean two things; write {whole[:30]} or {point[:30]}")
     if any(word in text for word in _AT) and (polar := _polar(text)) is not None:
         return polar
     plain, sense, axis, way = without_direction(text)
+    plain = _BRACKETED_UNIT.sub(r"\1 \2", plain)
     value, unit, figures, unread = _quantity(plain)
-    if (sense or way) and any(word.strip("(),.") in _WAYS or word in _SENSES for word in unread.lower().split()):
+    if (sense or way) and any(word.strip("(),.") in WAYS or word in SENSES for word in unread.lower().split()):
         raise Unreadable("two directions stand behind the number; write one of them, or a sign")
     value, said_twice = _once(value, sense or way, text)
     return Typed((value,), unit, (figures,), sense, axis, way, notes=(*said_twice, *_not_read(unread)))
@@ -176,6 +200,9 @@ def _not_read(words: str) -> tuple[str, ...]:
 
 def _polar(text: str) -> Typed | None:
     """Magnitude and direction; None: it is written otherwise."""
+    from_x = _FROM_X.fullmatch(text)
+    if from_x is not None:
+        return _polar(f"{from_x[1]} at {_from_plus_x(float(from_x[2]), from_x[3], from_x[4])!r} deg")
     polar = _POLAR.fullmatch(text)
     if polar is None:
         return None
@@ -185,28 +212,6 @@ def _polar(text: str) -> Typed | None:
         raise Unreadable("a magnitude is not negative")
     figures = figures_of_size, significant(polar[2])
     return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True, notes=_not_read(unread))
-
-
-def without_direction(text: str) -> tuple[str, int, str, int]:
-    """The text before a sense of rotation or a direction in words, and those."""
-    if text.endswith(")") and (bracket := _IN_BRACKETS.fullmatch(text)) is not None:
-        words = bracket[2].lower().strip()
-        if words in _SENSES or words in _WAYS:
-            text = f"{bracket[1]} {words}"
-    low = text.lower().rstrip(".")
-    # Few answers end with any of them.
-    if low.endswith(_ENDINGS):
-        for words in _ENDINGS:
-            if low.endswith(words) and _ends_before(low, words):
-                axis, way = _WAYS.get(words, ("", 0))
-                return text[: len(low) - len(words)].rstrip(" ,"), _SENSES.get(words, 0), axis, way
-    return text, 0, "", 0
-
-
-def _ends_before(text: str, ending: str) -> bool:
-    """Is an ending a word of its own?"""
-    before = text[: len(text) - len(ending)]
-    return bool(before) and not (before[-1].isalpha() and ending[0].isalpha()) and not before.endswith("-")
 
 
 def _quantity(text: str) -> tuple[float, Unit | None, int, str]:
@@ -251,6 +256,8 @@ def _computed(text: str) -> tuple[float, Unit | None, int, str]:
     """Arithmetic without names, `5*sqrt(2) m/s`, by the parser of problem files."""
     from planar_cli.homework.typed_formula import constant
 
+    if not re.search("[0-9]", text) and not re.search(r"[A-Za-z)]\s*[*/^(]", text):
+        raise Unreadable(NO_ANSWER)
     for behind in _BEHIND.finditer(text):
         number = text[: behind.start()]
         if number.count("(") == number.count(")"):
@@ -295,23 +302,33 @@ def _unit(text: str | None) -> Unit | None:
     return unit_of(plain) if plain else None
 
 
+def _from_plus_x(angle: float, side: str, end: str) -> float:
+    """The direction that `19.8 deg below +x` tells, counterclockwise from +x."""
+    turned = angle if side == "above" else -angle
+    return 180 - turned if end.strip() in ("-", "negative") else turned
+
+
 # --- pairs and lists -------------------------------------------------------------------------------------------------
 
 
+def _is_pair(text: str) -> bool:
+    return _NAMED_PAIR.fullmatch(text) is not None
+
+
 def _vector(text: str) -> Typed:
-    pair = _PAIR.fullmatch(text)
+    if text.startswith("{"):
+        text = text.translate(str.maketrans("{}", "[]"))
+    spaced = _SPACED.fullmatch(text)
+    if spaced is not None:
+        text = f"[{spaced[1]}, {spaced[2]}] {spaced[3]}"
+    pair, named, unit_vectors = _PAIR.fullmatch(text), _NAMED_PAIR.fullmatch(text), _IJ.fullmatch(text)
     if pair is not None:
-        first, second, behind = _unit(pair[2]), _unit(pair[4]), _unit(pair[5])
-        units = [u for u in (first, second, behind) if u is not None]
-        if any(u.text != units[0].text for u in units[1:]):
-            raise Unreadable("the two components have different units")
-        figures = significant(pair[1]), significant(pair[3])
-        return Typed((_finite(float(pair[1])), _finite(float(pair[3]))), units[0] if units else None, figures)
-    unit_vectors = _IJ.fullmatch(text)
+        return _of_two((pair[1], pair[3]), (pair[2], pair[4], pair[5]))
+    if named is not None:
+        return _of_two((named[1], named[3]), (named[2], named[4]))
     if unit_vectors is not None:
-        x, y = float(unit_vectors[1]), float(unit_vectors[2] + unit_vectors[3])
-        figures = significant(unit_vectors[1]), significant(unit_vectors[3])
-        return Typed((_finite(x), _finite(y)), _unit(unit_vectors[4]), figures)
+        x, first, sign, y, second, behind = unit_vectors.groups()
+        return _of_two((x, sign + y), (first, second, behind))
     polar = _polar(text)
     if polar is not None:
         return polar
@@ -323,6 +340,15 @@ def _vector(text: str) -> Typed:
         notes = (*said_twice, *_not_read(unread))
         return Typed(values, unit, (figures_of_size, figures_of_size), notes=notes)
     raise Unreadable("two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`")
+
+
+def _of_two(numbers: tuple[str, str], behind: tuple[str, ...]) -> Typed:
+    """A vector of two components, with the unit that stands behind one of them or both."""
+    units = [u for u in map(_unit, behind) if u is not None]
+    if any(u.text != units[0].text for u in units[1:]):
+        raise Unreadable("the two components have different units")
+    x, y = (_finite(float(n)) for n in numbers)
+    return Typed((x, y), units[0] if units else None, (significant(numbers[0]), significant(numbers[1])))
 
 
 def _list(text: str) -> Typed:
