@@ -17,6 +17,8 @@ from planar_cli.homework.rules import Rules
 FORCE = Expected("F", "", "number", (12.74,), "N", "12.74 N", 0.01, 100.0, axis="x")
 LEFTWARD = replace(FORCE, values=(-12.74,))
 NORMAL = replace(FORCE, axis="")
+SIZE = replace(NORMAL, size=True)
+ALONG = Expected("a", "", "number", (5.5,), "m/s^2", "5.500 m/s²", 0.01, 1.0, heading=0.436)
 GAP = Expected("s", "", "number", (209.4,), "mm", "209.4 mm", 0.01, 1000.0)
 TURN = Expected("w", "", "number", (-6.186,), "rad/s", "6.186 rad/s clockwise", 0.01, 1.0, rotation=True)
 ANGLE = Expected("p", "", "number", (170.0,), "deg", "170°", 0.01, 1.0, direction=True)
@@ -62,7 +64,24 @@ def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:
         (ANGLE, "2.967 rad", "right", "right", "right", "right"),
         (VELOCITY, "[3, -4] m/s", "right", "right", "right", "right"),
         (VELOCITY, "5 m/s at -53.13 deg", "right", "right", "right", "right"),
-        (VELOCITY, "[3, 4] m/s", "wrong", "wrong", "right", ""),
+        (VELOCITY, "[3, 4] m/s", "wrong", "right", "right", "wrong"),
+        (VELOCITY, "[4, -3] m/s", "wrong", "wrong", "right", ""),
+        (SIZE, "12.74 N at 230 deg", "right", "right", "right", "right"),
+        (SIZE, "[7.644, 10.19] N", "right", "right", "right", "right"),
+        (FORCE, "[12.74, 3.00] N", "right", "right", "right", "right"),
+        (FORCE, "12.74 N in the negative x direction", "wrong", "right", "right", "wrong"),
+        (LEFTWARD, "12.74 N in -x direction", "right", "right", "right", "right"),
+        (NORMAL, "[12.74, 0] N", "ungradable", "", "", ""),
+        (ALONG, "5.50 m/s^2 up", "right", "right", "right", "right"),
+        (ALONG, "5.50 m/s^2 down", "wrong", "right", "right", "wrong"),
+        (ALONG, "5.50 m/s^2 up the ramp", "right", "right", "right", "right"),
+        (ALONG, "5.50 m/s^2 down the slope", "wrong", "right", "right", "wrong"),
+        (ALONG, "-5.50 m/s^2 down the slope", "wrong", "right", "right", "wrong"),
+        (ALONG, "5.50 m/s^2 to the left", "wrong", "right", "right", "wrong"),
+        (ALONG, "5.50 m/s^2 at 25 deg", "right", "right", "right", "right"),
+        (ALONG, "[4.98, 2.32] m/s^2", "right", "right", "right", "right"),
+        (ALONG, "[-4.98, -2.32] m/s^2", "wrong", "right", "right", "wrong"),
+        (ALONG, "5.50 m/s^2 at 90 deg", "ungradable", "", "", ""),
         (WORD, "it slides", "ungradable", "", "", ""),
         (WORD, "slides", "right", "right", "", ""),
         (WORD, "sticks", "wrong", "wrong", "", ""),
@@ -71,6 +90,23 @@ def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:
 def test_verdicts(expected: Expected, text: str, verdict: str, value: str, unit: str, sign: str) -> None:
     one = graded(expected, text)
     assert (one.verdict, one.value, one.unit, one.sign) == (verdict, value, unit, sign)
+
+
+def test_a_missing_sense_is_not_told_as_a_wrong_one() -> None:
+    assert "the sense is missing" in graded(TURN, "6.19 rad/s").message
+    assert graded(TURN, "6.19 rad/s ccw").message == "the sign or sense is not right"
+    assert "the direction is missing" in graded(LEFTWARD, "12.74 N").message
+
+
+def test_a_part_of_the_points_is_partly_right() -> None:
+    one = graded(VELOCITY, "[3.00, 4.00] m/s", Rules(sign=0.5))
+    assert (one.score, one.told, one.message) == (0.5, "partly right", "the size is right, the direction is not")
+    assert graded(VELOCITY, "[3, 4] m/s").told == "wrong"
+    assert graded(FORCE, "13 N", Rules(precision=0.9, tolerance=0.05)).told == "partly right"
+
+
+def test_what_is_taken_of_a_vector_is_told() -> None:
+    assert graded(SIZE, "12.74 N at 230 deg").message == "a vector was typed: the size of it is taken"
 
 
 def test_how_an_answer_was_read_is_told_beside_its_verdict() -> None:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.homework import typed
+from planar_cli.homework.asked_part import asked_part
 from planar_cli.homework.named_mistakes import named, named_formula
 from planar_cli.homework.paper import (
     MISSING,
@@ -33,6 +34,7 @@ FLOOR = 1e-3
 SLACK = 0.51
 """Of a unit in the last place that is asked for: half of it, and a little for what was rounded twice."""
 LONGEST_SHOWN = 80
+SIGN = "the sign or sense is not right"
 
 Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
 """What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
@@ -162,6 +164,7 @@ def _of_numbers(
     blank: Graded, expected: Expected, answer: Typed, rules: Rules
 ) -> tuple[Graded, tuple[float, ...] | None]:
     """Value, unit, sign and precision apart."""
+    answer = asked_part(expected, answer)
     unit, why = _unit_verdict(expected, answer.unit)
     values = in_unit_of_find(expected, answer)
     sign, ignored = _sense_verdict(expected, answer)
@@ -185,7 +188,7 @@ def _of_numbers(
             blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision, message=notes
         ), values
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
-    one = _scored(one, rules, why)
+    one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer))
     if one.verdict == WRONG and value == WRONG:
         one = named(one, expected, values, answer)
     if notes:
@@ -195,8 +198,12 @@ def _of_numbers(
 
 def _fits_or_turned(expected: Expected, values: tuple[float, ...], rules: Rules) -> tuple[bool, bool]:
     """Is it right, and if not, would it be with the other sign?"""
-    fits = within(expected, values, rules)
-    return fits, not fits and expected.kind == "number" and within(expected, tuple(-v for v in values), rules)
+    if within(expected, values, rules):
+        return True, False
+    if expected.kind == "vector" and len(values) == 2:
+        x, y = values
+        return False, any(within(expected, other, rules) for other in ((-x, y), (x, -y), (-x, -y)))
+    return False, expected.kind == "number" and within(expected, tuple(-v for v in values), rules)
 
 
 def _in_base_unit(expected: Expected, values: tuple[float, ...], rules: Rules) -> tuple[float, ...] | None:
@@ -230,8 +237,6 @@ def in_unit_of_find(expected: Expected, answer: Typed) -> tuple[float, ...]:
         x, y = size * factor * math.cos(angle), size * factor * math.sin(angle)
         if expected.kind == "vector":
             return x, y
-        if not expected.axis:
-            raise Unreadable("only a vector is written as magnitude and direction; here one number is asked")
         return (x,) if expected.axis == "x" else (y,)
     values = tuple(v * factor for v in answer.values)
     if answer.sense and expected.rotation:
@@ -295,7 +300,21 @@ def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules
     return WRONG if any(coarse) else RIGHT
 
 
-def _scored(one: Graded, rules: Rules, why: str) -> Graded:
+def _what_is_with_the_sign(expected: Expected, answer: Typed) -> str:
+    """What is said of a right number with the wrong sign: a sense that is missing is not a wrong one."""
+    if expected.kind == "vector":
+        return "the size is right, the direction is not"
+    if answer.sense or answer.way or answer.polar or (expected.values and expected.values[0] > 0) or not answer.values:
+        return SIGN
+    if expected.rotation:
+        return "the sense is missing: without one a number counts counterclockwise, which is not so"
+    if expected.axis and answer.values[0] > 0:
+        ahead = "to the right" if expected.axis == "x" else "upward"
+        return f"the direction is missing: without one a number counts {ahead}, which is not so"
+    return SIGN
+
+
+def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN) -> Graded:
     """The verdict and the score, from the four verdicts."""
     if one.value == WRONG:
         message = why if one.unit == WRONG else "the value is not right"
@@ -305,7 +324,7 @@ def _scored(one: Graded, rules: Rules, why: str) -> Graded:
     credit, said = 1.0, []
     for verdict, part, sentence in (
         (one.unit, rules.unit if one.unit == WRONG else rules.no_unit or 0.0, why or "the unit is not right"),
-        (one.sign, rules.sign, "the sign or sense is not right"),
+        (one.sign, rules.sign, sign),
         (one.precision, rules.precision, f"write {rules.figures} significant figures"),
     ):
         if verdict in (WRONG, MISSING):

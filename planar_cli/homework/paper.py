@@ -60,6 +60,10 @@ class Expected:
     """Of a formula: the letters that the sheet gives as numbers, with these in SI units."""
     points: float = 1.0
     mistakes: tuple[Mistaken, ...] = ()
+    heading: float | None = None
+    """Of a component along a line: where it is positive, in radians counterclockwise from +x."""
+    size: bool = False
+    """Is it the magnitude of a vector?"""
 
 
 @record
@@ -92,6 +96,8 @@ class Paper:
 
 
 RIGHT, WRONG, UNGRADABLE, MISSING = "right", "wrong", "ungradable", "missing"
+PARTLY = "partly right"
+"""In print, of a right value with a slip in unit, sign or figures, which has a part of its points."""
 CARRIED = "carried"
 """In print, of what is wrong and follows rightly from a wrong earlier value of the student's own."""
 
@@ -133,7 +139,9 @@ class Graded:
     @property
     def told(self) -> str:
         """The verdict in print."""
-        return CARRIED if self.carried else self.verdict
+        if self.carried:
+            return CARRIED
+        return PARTLY if self.verdict == WRONG and self.score > 0 else self.verdict
 
 
 @record

@@ -115,6 +115,8 @@ class Typed:
     polar: bool = False
     word: str = ""
     formula: str = ""
+    unread: str = ""
+    """Words behind the unit that say nothing by themselves."""
     notes: tuple[str, ...] = ()
     """How it was read, where it could be read otherwise; to the student."""
 
@@ -178,7 +180,7 @@ def _number(text: str) -> Typed:
     if (sense or way) and any(word.strip("(),.") in WAYS or word in SENSES for word in unread.lower().split()):
         raise Unreadable("two directions stand behind the number; write one of them, or a sign")
     value, said_twice = _once(value, sense or way, text)
-    return Typed((value,), unit, (figures,), sense, axis, way, notes=(*said_twice, *_not_read(unread)))
+    return Typed((value,), unit, (figures,), sense, axis, way, unread=unread, notes=(*said_twice, *_not_read(unread)))
 
 
 def _once(value: float, way: int, text: str) -> tuple[float, tuple[str, ...]]:

@@ -95,6 +95,12 @@ def parsed(text: str) -> Side:
         raise Unreadable("it is too long") from None
 
 
+def value_of(side: Side, values: Mapping[str, float]) -> float:
+    """A side in which names have these values. Unreadable: it has others, or a quantity of the problem."""
+    found: float = evaluated(side, _Numbers(values))
+    return found
+
+
 def constant(text: str) -> float:
     """A number that is written as arithmetic, `5*sqrt(2)`, `250*cos(25 deg)`. Unreadable: it is none."""
     side = parsed(text)

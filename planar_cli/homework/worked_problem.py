@@ -19,6 +19,7 @@ from planar_cli.base_units import in_base
 from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words
+from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
@@ -246,6 +247,8 @@ def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[
         rotation and (len(values) == 1 or found.values is None),
         direction,
         axis,
+        heading=heading_of(what, part.replay.equations if part.replay is not None else None),
+        size=last == "mag",
     )
 
 

@@ -60,7 +60,7 @@ def _test(graded: Graded, number: str) -> dict[str, Any]:
     return {
         "score": round(graded.score, DECIMALS),
         "max_score": round(graded.max_score, DECIMALS),
-        "status": "passed" if graded.verdict == RIGHT else "failed",
+        "status": "passed" if graded.verdict == RIGHT or graded.score >= graded.max_score > 0 else "failed",
         "name": f"{one_line(graded.problem)}: {one_line(graded.find)}",
         "number": number,
         "output": clean("\n".join([graded.told, *filter(None, said)])),

@@ -81,22 +81,24 @@ def has_forces(kind: str) -> bool:
     return kind not in GEOMETRY
 
 
-def named_in(problem: Problem, *keys: str) -> Iterator[str]:
-    """The given names that stand at some keys of joints, loads, bodies and surfaces, each once."""
+def named_in(problem: Problem, *keys: str, alone: bool = False) -> Iterator[str]:
+    """The given names that stand at some keys of joints, loads, bodies and surfaces, each once. `alone`: not as a part
+    of a formula.
+    """
     shapes = (getattr(b, "shape", None) for b in (*problem.bodies, *problem.surfaces))
     found: dict[str, None] = {}
     for member in (*problem.joints, *problem.loads, *problem.bodies, *shapes):
         for key in keys:
             side = getattr(member, key, None)
-            for part in walk(side) if isinstance(side, Name | Negate | Binary) else ():
+            for part in walk(side) if isinstance(side, Name if alone else Name | Negate | Binary) else ():
                 if isinstance(part, Name) and part.at is None:
                     found.setdefault(part.name)
     yield from found
 
 
-def inputs_at(equations: Equations, problem: Problem, *keys: str) -> dict[str, sp.Symbol]:
-    """The inputs that stand at some keys."""
-    return {n: equations.inputs[n] for n in named_in(problem, *keys) if n in equations.inputs}
+def inputs_at(equations: Equations, problem: Problem, *keys: str, alone: bool = False) -> dict[str, sp.Symbol]:
+    """The inputs that stand at some keys; `alone`: not as a part of a formula."""
+    return {n: equations.inputs[n] for n in named_in(problem, *keys, alone=alone) if n in equations.inputs}
 
 
 def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:

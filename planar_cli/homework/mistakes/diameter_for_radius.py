@@ -11,6 +11,8 @@ from planar_cli.homework.mistakes.base import Mistake, Model, inputs_at
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 
+KEYS = "radius", "hub", "radius_of_gyration"
+
 
 @final
 class DiameterForRadius(Mistake):
@@ -19,6 +21,18 @@ class DiameterForRadius(Mistake):
     kind: ClassVar[str] = "diameter-for-radius"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        for name, symbol in inputs_at(equations, problem, "radius", "hub", "radius_of_gyration").items():
-            yield Model(f"the diameter stands where the radius {name} belongs", equations, {symbol: 2 * symbol})
-            yield Model(f"{name} is a radius; it was halved", equations, {symbol: symbol * sp.Rational(1, 2)})
+        radii = set(inputs_at(equations, problem, *KEYS, alone=True))
+        for name, symbol in inputs_at(equations, problem, *KEYS).items():
+            twice, half = _told(name, name in radii)
+            yield Model(twice, equations, {symbol: 2 * symbol})
+            yield Model(half, equations, {symbol: symbol * sp.Rational(1, 2)})
+
+
+def _told(name: str, is_radius: bool) -> tuple[str, str]:
+    """What is said of twice the length and of half of it. A file may give the diameter, and half of that as radius."""
+    if is_radius:
+        return f"the diameter stands where the radius {name} belongs", f"{name} is a radius; it was halved"
+    return (
+        f"the radius is twice too large: {name} where {name}/2 belongs",
+        f"the radius is half of what it is: look at {name}",
+    )

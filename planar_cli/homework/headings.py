@@ -1,0 +1,27 @@
+"""Where a component along a line is positive: `a(crate).along(beta)` in the direction beta."""
+
+from __future__ import annotations
+
+import math
+
+from planar_cli.homework.typed_formula import value_of
+from planar_cli.homework.unreadable import Unreadable
+from planar_cli.problem.expression import PointPair, Quantity
+from planar_cli.replay.equations import Equations
+
+AHEAD = {"along": 0.0, "across": math.pi / 2}
+
+
+def heading_of(what: object, equations: Equations | None) -> float | None:
+    """In radians from +x, with the numbers of the file; None: it is no such component, or its line turns."""
+    if not isinstance(what, Quantity) or not what.parts or equations is None:
+        return None
+    part = what.parts[-1]
+    if part.kind not in AHEAD or part.direction is None or isinstance(part.direction, PointPair):
+        return None
+    numbers = {n: equations.value[s] for n, s in equations.inputs.items() if s in equations.value}
+    try:
+        found = value_of(part.direction, numbers)
+    except Unreadable:
+        return None
+    return found + AHEAD[part.kind] if math.isfinite(found) else None
