@@ -88,7 +88,7 @@ def _speeds(motion: MotionTrace) -> Speeds:
             rates.add(f"{own.turns}_dot")
             for turning, general in motion.general.items():
                 at = motion.ledger.roles[turning].at
-                if general.name == f"{own.turns}_dot" and at is not None:
+                if general.name == f"{own.turns}_dot" and at is not None and not turning.name.startswith(stem):
                     found |= _at_state(motion, own.velocities, turning, at, f"{stem}__{at}")
     used = {s for e in relations for s in e.residual.free_symbols if s in motion.general}
     # Speeds at some states beside rates of angles at others would be two languages.

@@ -24,6 +24,7 @@ from planar_cli.report.told import RATES, Told
 from planar_cli.report.words import Phrases
 from planar_cli.units import ACCELERATION, LENGTH, PURE
 
+LETTERS = sp.symbols("r r_dot r_ddot", real=True)
 RADIUS, RATE, SECOND = Name("r"), Name("r_dot"), Name("r_ddot")
 """The length r, how fast the length r changes, and how fast that changes."""
 SAME = Decimal("1e-9")
@@ -162,12 +163,13 @@ def _velocity(told: Told, one: PolarSlide) -> tuple[list[Block], Line, Line]:
 def _acceleration(told: Told, one: PolarSlide) -> tuple[list[Block], Line]:
     """a_r and a_θ with their numbers, and a_r e_r + a_θ e_θ."""
     r, slide, rate, omega, alpha = one.numbers
-    math, (outer, beside) = told.phrases.math, one.parts("acceleration")
-    centripetal = line(RADIUS, " ", math(one.spin**2))
-    outward = line(SECOND, " - ", *centripetal) if rate else line("-", *centripetal)
-    blocks: list[Block] = [_component(told, "a_r", outward, [(1, ((rate, 1),)), (-1, ((r, 1), (omega, 2)))], outer)]
-    turning, coriolis = line(RADIUS, " ", math(one.turning)), line("2 ", RATE, " ", math(one.spin))
-    across = line(*(turning if alpha else ()), " + " if alpha and slide else "", *(coriolis if slide else ()))
+    outer, beside = one.parts("acceleration")
+    first = [LETTERS[2]] if rate else []
+    outward = Math(sp.Add(*first, -LETTERS[0] * one.spin**2, evaluate=False) if rate else -LETTERS[0] * one.spin**2)
+    numbers: list[Term] = [(1, ((rate, 1),)), (-1, ((r, 1), (omega, 2)))]
+    blocks: list[Block] = [_component(told, "a_r", outward, numbers, outer)]
+    parts = ([LETTERS[0] * one.turning] if alpha else []) + ([2 * LETTERS[1] * one.spin] if slide else [])
+    across = Math(sp.Add(*parts, evaluate=False) if len(parts) > 1 else (parts or [sp.S.Zero])[0])
     vector = line(Name("a_r"), " ", Name("e_r"))
     if not alpha and not slide:
         return blocks, vector
@@ -181,7 +183,7 @@ def _along(unit: Decimal, number: Decimal) -> Iterator[Term]:
     return along_unit(abs(unit), ((number, 1),), 1 if unit > 0 else -1)
 
 
-def _component(told: Told, name: str, letters: Line, numbers: list[Term], value: Decimal) -> Equation:
+def _component(told: Told, name: str, letters: Math, numbers: list[Term], value: Decimal) -> Equation:
     unit = told.phrases.of_dimension(Decimal(1), ACCELERATION)
     return Equation((line(Name(name)), letters, line(_sum(numbers, told)), Value(value, unit.unit, unit.figures)))
 
@@ -208,11 +210,11 @@ def _sum(terms: list[Term], told: Told) -> Math:
 def _coriolis(told: Told, one: PolarSlide, answer: str, shown: Sequence[Value]) -> Equation:
     """The size of the Coriolis acceleration: |2 ṙ ω|."""
     _, slide, _, omega, _ = one.numbers
-    spin = told.phrases.math(one.spin)
     if slide * omega > 0:
-        letters, numbers = line("2 ", RATE, " ", spin), _sum([(1, ((Decimal(2), 1), (slide, 1), (omega, 1)))], told)
+        letters = Math(2 * LETTERS[1] * one.spin)
+        numbers = _sum([(1, ((Decimal(2), 1), (slide, 1), (omega, 1)))], told)
     else:
-        letters = line("2 |", RATE, "| |", spin, "|")
+        letters = Math(2 * sp.Abs(LETTERS[1]) * sp.Abs(one.spin))
         numbers = _sum([(1, ((Decimal(2), 1), (abs(slide), 1), (abs(omega), 1)))], told)
     return Equation((line(Name(answer)), letters, line(numbers), *shown), None, note=line("across ", one.frame))
 
