@@ -39,6 +39,12 @@ def test_no_formula_that_holds_for_numbers_of_the_file_alone(name: str) -> None:
     assert "in letters" not in _page(name)
 
 
+def test_a_part_of_a_turn_keeps_its_pi() -> None:
+    page = _page("motion/body-hoist-starting-softly")
+    assert "= 0.6 (1 - cos(π t/4))" in page
+    assert "0.7854" not in page
+
+
 def test_two_given_speeds_stay_letters() -> None:
     """With 3 m/s and 1.5 m/s it is M/q, with others it is not."""
     assert "t_2 = M (v_1 - v_2) / (v_2 q) = " in _page("momentum/sand-wagon")

@@ -294,7 +294,11 @@ class Writer:
         """The argument of a trigonometric function; a known angle beside unknown ones in degrees."""
         known, rest = expr.as_independent(*self.unknowns, as_Add=True)
         if known == 0 or not expr.is_Add:
-            return self._tree(expr)
+            factor, rest = expr.as_independent(*self.unknowns, as_Add=False)
+            turns = factor / sp.pi
+            # π t/4 stays as it is, no 0.7854 t.
+            exact = turns.is_Rational and max(abs(turns.p), turns.q) <= FEW
+            return factor * self._tree(rest) if exact else self._tree(expr)
         if (known / sp.pi).is_Rational:
             return sp.Add(self._tree(rest), known)
         degrees = self.phrases.value(known * 180 / sp.pi)
