@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 
 from planar_cli.commands._told_formulas import told_formulas
+from planar_cli.homework.carried_errors import Carrier, unpickled
 from planar_cli.homework.grading import grade
 from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Graded, Submission
@@ -74,9 +75,21 @@ def test_a_mistake_in_letters_is_named(homework: Homework, find: str, typed: str
     assert said in one.feedback
 
 
-def test_another_wrong_formula_is_not_diagnosed(homework: Homework) -> None:
-    one = graded(homework, "v", "sqrt(3*g*L*sin(beta))")
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ("sqrt(3*g*L*sin(beta))", "mu should stand in it"),
+        ("sqrt(m*g*L*(sin(beta) - mu*cos(beta)))", "and asked is a velocity (m/s)"),
+        ("sqrt(g*L)*sin(beta) + g", "its terms do not have the same dimension"),
+        ("sqrt(g*L*(sin(beta) - mu*cos(beta)))", "stand as they should, but not the number before them"),
+        ("-sqrt(2*g*L*(sin(beta) - mu*cos(beta)))", "the sign or sense is not right"),
+        ("sqrt(2*g*L*(sin(beta)/2 - mu*cos(beta)^2))", "the formula is not right"),
+    ],
+)
+def test_of_another_wrong_formula_it_is_said_what_can_be_seen(homework: Homework, typed: str, said: str) -> None:
+    one = graded(homework, "v", typed)
     assert (one.verdict, one.mistakes, one.feedback) == ("wrong", (), "")
+    assert said in one.message
 
 
 HAMMER = """
@@ -136,6 +149,55 @@ def test_the_key_of_a_variant_has_its_numbers_put_in(blow: Homework) -> None:
     letters, numbers = zip(*(text.split(" = ") for text in texts), strict=True)
     assert len(set(letters)) == 1
     assert all("e" not in text and "n" not in text for text in numbers)
+
+
+PENDULUM = """
+title: Rod that falls
+plane: vertical
+symbols: {m: kg, l: m}
+given: {n: 2}
+points: {A: [0, l], B: [-l, l]}
+bodies: {rod: {rod: [A, B], mass: n*m}}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+states:
+  1: [at rest]
+  2: [y(B) = 0]
+find: {omega: omega(rod) @ 2, A_y: reaction(A).y @ 2, K: KE(rod) @ 2}
+"""
+
+
+@pytest.fixture(scope="module")
+def pendulum(tmp_path_factory: pytest.TempPathFactory) -> Homework:
+    folder = tmp_path_factory.mktemp("pendulum")
+    path = folder / "set.yaml"
+    (folder / "letters.yaml").write_text(PENDULUM)
+    path.write_text("problems: [letters.yaml]\n")
+    homework_set = read_set(str(path))
+    return assembled(homework_set, [prepared(p, 0, 1, None, told_formulas) for p in homework_set.problems])
+
+
+@pytest.mark.parametrize(
+    ("find", "typed", "mistake"),
+    [
+        ("A_y", "n*m*g", "centripetal-left-out"),
+        ("A_y", "2*m*g", "centripetal-left-out"),
+        ("omega", "sqrt(12*g/l)", "parallel-axis-left-out"),
+        ("omega", "3.4641*sqrt(g/l)", "parallel-axis-left-out"),
+    ],
+)
+def test_a_mistake_on_the_way_to_a_formula_is_named(pendulum: Homework, find: str, typed: str, mistake: str) -> None:
+    assert graded(pendulum, find, typed).mistakes == (mistake,)
+
+
+def test_what_follows_from_an_own_formula_is_carried(pendulum: Homework) -> None:
+    answers = (("omega", "sqrt(6*g/l)"), ("A_y", "8*m*g"), ("K", "3*l*m*g"))
+    submission = Submission("ann", 0, tuple(("letters", *a) for a in answers))
+    carry = Carrier(unpickled(pendulum.carrying)).for_variant(0)
+    found = grade(submission, pendulum.papers, Rules(), carry).graded
+    assert [g.carried for g in found] == [(), ("omega",), ()]
+    assert found[1].message == "this follows rightly from your omega, which is not right"
+    assert found[2].verdict == "wrong"
 
 
 def test_formulas_are_written_by_the_functions_of_a_file() -> None:

@@ -36,5 +36,11 @@ def led(system: System, body: str) -> str:
     j = edge.joining
     if j.rolling is not None:
         return f"{body} {'rolls without slipping' if edge.body == body else f'moves with {edge.body}, which rolls'}"
-    turns = edge.body == body and j.path is None and j.turns and system.scene.rigid(body)
-    return f"{edge.body} turns about {j.place}" if turns else ""
+    return f"{edge.body} turns about {j.place}" if turns_about_a_fixed_point(system, body) else ""
+
+
+def turns_about_a_fixed_point(system: System, body: str) -> bool:
+    """Does a rigid body itself turn about a point of the ground?"""
+    edge = root_edge(system, body)
+    j = None if edge is None or edge.body != body else edge.joining
+    return j is not None and j.rolling is None and j.path is None and j.turns and system.scene.rigid(body)

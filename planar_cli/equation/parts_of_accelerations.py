@@ -1,4 +1,5 @@
-"""Factors of one at the parts of an acceleration: the normal, the tangential and the Coriolis part.
+"""Factors of one at the parts of an acceleration: the normal, the tangential and the Coriolis part; and at what the
+moment of inertia about a fixed axis has more than that about the mass centre.
 
 Equations that are written with them can be carried out again with one part left out, as by a student who forgets it. No
 name of a file has a Greek letter, so that none is taken.
@@ -16,7 +17,7 @@ import sympy as sp
 if TYPE_CHECKING:
     from planar_cli.equation.ledger import Ledger
 
-CORIOLIS, NORMAL, TANGENTIAL = "κ_coriolis", "κ_normal", "κ_tangential"
+CORIOLIS, NORMAL, TANGENTIAL, AXIS = "κ_coriolis", "κ_normal", "κ_tangential", "κ_axis"
 _marking: ContextVar[bool] = ContextVar("marking", default=False)
 
 
@@ -38,5 +39,5 @@ def with_mark(expr: sp.Expr, part: str) -> sp.Expr:
 def know_marks(ledger: Ledger) -> None:
     """The factors are known: they are one."""
     if _marking.get():
-        for part in (CORIOLIS, NORMAL, TANGENTIAL):
+        for part in (CORIOLIS, NORMAL, TANGENTIAL, AXIS):
             ledger.known(part, sp.S.One, "1")

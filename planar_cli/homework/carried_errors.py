@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import Expected, Task
+from planar_cli.homework.typed_formula import values_at
 from planar_cli.homework.worked_problem import WorkedProblem
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
@@ -53,17 +54,17 @@ class _Part:
     def __init__(self, equations: Equations) -> None:
         self.equations, self.replay = equations, Replay(equations)
         self.single = Single(self.replay)
-        self._starts: dict[int, tuple[Values, Values]] = {}
+        self._starts: dict[tuple[int, int], tuple[Values, Values]] = {}
         self._behind: dict[str, frozenset[sp.Symbol]] = {}
 
-    def start(self, variant: int, values: Mapping[str, float]) -> tuple[Values, Values]:
-        """The inputs of a variant, and all that is right for it."""
-        if variant not in self._starts:
+    def start(self, key: tuple[int, int], values: Mapping[str, float]) -> tuple[Values, Values]:
+        """The inputs of a variant (or of a place of it), and all that is right for it."""
+        if key not in self._starts:
             equations = self.equations
             inputs = {s: values.get(n, equations.value[s]) for n, s in equations.inputs.items()}
             run = self.replay.run({s: np.array([v]) for s, v in inputs.items()})
-            self._starts[variant] = inputs, {s: float(n[0]) for s, n in run.values.items()}
-        return self._starts[variant]
+            self._starts[key] = inputs, {s: float(n[0]) for s, n in run.values.items()}
+        return self._starts[key]
 
     def behind(self, find: str) -> frozenset[sp.Symbol]:
         """Everything on which a find rests."""
@@ -135,30 +136,66 @@ class CarriedHere:
         if problem is None:
             return None
         try:
-            return _carried(problem, self.variant, expected, task, own)
+            if expected.kind == "formula":
+                return _at_places(problem, self.variant, expected, task, own)
+            numbers = problem.data.values.get(self.variant, {})
+            right = {e.find: e.values[0] for e in task.expected if len(e.values) == 1}
+            return _carried(problem, (self.variant, -1), numbers, expected, right, own)
         except NoNumber:
             return None
 
 
-def _carried(
+Due = tuple[tuple[float, ...], tuple[str, ...]]
+
+
+def _at_places(
     problem: _Ready, variant: int, expected: Expected, task: Task, own: Mapping[str, tuple[float, ...]]
-) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
-    """The find with all own values that it rests on."""
+) -> Due | None:
+    """A formula, by its values at places, with own formulas of earlier finds."""
+    places = expected.places
+    right = {e.find: values_at(e.formula, places) for e in task.expected if e.kind == "formula" and e.places == places}
+    values: list[float] = []
+    names: tuple[str, ...] = ()
+    for k, place in enumerate(places):
+        here = {n: (typed[k],) for n, typed in own.items() if n in right and len(typed) == len(places)}
+        due = {n: numbers[k] for n, numbers in right.items()}
+        found = _carried(problem, (variant, k), dict(place), expected, due, here)
+        if found is None or len(found[0]) != 1:
+            return None
+        values.append(found[0][0])
+        names = found[1]
+    return (tuple(values), names) if values else None
+
+
+def _carried(
+    problem: _Ready,
+    key: tuple[int, int],
+    given: Mapping[str, float],
+    expected: Expected,
+    due: Mapping[str, float],
+    own: Mapping[str, tuple[float, ...]],
+) -> Due | None:
+    """The find with all own values that it rests on. `key`: of a variant, or of a place of it, with the numbers that
+    are `given` there; `due`: the right ones. Formulas have their values in base units, numbers in the units of finds.
+    """
     data = problem.data
     case = data.cases[expected.find]
     part = problem.part(case)
     if part is None or expected.find not in part.equations.asked:
         return None
-    right_values = {e.find: e for e in task.expected}
-    inputs, right = part.start(variant, data.values.get(variant, {}))
+
+    def unit(find: str) -> float:
+        return 1.0 if expected.kind == "formula" else in_base(parse_unit(data.units[find]), data.us)
+
+    inputs, right = part.start(key, given)
     inputs = dict(inputs)
     fixed: Values = {}
     names: list[str] = []
     behind = part.behind(expected.find)
     for name, typed in own.items():
-        if len(typed) != 1 or not _is_sane(typed[0], right_values[name].values[0]):
+        if len(typed) != 1 or name not in due or not _is_sane(typed[0], due[name]):
             continue
-        number = typed[0] * in_base(parse_unit(data.units[name]), data.us)
+        number = typed[0] * unit(name)
         link = part.equations.inputs.get(f"{data.cases[name]}.{name}")
         if link is not None and link in behind:
             inputs[link] = number
@@ -171,7 +208,7 @@ def _carried(
     if not names:
         return None
     values = part.single.run(inputs, fixed, right)
-    factor = in_base(parse_unit(data.units[expected.find]), data.us)
+    factor = unit(expected.find)
     numbers = tuple(part.single.of(e, values) / factor for e in part.equations.asked[expected.find].parts)
     fit = all(math.isfinite(n) for n in numbers) and any(numbers)
     return (numbers, tuple(names)) if fit else None

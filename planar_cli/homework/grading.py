@@ -122,7 +122,7 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
         if expected.kind == "word":
             return _of_word(blank, answer.word == expected.text, rules), None
         if expected.kind in ("formula", "equation"):
-            return _of_formula(blank, expected, answer.formula, rules), None
+            return _of_formula(blank, expected, answer.formula, rules)
         return _of_numbers(blank, expected, answer, rules)
     except Unreadable as why:
         return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {why}"), None
@@ -136,19 +136,23 @@ def shown(text: str) -> str:
     return plain if len(plain) <= LONGEST_SHOWN else plain[: LONGEST_SHOWN - 1] + "…"
 
 
-def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> Graded:
-    """A formula or the equation of a curve."""
-    from planar_cli.homework.grading_formulas import equation_is_right, formula_verdict
+def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:
+    """A formula or the equation of a curve, and what the formula comes to at places where it is wrong."""
+    from planar_cli.homework.grading_formulas import NOT_RIGHT, equation_is_right, formula_verdict
+    from planar_cli.homework.wrong_formula import seen, values_of
 
     if expected.kind == "equation":
         one = _of_word(blank, equation_is_right(text, expected), rules)
-        return named_formula(one, expected, text) if one.verdict == WRONG else one
+        return (named_formula(one, expected, text) if one.verdict == WRONG else one), None
     found = formula_verdict(text, expected, rules)
     one = replace(blank, value=found.value, unit=found.unit, sign=found.sign, precision=RIGHT)
     one = _scored(one, rules, found.why)
     if one.value == WRONG:
         one = named_formula(replace(one, precision="", message=found.why), expected, found.text)
-    return replace(one, message="; ".join(filter(None, (one.message, *found.notes))))
+        if not one.feedback and found.why == NOT_RIGHT and (said := seen(expected, found.text)):
+            one = replace(one, message=f"{found.why}: {said}")
+    one = replace(one, message="; ".join(filter(None, (one.message, *found.notes))))
+    return one, values_of(expected, found.text) if one.value == WRONG else None
 
 
 def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:
@@ -354,10 +358,10 @@ def _carried(
     if found is None:
         return one
     due, names = found
-    if within(expected, due, rules) or not within(replace(expected, values=due), values, rules):
+    formula = expected.kind == "formula"
+    is_right, follows = _right_and_follows(expected, due, values, rules)
+    if is_right or not follows or (one.unit != RIGHT and not formula):
         # Where the earlier value changes nothing, nothing is carried.
-        return one
-    if one.unit != RIGHT:
         return one
     names = _needed(names, due, lambda own: carry(task, expected, own), own)
     earlier = " and ".join(f"your {n}" for n in names)
@@ -368,8 +372,21 @@ def _carried(
         carried=names,
         mistakes=(),
         feedback="",
-        message="; ".join((f"this follows rightly from {earlier}, {which}", *one.message.split("; ")[1:])),
+        message="; ".join(
+            (f"this follows rightly from {earlier}, {which}", *([] if formula else one.message.split("; ")[1:]))
+        ),
     )
+
+
+def _right_and_follows(
+    expected: Expected, due: tuple[float, ...], values: tuple[float, ...], rules: Rules
+) -> tuple[bool, bool]:
+    """Is what is due with own earlier values the right answer all the same, and is it what was typed?"""
+    if expected.kind == "formula":
+        from planar_cli.homework.wrong_formula import fits_at_places, same_at_places
+
+        return fits_at_places(expected, due), same_at_places(due, values)
+    return within(expected, due, rules), within(replace(expected, values=due), values, rules)
 
 
 def _needed(

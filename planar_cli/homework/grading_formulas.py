@@ -19,6 +19,8 @@ from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
 from planar_cli.units import PURE, Dimension, Unit, describe
 
+NOT_RIGHT = "the formula is not right"
+"""Where nothing else is to be said."""
 DEEPEST = 30
 """Brackets in brackets."""
 _UNIT_IN_BRACKETS = re.compile(r"(.*\S)\s*[\[(]\s*(?:in\s+)?([^\[\]()]+)[\])]")
@@ -220,4 +222,4 @@ def _what_differs(text: str, expected: Expected, names: Collection[str]) -> str:
         return (
             f"the formula is not right: it has the dimension of {describe(found)}, and asked is {describe(due, turns)}"
         )
-    return "the formula is not right"
+    return NOT_RIGHT

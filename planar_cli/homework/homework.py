@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.given_letters import pure_numbers, with_given
+from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
@@ -62,6 +63,8 @@ def prepared(
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
+    if (same := numbered(solved)) is not None:
+        rows = with_wrong_values(solved, same, rows, [dict(d.values) for d in draws])
     told = _Told(solved, base, formulas)
     asked = [
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
@@ -72,7 +75,7 @@ def prepared(
     return Prepared(
         problem.name,
         tuple(made[place] for place in spread),
-        pickle.dumps(carriable(solved, values)),
+        pickle.dumps(carriable(solved if same is None else same.problem, values)),
         tuple(_warnings(problem, drawn, variants)),
         drawn.tried,
         len(drawn.taken),

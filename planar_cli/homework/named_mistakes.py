@@ -17,6 +17,9 @@ WIDEST = 2e-3
 LAST_PLACE = 0.6
 """Of a unit in the last place: rounded once, and a little for what was rounded before."""
 
+AT_PLACES = 1e-7
+"""Relative: what equations that are solved in numbers come to may be off by this."""
+
 
 def named(one: Graded, expected: Expected, values: Sequence[float], answer: Typed) -> Graded:
     """The verdict with the mistakes that give this number: one is told to the student, several are only listed."""
@@ -28,19 +31,22 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
 
 def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
     """The same of a wrong formula."""
-    from planar_cli.homework.typed_formula import SAME, is_rounded, same_formula
+    from planar_cli.homework.typed_formula import SAME, is_rounded, same_formula, values_at
 
     letters = (*expected.letters, *expected.others)
     tolerance = WIDEST if is_rounded(text) else SAME
 
-    def is_it(wrong: str) -> bool:
+    def is_it(wrong: Mistaken) -> bool:
         try:
-            return same_formula(text, wrong, letters, expected.known, tolerance)
+            if not wrong.formula:
+                pairs = zip(values_at(text, expected.places), wrong.values, strict=True)
+                return all(math.isclose(a, b, rel_tol=max(tolerance, AT_PLACES)) for a, b in pairs)
+            return same_formula(text, wrong.formula, letters, expected.known, tolerance)
         except Unreadable:
             # Where the two have no values in common nothing is told of the mistake; the answer is wrong all the same.
             return False
 
-    return _told(one, [m for m in expected.mistakes if is_it(m.formula)])
+    return _told(one, [m for m in expected.mistakes if is_it(m)])
 
 
 def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:

@@ -11,6 +11,10 @@ from planar_cli.records import record
 # --- what is right ---------------------------------------------------------------------------------------------------
 
 
+Place = tuple[tuple[str, float], ...]
+"""Values of the letters of a problem, in SI units."""
+
+
 @record
 class Mistaken:
     """What a find comes to with one typical mistake; `values` as those of the find."""
@@ -20,8 +24,9 @@ class Mistaken:
     feedback: str
     """A sentence to the student."""
     values: tuple[float, ...]
+    """Of a formula that is not written out: at the places of its find."""
     formula: str = ""
-    """Of a formula: itself, as a problem file would write it; it has no values."""
+    """Of a formula: itself, as a problem file would write it; then it has no values."""
 
 
 @record
@@ -58,6 +63,8 @@ class Expected:
     """Of a formula: the other letters of the problem, which may stand in an answer and cancel there."""
     known: tuple[tuple[str, float], ...] = ()
     """Of a formula: the letters that the sheet gives as numbers, with these in SI units."""
+    places: tuple[Place, ...] = ()
+    """Of a formula: where mistakes, and what follows from own earlier results, are known by their values."""
     points: float = 1.0
     mistakes: tuple[Mistaken, ...] = ()
     heading: float | None = None

@@ -177,13 +177,30 @@ def same_formula(
     return True
 
 
+@lru_cache(MANY)
+def values_at(typed: str, places: tuple[tuple[tuple[str, float], ...], ...]) -> tuple[float, ...]:
+    """What a formula comes to at places; NaN where it has no value. Unreadable: it is none in their letters."""
+    side = parsed(typed)
+    return tuple(evaluated(side, _Numbers(dict(place))) for place in places)
+
+
+def drawn_places(
+    letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...]
+) -> tuple[tuple[tuple[str, float], ...], ...]:
+    """Places at which formulas are compared: values of all letters, those that are `known` as they are."""
+    rng = random.Random(1)
+    return tuple(
+        tuple(({name: _drawn(unit, rng) for name, unit in letters} | dict(known)).items()) for _ in range(DRAWS)
+    )
+
+
 @lru_cache(RIGHT)
 def _values(
     right: str, letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...]
 ) -> tuple[tuple[dict[str, float], float], ...]:
     """Values of the letters, and what a formula comes to with them."""
-    side, rng = parsed(right), random.Random(1)
-    drawn = [{name: _drawn(unit, rng) for name, unit in letters} | dict(known) for _ in range(DRAWS)]
+    side = parsed(right)
+    drawn = [dict(place) for place in drawn_places(letters, known)]
     return tuple((values, evaluated(side, _Numbers(values))) for values in drawn)
 
 

@@ -12,7 +12,7 @@ from planar_cli.equation.guided import guides_nothing
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.plain import simplified
-from planar_cli.principles._bodies import joined, moving_of
+from planar_cli.principles._bodies import joined, moving_of, of_mass_centre
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Idle, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
@@ -98,7 +98,8 @@ def _of(
     for name in bodies:
         body = scene.bodies[name]
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
-        kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
+        moving = of_mass_centre(position.system, name, body.mass * v.dot(v) / 2)
+        kinetic.append((name, moving + body.inertia * omega**2 / 2))
     amounts = tuple((name, energy) for name, energy in kinetic if energy != 0)
     if told and not amounts:
         return

@@ -112,6 +112,8 @@ def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Mod
     symbol = equations.inputs.get(mark)
     if symbol is None:
         return
+    # In a blow velocities change as accelerations do in a motion; nobody leaves a part of them out there.
+    equations = with_put_in(equations, {symbol: sp.S.One}, lambda kind: kind == "blow") or equations
     finds = (e for a in equations.asked.values() for e in a.parts)
     if symbol in equations.rests_on(finds):
         yield Model(feedback, equations, {symbol: sp.S.Zero})

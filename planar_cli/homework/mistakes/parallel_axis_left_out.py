@@ -7,10 +7,13 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.homework.mistakes.base import Mistake, Model, terms_without, with_changed
+from planar_cli.equation.parts_of_accelerations import AXIS
+from planar_cli.homework.mistakes.base import Mistake, Model, terms_without, with_changed, without_part
 from planar_cli.homework.mistakes.rotational_inertia_left_out import inertias
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
+
+MISSING = "the term m d² of the parallel-axis theorem is missing"
 
 
 @final
@@ -34,5 +37,7 @@ class ParallelAxisLeftOut(Mistake):
             lambda r: terms_without(r, is_transport) if r.free_symbols & named else r,
             lambda kind: kind == "moment",
         )
-        if changed is not None:
-            yield Model("the term m d² of the parallel-axis theorem is missing", changed)
+        found = list(without_part(changed or equations, AXIS, MISSING))
+        yield from found
+        if changed is not None and not found:
+            yield Model(MISSING, changed)

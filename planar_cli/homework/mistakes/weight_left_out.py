@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import ClassVar, final
 
 import sympy as sp
@@ -20,6 +21,12 @@ class WeightLeftOut(Mistake):
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         if "g" in equations.inputs:
-            changed = with_put_in(equations, {equations.inputs["g"]: sp.S.Zero}, has_forces)
+            without = {equations.inputs["g"]: sp.S.Zero}
+            changed = with_put_in(equations, without, has_forces)
             if changed is not None:
-                yield Model("this is the result without the weight", changed)
+                # A reaction that is asked may be told by a formula of its own, in which the weight stands too.
+                asked = {
+                    n: replace(a, parts=tuple(sp.sympify(e.xreplace(without)) for e in a.parts))
+                    for n, a in changed.asked.items()
+                }
+                yield Model("this is the result without the weight", replace(changed, asked=asked))
