@@ -12,6 +12,7 @@ from dataclasses import replace
 from planar_cli.homework import typed
 from planar_cli.homework.asked_part import asked_part
 from planar_cli.homework.named_mistakes import named, named_formula
+from planar_cli.homework.needed import needed
 from planar_cli.homework.paper import (
     MISSING,
     RIGHT,
@@ -363,7 +364,7 @@ def _carried(
     if is_right or not follows or (one.unit != RIGHT and not formula):
         # Where the earlier value changes nothing, nothing is carried.
         return one
-    names = _needed(names, due, lambda own: carry(task, expected, own), own)
+    names = needed(names, due, lambda own: carry(task, expected, own), own)
     earlier = " and ".join(f"your {n}" for n in names)
     which = "which is not right" if len(names) == 1 else "which are not right"
     return replace(
@@ -387,21 +388,3 @@ def _right_and_follows(
 
         return fits_at_places(expected, due), same_at_places(due, values)
     return within(expected, due, rules), within(replace(expected, values=due), values, rules)
-
-
-def _needed(
-    names: tuple[str, ...],
-    due: tuple[float, ...],
-    carried: Callable[[Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None],
-    own: Mapping[str, tuple[float, ...]],
-) -> tuple[str, ...]:
-    """The own values without which the find comes to something else: where a later one of them is put in, an earlier
-    one may change nothing any more.
-    """
-    needed = list(names)
-    for name in names:
-        rest = [n for n in needed if n != name]
-        found = carried({n: own[n] for n in rest}) if rest else None
-        if found is not None and all(math.isclose(a, b, rel_tol=1e-9) for a, b in zip(found[0], due, strict=True)):
-            needed = rest
-    return tuple(needed)
