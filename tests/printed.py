@@ -154,8 +154,12 @@ def _terms(expr: sp.Expr, numbers: dict[sp.Symbol, float]) -> list[float]:
 
 
 def read_number(text: str) -> float:
-    """A number as it is printed: 1.5×10⁻⁴, 30°."""
+    """A number as it is printed: 1.5×10⁻⁴, 30°, 3 π/2."""
     text = text.removesuffix(" rad")
+    if "π" in text:
+        factor, _, divisor = text.partition("π")
+        sign = {"": 1.0, "-": -1.0}.get(factor.strip())
+        return float(sp.pi) * (float(factor) if sign is None else sign) / float(divisor.removeprefix("/") or 1)
     degrees = text.endswith("°")
     mantissa, _, power = text.rstrip("°").partition("×10")
     number = float(mantissa.translate(PLAIN)) * 10 ** int(power.translate(PLAIN) or 0)

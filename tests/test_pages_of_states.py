@@ -26,6 +26,7 @@ from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.units import Unit, parse_unit
 
 FILES = (
+    "textbook/ex-1-07",
     "textbook/ex-1-10",
     "textbook/ex-4-10",
     "textbook/ex-4-17",
@@ -34,6 +35,7 @@ FILES = (
     "energy/bob-on-a-thread-that-goes-slack",
     "energy/exercise-4-35",
     "energy/yo-yo",
+    "oscillations/weight-on-a-cord-held-by-a-spring",
     "friction/disk-that-screws-itself-up-a-slope",
     "impact/pendulum-set-swinging",
     "momentum/ball-with-backspin",
