@@ -155,5 +155,5 @@ if __name__ == "__main__":
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
 
-    ready = made_ready(read_set(sys.argv[1]), 2, 60, None, lambda done: None)
+    ready = made_ready(read_set(sys.argv[1]), 2, 60, None, lambda total, what: lambda done: None)
     written(Path(sys.argv[2]), ready.papers, int(sys.argv[3]) if len(sys.argv) > 3 else 300)

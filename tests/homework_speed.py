@@ -39,7 +39,7 @@ def timed(function: Callable[[], object]) -> float:
 def grading(number: int) -> None:
     """Reading, parsing and grading in one process, as each worker does it."""
     homework_set = read_set(str(SET))
-    homework = made_ready(homework_set, 2, 120, None, lambda done: None)
+    homework = made_ready(homework_set, 2, 120, None, lambda total, what: lambda done: None)
     with tempfile.TemporaryDirectory() as folder:
         written(Path(folder), homework.papers, number)
         paths = list(submission_files([folder]))

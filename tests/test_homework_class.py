@@ -28,7 +28,7 @@ def homework_set() -> HomeworkSet:
 
 @pytest.fixture(scope="module")
 def homework(homework_set: HomeworkSet) -> Homework:
-    made = [prepared(p, homework_set.variants, homework_set.seed, None) for p in homework_set.problems]
+    made = [prepared(p, homework_set.variants, homework_set.seed) for p in homework_set.problems]
     return assembled(homework_set, made)
 
 
@@ -79,9 +79,9 @@ def test_variants_differ_and_keep_their_physics(homework: Homework) -> None:
 
 def test_the_same_seed_gives_the_same_key(homework_set: HomeworkSet, homework: Homework) -> None:
     problem = homework_set.problems[0]
-    again = prepared(problem, homework_set.variants, homework_set.seed, None)
+    again = prepared(problem, homework_set.variants, homework_set.seed)
     assert again.tasks == tuple(homework.papers[k].tasks[0] for k in range(homework_set.variants + 1))
-    other = prepared(problem, homework_set.variants, homework_set.seed + 1, None)
+    other = prepared(problem, homework_set.variants, homework_set.seed + 1)
     assert other.tasks != again.tasks
 
 

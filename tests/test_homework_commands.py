@@ -91,7 +91,7 @@ def test_the_example_of_a_sheet_can_be_read(tmp_path: Path) -> None:
     path = tmp_path / "set.yaml"
     path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")
     homework_set = read_set(str(path))
-    homework = assembled(homework_set, [prepared(p, 0, 1, None) for p in homework_set.problems])
+    homework = assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
     text = sheet(homework, Handed("sheet", 0, "O'Neil: 1"))
     assert "x counts to the right, y upward" in text
     filled = tmp_path / "filled.yaml"
@@ -105,7 +105,7 @@ def test_what_stands_in_the_text_is_not_given_again() -> None:
     from planar_cli.homework.homework import prepared
 
     (_, spool, _) = read_set(SET).problems
-    file, *_ = prepared(spool, 0, 1, None).tasks
+    file, *_ = prepared(spool, 0, 1).tasks
     assert file.given == ()
 
 
@@ -129,7 +129,7 @@ def test_the_key_tells_senses_as_the_page_does() -> None:
     from planar_cli.homework.homework import prepared
 
     (*_, rod) = read_set(SET).problems
-    told = [e.text for e in prepared(rod, 0, 1, None).tasks[0].expected]
+    told = [e.text for e in prepared(rod, 0, 1).tasks[0].expected]
     assert told == ["12.26 rad/s² clockwise", "14.72 N upward", "14.72 m/s² downward"]
 
 

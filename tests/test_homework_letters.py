@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 import sympy as sp
 
@@ -43,7 +45,7 @@ def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     (folder / "letters.yaml").write_text(SLOPE)
     path.write_text("problems: [letters.yaml]\n")
     homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1, None, told_formulas) for p in homework_set.problems])
+    return assembled(homework_set, [prepared(p, 0, 1, told_formulas) for p in homework_set.problems])
 
 
 def graded(homework: Homework, find: str, typed: str) -> Graded:
@@ -122,7 +124,7 @@ def blow(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     (folder / "letters.yaml").write_text(HAMMER)
     path.write_text("problems: [letters.yaml]\nvariants: {number: 4, seed: 1}\n")
     homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 4, 1, None, told_formulas) for p in homework_set.problems])
+    return assembled(homework_set, [prepared(p, 4, 1, told_formulas) for p in homework_set.problems])
 
 
 def test_given_numbers_may_stand_for_their_letters(blow: Homework) -> None:
@@ -151,6 +153,16 @@ def test_the_key_of_a_variant_has_its_numbers_put_in(blow: Homework) -> None:
     assert all("e" not in text and "n" not in text for text in numbers)
 
 
+def test_it_is_said_that_there_are_no_more_combinations(tmp_path: Path) -> None:
+    (tmp_path / "letters.yaml").write_text(HAMMER)
+    (tmp_path / "set.yaml").write_text("problems: [letters.yaml]\n")
+    (problem,) = read_set(str(tmp_path / "set.yaml")).problems
+    ready = prepared(problem, 5, 1)
+    expected = "letters: there are only 4 combinations of values, for 5 variants; they are given out again"
+    assert expected in ready.warnings
+    assert ready.values[1] == ready.values[5]
+
+
 PENDULUM = """
 title: Rod that falls
 plane: vertical
@@ -174,7 +186,7 @@ def pendulum(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     (folder / "letters.yaml").write_text(PENDULUM)
     path.write_text("problems: [letters.yaml]\n")
     homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1, None, told_formulas) for p in homework_set.problems])
+    return assembled(homework_set, [prepared(p, 0, 1, told_formulas) for p in homework_set.problems])
 
 
 @pytest.mark.parametrize(

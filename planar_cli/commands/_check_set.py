@@ -44,8 +44,7 @@ def checked_set(
         from planar_cli.commands._tolerances import tolerances_of
 
         return tolerances_of(tuple(p.path for p in homework_set.problems), timeout)
-    done = counter(len(homework_set.problems), "problems solved")
-    homework = made_ready(homework_set, jobs, timeout, None, done, told_formulas)
+    homework = made_ready(homework_set, jobs, timeout, None, counter, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     if options["matches"]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from planar_cli import cli
+from planar_cli.commands._counter import counter
 from planar_cli.commands._earlier_sheets import MANIFEST, clear, manifest
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
@@ -47,7 +48,7 @@ def key_of_set(
         seed=homework_set.seed if seed is None else seed,
     )
     page = page_of if worked or both or exports else None
-    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, lambda done: None, told_formulas)
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, counter, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]

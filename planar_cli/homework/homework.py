@@ -15,6 +15,7 @@ from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.given_letters import pure_numbers, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
+from planar_cli.homework.pages_of_variants import Page, with_pages
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
@@ -25,30 +26,25 @@ from planar_cli.homework.worked_problem import (
     WorkedProblem,
     base_expected,
     base_numbers,
-    plainly_solved,
     read_and_solve,
     with_mistakes,
 )
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
 from planar_cli.problem.placeholders import PLACEHOLDER
-from planar_cli.problem.variations import with_first_values, with_values
+from planar_cli.problem.variations import with_first_values
 from planar_cli.solve.solved_problem import Solution
 from planar_cli.units import pretty_unit
 
-Page = Callable[[Solution], tuple[str, str]]
-"""Writes a worked solution, as Markdown and as plain text."""
 Formulas = Callable[[Solution, Mapping[str, sp.Rational]], dict[str, str]]
 """Tells the answers in letters, by their finds, with numbers put in for some letters."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
 
-def prepared(
-    problem: SetProblem, variants: int, seed: int, page: Page | None, formulas: Formulas | None = None
-) -> Prepared:
-    """One problem of a set with so many variants. `page`: writes worked solutions, where they are wanted; `formulas`:
-    tells answers in letters, which else stand as a file writes them. PlanarError: it has no solution.
+def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas | None = None) -> Prepared:
+    """One problem of a set with so many variants. `formulas`: tells answers in letters, which else stand as a file
+    writes them. PlanarError: it has no solution.
     """
     solved = read_and_solve(problem.path, problem.name)
     _check_finds(problem, solved)
@@ -70,7 +66,7 @@ def prepared(
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
         for d, e in zip(draws, rows, strict=True)
     ]
-    made = [_task(problem, solved, d, e, page) for d, e in zip(draws, asked, strict=True)]
+    made = [_task(problem, solved, d, e) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
         problem.name,
@@ -80,6 +76,7 @@ def prepared(
         drawn.tried,
         len(drawn.taken),
         tuple(sorted(drawn.rejected.items())),
+        tuple(draws[place].values for place in spread),
     )
 
 
@@ -98,6 +95,10 @@ def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
         found.append(f"{problem.name}: variants are {drawn.note}")
     if wanted and not drawn.tried:
         found.append(f"{problem.name}: the file has no `variants`; all students get the same numbers")
+    elif wanted > len(drawn.taken) and drawn.tried == drawn.combinations:
+        there = f"there are only {drawn.combinations} combinations of values"
+        fit = "" if drawn.tried == len(drawn.taken) else f", of which {len(drawn.taken)} are fit"
+        found.append(f"{problem.name}: {there}{fit}, for {wanted} variants; they are given out again")
     elif wanted > len(drawn.taken):
         found.append(f"{problem.name}: only {len(drawn.taken)} of {wanted} variants are fit; they are given out again")
     if drawn.tried and drawn.rate < FEW:
@@ -162,19 +163,14 @@ def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Exp
 # --- what is handed out ----------------------------------------------------------------------------------------------
 
 
-def _task(
-    problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...], page: Page | None
-) -> Task:
+def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...]) -> Task:
     values = {**_written_values(solved), **dict(draw.values)}
     text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
     said, varied = set(PLACEHOLDER.findall(solved.problem.text)), {name for name, _ in draw.values}
     given = tuple(
         f"{printed(name)} = {told(value)}" for name, value in values.items() if name in varied or name not in said
     )
-    worked = "", ""
-    if page is not None:
-        worked = page(plainly_solved(solved.path, with_values(with_first_values(solved.node), dict(draw.values))))
-    return Task(problem.name, solved.problem.title or problem.name, text, given, expected, *worked)
+    return Task(problem.name, solved.problem.title or problem.name, text, given, expected)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:
@@ -227,16 +223,16 @@ def made_ready(
     jobs: int,
     timeout: float,
     page: Page | None,
-    told_done: Callable[[int], None],
+    counter: Callable[[int, str], Callable[[int], None]],
     formulas: Formulas | None = None,
 ) -> Homework:
-    """A set made ready on several workers, which import `page` and `formulas` by their names. PlanarError: a problem
-    of it is no good.
+    """A set made ready on several workers, which import `page` and `formulas` by their names; `counter`: of a total,
+    hears how many are done. PlanarError: a problem of it is no good.
     """
     from planar_cli.homework.supervisor import Supervisor
 
-    items = [(p, homework.variants, homework.seed, page, formulas) for p in homework.problems]
-    ended = Supervisor(_attempt, jobs, timeout, told_done).run(items)
+    items = [(p, homework.variants, homework.seed, formulas) for p in homework.problems]
+    ended = Supervisor(_attempt, jobs, timeout, counter(len(items), "problems solved")).run(items)
     found: list[Prepared] = []
     wrong: list[Diagnostic] = []
     for problem, end in zip(homework.problems, ended, strict=True):
@@ -244,14 +240,20 @@ def made_ready(
             found.append(end.result)
             continue
         diagnostics, text = end.result if isinstance(end.result, tuple) else ((), str(end.result))
+        if end.verdict == "timeout":
+            variants = f" and its {homework.variants} variants" if homework.variants else ""
+            text = f"the problem{variants}: {text}"
+            diagnostics = (Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}", "`--timeout 0` sets no limit"),)
         wrong += diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}")]
     if wrong:
         raise FileProblem(wrong)
+    if page is not None:
+        found = with_pages(homework, found, page, (jobs, timeout), lambda total: counter(total, "worked pages made"))
     return assembled(homework, found)
 
 
 def _attempt(
-    item: tuple[SetProblem, int, int, Page | None, Formulas | None],
+    item: tuple[SetProblem, int, int, Formulas | None],
 ) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
     try:
         return prepared(*item)

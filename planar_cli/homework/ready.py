@@ -9,6 +9,8 @@ from planar_cli.homework.rules import Rules
 from planar_cli.records import record
 
 RULES = Rules()
+Values = tuple[tuple[str, str], ...]
+"""The given names of a variant with their values, as a file writes them."""
 
 
 @record
@@ -24,6 +26,8 @@ class Prepared:
     tried: int = 0
     taken: int = 0
     rejected: tuple[tuple[str, int], ...] = ()
+    values: tuple[Values, ...] = ()
+    """Of each task."""
 
 
 @record

@@ -8,6 +8,7 @@ from written equations, each variant is solved by itself.
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
@@ -71,6 +72,8 @@ class Variants:
     tried: int = 0
     rejected: Counter[str] = field(default_factory=Counter)
     note: str = ""
+    combinations: int = 0
+    """So many there are of the values that the file allows."""
 
     @property
     def rate(self) -> float:
@@ -86,7 +89,7 @@ def variations(problem: WorkedProblem) -> tuple[Variation, ...]:
 def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
     """So many variants, or as many as there are; the same for the same seed."""
     varied = variations(problem)
-    found = Variants()
+    found = Variants(combinations=math.prod(len(v.values) for v in varied))
     if not varied or count < 1:
         return found
     drawn = draws(varied, f"{seed}/{problem.name}")
@@ -96,7 +99,8 @@ def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
             _take_written(problem, some, count, found)
         if _solved_anew_agree(problem, found.taken):
             return found
-        found = Variants(note="solved one by one, as the equations of the file do not fit all values")
+        note = "solved one by one, as the equations of the file do not fit all values"
+        found = Variants(note=note, combinations=found.combinations)
         drawn = draws(varied, f"{seed}/{problem.name}")
     _take_solved(problem, drawn, count, found)
     return found
