@@ -39,7 +39,9 @@ def _keeps_momentum(e: Relation, found: MotionTrace) -> bool:
         case ImpactEquation():
             return e.source.law == "force" and not e.residual.free_symbols & _impulses(found)
         case BalanceTrace():
-            return e.kind == MOMENTUM and not e.source.law.letter
+            # Where a body turns, that its mass centre falls straight down is a reason for what follows.
+            inside = e.residual.free_symbols & found.general.keys()
+            return e.kind == MOMENTUM and not e.source.law.letter and all(_is_velocity(x, found) for x in inside)
     return e.source is None and e.kind == BLOW
 
 
