@@ -58,6 +58,7 @@ def with_only_body(blocks: Sequence[Block], problem: Problem) -> list[Block]:
         return list(blocks)
     told = set(_names([b for b in blocks if not _is_opening(b)]))
     axes = {x.axis or x.stem for x in letters if x.name in told and (x.axis or x.stem in AXES)}
+    axes = axes or {x.axis for x in letters if x.axis}
     ways = (False, True) if len(axes) == 1 else (True,)
     for with_axis in ways:
         # What is not along the only axis keeps its own.
