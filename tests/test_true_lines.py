@@ -37,7 +37,11 @@ def page(name: str) -> str:
         ("motion/longest-throw-up-a-slope", "d_max = v0² / (g (1 + sin β))", "|cos"),
         ("kinematics/collar-on-rotating-rod", "e_r + r ω e_θ = 0.6 e_r + 0.5", "x_A = "),
         ("momentum/vane-at-its-greatest-power", "its derivative is zero.", "Newton"),
-        ("motion/least-speed-to-a-target", "v_0 is smallest, so its derivative with respect to β is zero", "respect to β, v_0"),
+        (
+            "motion/least-speed-to-a-target",
+            "v_0 is smallest, so its derivative with respect to β is zero",
+            "respect to β, v_0",
+        ),
     ],
 )
 def test_a_page_says_what_is_true(name: str, said: str, unsaid: str) -> None:
