@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator
+from itertools import islice
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import RIGHT, WRONG, Expected
@@ -23,6 +24,8 @@ NOT_RIGHT = "the formula is not right"
 """Where nothing else is to be said."""
 DEEPEST = 30
 """Brackets in brackets."""
+MOST_WORDS = 6
+"""Of a unit."""
 _UNIT_IN_BRACKETS = re.compile(r"(.*\S)\s*[\[(]\s*(?:in\s+)?([^\[\]()]+)[\])]")
 
 
@@ -104,7 +107,7 @@ def _check_depth(text: str) -> None:
 def _taken_apart(text: str, names: Collection[str]) -> _Behind:
     """The formula before a unit, a sense of rotation or a direction in words."""
     formula, sense, axis, way = without_direction(text)
-    for before, unit in _units(formula):
+    for before, unit in islice(_units(formula), MOST_WORDS):
         if not _unknown(unit, names) or (_unknown(before, names) and not _is_number(before)):
             continue
         try:
@@ -219,7 +222,6 @@ def _what_differs(text: str, expected: Expected, names: Collection[str]) -> str:
         return "the formula is not right: its terms do not have the same dimension"
     if due is not None and found != due:
         turns = expected.rotation and due != PURE
-        return (
-            f"the formula is not right: it has the dimension of {describe(found)}, and asked is {describe(due, turns)}"
-        )
+        mine, asked = describe(found, turns), describe(due, turns)
+        return f"the formula is not right: it has the dimension of {mine}, and asked is {asked}"
     return NOT_RIGHT

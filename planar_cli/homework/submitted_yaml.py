@@ -60,10 +60,15 @@ def _mended(text: str, path: str, first: list[Diagnostic]) -> tuple[Node | None,
 
 def _quoted(line: str, path: str) -> str:
     """A line of which the value is no YAML, with it in quotes; brackets may go on in the next line."""
-    entry = _ENTRY.fullmatch(line)
-    if entry is None or entry[1].startswith("answers:") or _is_open(entry[2]) or _is_yaml(entry[2], path):
+    entry = _entry(line)
+    if entry is None or _is_open(entry[2]) or _is_yaml(entry[2], path):
         return line
     return _as_text(entry)
+
+
+def _entry(line: str) -> re.Match[str] | None:
+    """`key: value` in one line; what stands behind `answers:` is no text."""
+    return None if line.startswith("answers:") else _ENTRY.fullmatch(line)
 
 
 def _as_text(entry: re.Match[str]) -> str:
@@ -90,7 +95,7 @@ def _without(lines: list[str], wrong: Diagnostic, path: str) -> list[Diagnostic]
     if wrong.code == TWICE:
         return _neither(lines, wrong, at)
     for number in range(at, max(at - 3, -1), -1):
-        entry = _ENTRY.fullmatch(lines[number])
+        entry = _entry(lines[number])
         if entry is not None and entry[2][0] not in "|>" and not _is_yaml(entry[2], path):
             # A bracket or quote that is never closed is an error of a later line.
             lines[number] = _as_text(entry)

@@ -54,9 +54,7 @@ _FROM_X = re.compile(
 )
 _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
 
-_NAMED = re.compile(
-    r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*|^(?:approx(?:\.|imately)?|about|ca\.?)\s+"
-)
+_NAMED = re.compile(r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*|^(?:approx(?:\.|imately)?|ca\.?)\s+")
 """What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
 _BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
@@ -258,7 +256,7 @@ def _computed(text: str) -> tuple[float, Unit | None, int, str]:
     """Arithmetic without names, `5*sqrt(2) m/s`, by the parser of problem files."""
     from planar_cli.homework.typed_formula import constant
 
-    if not re.search("[0-9]", text) and not re.search(r"[A-Za-z)]\s*[*/^(]", text):
+    if not re.match(r"[0-9+.(-]|pi\b", text) and not re.search(r"[\w)]\s*[*/^(]", text):
         raise Unreadable(NO_ANSWER)
     for behind in _BEHIND.finditer(text):
         number = text[: behind.start()]
