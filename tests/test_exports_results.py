@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from exported import FORMULA, RESULTS, exported
 
-from planar_cli.homework.paper import Result
+from planar_cli.homework.paper import Graded, Result
 
 HEADER = "student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message"
 # What Gradescope's specification has.
@@ -65,6 +65,16 @@ def test_output() -> None:
         "-the value is not right",
         "Friction acts the other way.",
     ]
+
+
+def test_what_follows_from_an_earlier_value_and_has_all_points_is_passed() -> None:
+    def status(score: float) -> str:
+        one = Graded("p", "a", "3 N", "wrong", score, 2.0, carried=("F",))
+        (content,) = exported("gradescope", (Result("s", 0, (one,)),), title="HW1").files.values()
+        found: str = json.loads(content)["tests"][0]["status"]
+        return found
+
+    assert (status(2.0), status(1.0)) == ("passed", "failed")
 
 
 def test_a_submission_without_answers_has_a_score() -> None:

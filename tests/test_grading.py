@@ -105,6 +105,19 @@ def test_a_part_of_the_points_is_partly_right() -> None:
     assert graded(FORCE, "13 N", Rules(precision=0.9, tolerance=0.05)).told == "partly right"
 
 
+@pytest.mark.parametrize(("text", "verdict"), [("-3.66 rad/s cw", "carried"), ("-3.70 rad/s cw", "wrong")])
+def test_a_minus_before_clockwise_may_be_its_opposite_where_earlier_values_say_so(text: str, verdict: str) -> None:
+    task = Task("p", "", "", (), (FORCE, TURN))
+    handed = Submission("s", 0, (("p", "F", "20.0 N"), ("p", "w", text)))
+    (_, one) = grade(handed, {0: Paper(0, (task,))}, Rules(), lambda *_: ((3.66,), ("F",))).graded
+    assert one.told == verdict
+    assert ("say the same" in one.message) == (verdict == "wrong")
+
+
+def test_a_vector_without_its_direction_is_told_so() -> None:
+    assert "the direction is missing" in graded(VELOCITY, "5 m/s").message
+
+
 def test_what_is_taken_of_a_vector_is_told() -> None:
     assert graded(SIZE, "12.74 N at 230 deg").message == "a vector was typed: the size of it is taken"
 

@@ -361,6 +361,11 @@ def _carried(
     due, names = found
     formula = expected.kind == "formula"
     is_right, follows = _right_and_follows(expected, due, values, rules)
+    notes = [] if formula else one.message.split("; ")[1:]
+    if not follows and any(typed.SAID_TWICE in note for note in notes):
+        # -3 rad/s cw can mean the opposite of clockwise too: own earlier values decide.
+        is_right, follows = _right_and_follows(expected, due, tuple(-v for v in values), rules)
+        notes = [note for note in notes if typed.SAID_TWICE not in note]
     if is_right or not follows or (one.unit != RIGHT and not formula):
         # Where the earlier value changes nothing, nothing is carried.
         return one
@@ -373,9 +378,7 @@ def _carried(
         carried=names,
         mistakes=(),
         feedback="",
-        message="; ".join(
-            (f"this follows rightly from {earlier}, {which}", *([] if formula else one.message.split("; ")[1:]))
-        ),
+        message="; ".join((f"this follows rightly from {earlier}, {which}", *notes)),
     )
 
 

@@ -24,6 +24,7 @@ LONGEST = 500
 LARGEST = 1e50
 MOST_UNCERTAIN = 0.05
 """Of a number: what may stand behind ±."""
+SAID_TWICE = "say the same"
 NO_ANSWER = "this is not an answer that can be read: a number with its unit is asked, such as `12.5 N`"
 
 _SIGNS = str.maketrans({"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "µ": "u", "\u00a0": " ", "î": "i", "ĵ": "j"})
@@ -121,7 +122,7 @@ class Typed:
 
 def read(text: str, kind: str, comma: bool = False) -> Typed:
     """An answer to a find of a kind. `comma`: 12,5 is twelve and a half. Raises Unreadable."""
-    plain = _RAISED.sub(lambda m: f"^{m[0].translate(_POWERS)}", text).translate(_SIGNS).strip()
+    plain = text.strip() if text.isascii() else _in_plain_signs(text)
     if kind != "equation":
         plain = _NAMED.sub("", plain, count=1)
     if not plain:
@@ -143,9 +144,13 @@ def read(text: str, kind: str, comma: bool = False) -> Typed:
     return replace(found, notes=(*found.notes, *uncertain)) if uncertain else found
 
 
+def _in_plain_signs(text: str) -> str:
+    return _RAISED.sub(lambda m: f"^{m[0].translate(_POWERS)}", text).translate(_SIGNS).strip()
+
+
 def _without_uncertainty(text: str) -> tuple[str, tuple[str, ...]]:
     """`533 ± 1 N` is 533 N: the answer is one number, and what it may be off is small and not read."""
-    if not re.search(r"±|\+/-|\+-", text):
+    if "±" not in text and "+/-" not in text and "+-" not in text:
         return text, ()
     found = _UNCERTAIN.fullmatch(text)
     if found is None or not 0 <= float(found[2]) <= MOST_UNCERTAIN * abs(float(found[1])):
@@ -164,16 +169,17 @@ def _word(text: str) -> Typed:
 
 
 def _number(text: str) -> Typed:
-    if text.startswith(("[", "<")) or _IJ.fullmatch(text) or _is_pair(text):
+    if text.startswith(("[", "<")) or ("j" in text and _IJ.fullmatch(text)) or ("=" in text and _is_pair(text)):
         return _vector(text)
-    text = _DECIMAL_COMMA.sub(".", text)
-    if (number := re.search(r"[0-9]+,[0-9]+", text)) is not None:
+    if "," in text:
+        text = _DECIMAL_COMMA.sub(".", text)
+    if "," in text and (number := re.search(r"[0-9]+,[0-9]+", text)) is not None:
         whole, point = number[0].replace(",", ""), number[0].replace(",", ".")
         raise Unreadable(f"the comma in {number[0][:30]} can mean two things; write {whole[:30]} or {point[:30]}")
     if any(word in text for word in _AT) and (polar := _polar(text)) is not None:
         return polar
     plain, sense, axis, way = without_direction(text)
-    plain = _BRACKETED_UNIT.sub(r"\1 \2", plain)
+    plain = _BRACKETED_UNIT.sub(r"\1 \2", plain) if plain.endswith("]") else plain
     value, unit, figures, unread = _quantity(plain)
     if (sense or way) and any(word.strip("(),.") in WAYS or word in SENSES for word in unread.lower().split()):
         raise Unreadable("two directions stand behind the number; write one of them, or a sign")
@@ -189,7 +195,7 @@ def _once(value: float, way: int, text: str) -> tuple[float, tuple[str, ...]]:
         return value, ()
     if way < 0:
         return -value, (
-            f"the minus sign and the words behind the number say the same: read as {text.lstrip('-')[:40]}",
+            f"the minus sign and the words behind the number {SAID_TWICE}: read as {text.lstrip('-')[:40]}",
         )
     return value, ("the minus sign is read as the opposite of the words behind the number",)
 
@@ -339,7 +345,10 @@ def _vector(text: str) -> Typed:
         values = (way * size, 0.0) if axis == "x" else (0.0, way * size)
         notes = (*said_twice, *_not_read(unread))
         return Typed(values, unit, (figures_of_size, figures_of_size), notes=notes)
-    raise Unreadable("two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`")
+    missing = "the direction is missing: " if _PLAIN.fullmatch(plain) is not None else ""
+    raise Unreadable(
+        f"{missing}two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`"
+    )
 
 
 def _of_two(numbers: tuple[str, str], behind: tuple[str, ...]) -> Typed:
