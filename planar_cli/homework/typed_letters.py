@@ -21,6 +21,8 @@ _OTHERWISE = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "ln": "log",
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _PARTS = {"½": "(1/2)", "⅓": "(1/3)", "⅔": "(2/3)", "¼": "(1/4)", "¾": "(3/4)", "⅛": "(1/8)", "⅜": "(3/8)"}
+_MIXED = re.compile(r"(?<![\w.^/])([0-9]{1,3})(?:\s+([0-9]{1,3}/[0-9]{1,3})(?![0-9.])|\s*([½⅓⅔¼¾⅛⅜]))")
+"""2½ and 2 1/2 are sums."""
 MOST_BRACES = 40
 """So many fractions and roots of LaTeX are taken for what they are; an answer has a few."""
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
@@ -58,6 +60,7 @@ def plain(text: str) -> str:
     text = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"^({m[0].translate(_RAISED)})", text)
     text = re.sub(r"(?<=\w)[₀₁₂₃₄₅₆₇₈₉]+", lambda m: m[0].translate(_LOWERED), text)
     text = re.sub(r"(?<=[0-9]),(?=[0-9]{1,2}(?![0-9]))", ".", text)
+    text = _MIXED.sub(lambda m: f"({m[1]}+{m[2] or _PARTS[m[3]]})", text)
     for sign, written in (*_PARTS.items(), *LETTERS.items()):
         if sign in text:
             # A letter of its own, whatever stands beside it.
@@ -173,7 +176,8 @@ class _Writer:
                 found += ["/", self._below()]
             elif self._operand():
                 found.append(self._factor())
-                if self._operand() and self._kind() != "number":
+                self._check_number()
+                if self._operand():
                     found.append("*")
             else:
                 found.append(self._take())
@@ -186,8 +190,15 @@ class _Writer:
         fraction = self._is_fraction()
         while self._operand() and self._kind() != "number" and self.below and not fraction:
             factors.append(self._factor())
-        behind = "*" if self._operand() and self._kind() != "number" else ""
+        self._check_number()
+        behind = "*" if self._operand() else ""
         return (f"({'*'.join(factors)})" if len(factors) > 1 else first) + behind
+
+    def _check_number(self) -> None:
+        """No number stands behind a factor: `l 2` may be meant as a power, an index or a product."""
+        if self._kind() == "number":
+            before, number = self.tokens[self.place - 1].text, self.tokens[self.place].text
+            raise Unreadable(f"between {before[:20]} and {number[:20]} the sign is missing")
 
     def _is_fraction(self) -> bool:
         """Is the divisor just taken a number below a number, with a space behind: 5/2 m g, as keys print it?"""
