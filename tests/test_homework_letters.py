@@ -15,6 +15,8 @@ from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
+from planar_cli.homework.sheets import handed, sheet
+from planar_cli.homework.submissions import contents, submissions
 from planar_cli.homework.wrong_formulas import as_written
 
 SLOPE = """
@@ -161,6 +163,54 @@ def test_it_is_said_that_there_are_no_more_combinations(tmp_path: Path) -> None:
     expected = "letters: there are only 4 combinations of values, for 5 variants; they are given out again"
     assert expected in ready.warnings
     assert ready.values[1] == ready.values[5]
+
+
+def test_a_sheet_is_a_form_to_be_filled_in(blow: Homework, tmp_path: Path) -> None:
+    (one, *_) = handed(blow, [1])
+    page = sheet(blow, one)
+    form = page.partition("```text\n")[2].partition("```")[0]
+    assert "  letters.v:  # 2/7*g*sqrt(v0)\n" in form
+    (tmp_path / "ann.yaml").write_text(form)
+    (handed_in,) = submissions(contents(str(tmp_path / "ann.yaml")))
+    assert not any(text.strip() for *_, text in handed_in.answers)
+    (tmp_path / "ann.yaml").write_text(form.replace("letters.v:", "letters.v: 3*v0"))
+    (handed_in,) = submissions(contents(str(tmp_path / "ann.yaml")))
+    assert handed_in.answers == (("letters", "v", "3*v0"),)
+
+
+SLIDE = """
+title: Crate
+text: A crate of mass {n}m slides down.
+plane: vertical
+given: {n: 1, beta: 30 deg}
+points: {A: [0, 0], B: {from: A, distance: 2 m, angle: -beta}}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {crate: {particle: A, mass: n * 3 kg}}
+joints:
+  - contact: {between: [crate, slope], at: A, mu: 0}
+states:
+  1: [at rest]
+  2: [path_length(crate) @ 1->2 = 2 m]
+find:
+  a: a(crate).along(-beta) @ 1
+  v: v(crate).along(-30 deg) @ 2
+  K: KE(crate) @ 2 - KE(crate) @ 1
+"""
+
+
+def test_a_sheet_tells_g_directions_and_energies(tmp_path: Path) -> None:
+    (tmp_path / "crate.yaml").write_text(SLIDE)
+    (tmp_path / "set.yaml").write_text("problems: [crate.yaml]\n")
+    (problem,) = read_set(str(tmp_path / "set.yaml")).problems
+    task = prepared(problem, 0, 1).tasks[0]
+    assert "g = 9.81 m/s²" in task.given
+    assert task.text == "A crate of mass m slides down."
+    assert [e.asked for e in task.expected][1:] == [
+        "component of the velocity of crate along the direction -30° in state 2",
+        "K",
+    ]
+    assert task.expected[2].unit == "J"
+    assert task.expected[2].text.endswith(" J")
 
 
 PENDULUM = """

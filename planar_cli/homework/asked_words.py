@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from planar_cli.homework.printed_names import printed
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Name, Negate, Number, Part, PointPair, Quantity, Relation
 from planar_cli.problem.scene import Find
+from planar_cli.problem.walk import walk
 
 WORDS = {
     "x": "x of {}",
@@ -52,9 +53,10 @@ PARTS = {
     "n": "normal component of the {}",
     "r": "radial component of the {}",
     "theta": "transverse component of the {}",
-    "along": "component along a given direction of the {}",
-    "across": "component across a given direction of the {}",
+    "along": "component of the {} along",
+    "across": "component of the {} across",
 }
+ENERGIES = {"KE", "PE", "work", "heat"}
 SEEN = {"v", "a", "r", "omega", "alpha"}
 
 
@@ -70,7 +72,33 @@ def asked_words(find: Find | None) -> str:
     said = WORDS[what.word].format(_things(what))
     for part in what.parts:
         said = PARTS[part.kind].format(said) if part.kind in PARTS else said
+        said += _direction(part)
     return f"{said}{_when(what)}"
+
+
+def is_energy(find: Find | None) -> bool:
+    """Is it an energy, a work, or an expression of these alone?"""
+    if find is None or isinstance(find.found.what, Relation):
+        return False
+    inside = [q for q in walk(find.found.what) if isinstance(q, Quantity)]
+    return bool(inside) and all(q.word in ENERGIES for q in inside)
+
+
+def _direction(part: Part) -> str:
+    """The direction of a component, where it is a name or a number; points by their names."""
+    side, sign = part.direction, ""
+    if isinstance(side, Negate):
+        side, sign = side.operand, "-"
+    match side:
+        case None:
+            return ""
+        case Name(name=name):
+            return f" the direction {sign}{printed(name)}"
+        case Number(value=value, unit=unit):
+            return f" the direction {sign}{float(value):g}{'°' if unit == 'deg' else f' {unit}' if unit else ' rad'}"
+        case PointPair() as pair:
+            return f" {pair.origin}{pair.to}"
+    return " the direction that is asked"
 
 
 def _things(what: Quantity) -> str:

@@ -13,11 +13,11 @@ import sympy as sp
 from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
 from planar_cli.homework.paper import Expected
-from planar_cli.homework.worked_problem import WorkedProblem
+from planar_cli.homework.worked_problem import Part, WorkedProblem, ledger_of
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.variations import number_of
-from planar_cli.units import Unit
+from planar_cli.units import Unit, pretty_unit
 
 GRAVITY = "g", "m/s^2"
 Given = dict[str, tuple[Fraction, Unit]]
@@ -66,3 +66,25 @@ def _letters(problem: Problem, given: Given) -> tuple[tuple[str, str], ...]:
     symbols = {s.name: s.unit or "1" for s in problem.symbols}
     numbers = {name: unit.text for name, (_, unit) in given.items()}
     return tuple({GRAVITY[0]: GRAVITY[1], **symbols, **numbers}.items())
+
+
+def gravity_told(problem: WorkedProblem) -> tuple[str, ...]:
+    """g with the number that it has, where answers rest on it and the file does not give it."""
+    own = {s.name for s in (*problem.problem.given, *problem.problem.symbols)}
+    if GRAVITY[0] in own or problem.problem.symbols or "9.81" in problem.problem.text:
+        return ()
+    for part in problem.parts:
+        ledger = ledger_of(part)
+        symbol = None if ledger is None else ledger.symbols.get(GRAVITY[0])
+        if symbol is None or symbol not in ledger.values or not _rests_on(part, symbol):
+            continue
+        unit = ledger.units[symbol]
+        return (f"g = {float(ledger.values[symbol]) / in_base(unit, problem.problem.us):.4g} {pretty_unit(unit.text)}",)
+    return ()
+
+
+def _rests_on(part: Part, symbol: sp.Symbol) -> bool:
+    if part.replay is None:
+        return part.problem.plane == "vertical"
+    equations = part.replay.equations
+    return symbol in equations.rests_on(e for a in equations.asked.values() for e in a.parts)

@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
-from planar_cli.homework.given_letters import pure_numbers, with_given
+from planar_cli.homework.given_letters import gravity_told, pure_numbers, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.pages_of_variants import Page, with_pages
 from planar_cli.homework.paper import Expected, Paper, Task
@@ -165,12 +165,24 @@ def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Exp
 
 def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...]) -> Task:
     values = {**_written_values(solved), **dict(draw.values)}
-    text = PLACEHOLDER.sub(lambda m: told(values[m[1]]) if m[1] in values else m[0], solved.problem.text)
+    text = _said(solved.problem.text, values)
     said, varied = set(PLACEHOLDER.findall(solved.problem.text)), {name for name, _ in draw.values}
     given = tuple(
         f"{printed(name)} = {told(value)}" for name, value in values.items() if name in varied or name not in said
     )
-    return Task(problem.name, solved.problem.title or problem.name, text, given, expected)
+    return Task(problem.name, solved.problem.title or problem.name, text, (*given, *gravity_told(solved)), expected)
+
+
+def _said(text: str, values: Mapping[str, str]) -> str:
+    """A text with its values put in; of `{n}m` a factor of one is left out."""
+
+    def put_in(found: re.Match[str]) -> str:
+        if found[1] not in values:
+            return found[0]
+        value = told(values[found[1]])
+        return "" if value == "1" and text[found.end() : found.end() + 1].isalpha() else value
+
+    return PLACEHOLDER.sub(put_in, text)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:

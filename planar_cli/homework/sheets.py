@@ -77,23 +77,24 @@ def sheet(homework: Homework, one: Handed) -> str:
 
 
 def _how_to_hand_in(homework: Homework, one: Handed) -> Iterable[str]:
-    """An example with made-up numbers: a unit, and a sense where one is asked for."""
+    """A form with a line for each answer, beside it an example of its kind with made-up numbers."""
     asked = [(task.problem, e) for task in homework.papers[one.variant].tasks for e in task.expected]
-    answers = [(problem, e, text) for problem, e in asked if (text := _example(e, homework.rules.comma))]
-    turning = next((a for a in answers if a[1].rotation), None)
-    shown = list(dict.fromkeys([*answers[:1], *([turning] if turning else [])]))
     figures = homework.rules.figures
     axes = "x counts to the right, y upward. " if any(e.axis or e.kind == "vector" for _, e in asked) else ""
     yield "## How to hand in"
     yield ""
     yield (
-        "A YAML file with one line for each answer, as below: the number with its unit and, of a rotation, its sense "
-        f"(cw or ccw). {axes}Give {figures} significant figures. Numbers and senses here are made up."
+        "A YAML file with one line for each answer: copy the lines below and write your answers behind the colons, a "
+        f"number with its unit and, of a rotation, its sense (cw or ccw). {axes}Give {figures} significant figures. "
+        "The examples behind # show how an answer is written; what they say is made up."
     )
     yield from ("", "```text", f"student: {_quoted(one.student) or 'your name or number'}")
     yield from (f"variant: {one.variant}",) if one.variant else ()
     yield "answers:"
-    yield from (f"  {problem}.{e.find}: {text}" for problem, e, text in shown)
+    width = max((len(f"{problem}.{e.find}") for problem, e in asked), default=0) + 1
+    for problem, e in asked:
+        example = _example(e, homework.rules.comma)
+        yield f"  {f'{problem}.{e.find}:':<{width}} {f' # {example}' if example else ''}".rstrip()
     yield from ("```", "")
 
 
@@ -110,9 +111,18 @@ def _example(expected: Expected, comma: bool) -> str:
     if expected.kind == "vector":
         # In quotes: a bracket begins a list in YAML.
         return f'"[{first}; -{second}]{unit}"' if comma else f'"[{first}, -{second}]{unit}"'
+    if expected.kind == "formula":
+        letters = [n for n, _ in (*expected.letters, *expected.others)]
+        return _made_up([n for n in letters if n not in dict(expected.known)] or letters)
     if expected.kind != "number":
         return ""
     return f"{first}{unit}{' cw' if expected.rotation else ''}"
+
+
+def _made_up(letters: Sequence[str]) -> str:
+    """A formula in the first letters of a problem, which is no answer."""
+    one, *more = sorted(letters)
+    return f"2/7*{one}*sqrt({more[-1]})" if more else f"2/7*{one}"
 
 
 def key(

@@ -18,7 +18,7 @@ import sympy as sp
 from planar_cli.base_units import in_base
 from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
-from planar_cli.homework.asked_words import asked_words
+from planar_cli.homework.asked_words import asked_words, is_energy
 from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.paper import Expected, Mistaken
@@ -235,13 +235,15 @@ def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[
     axis = last if last in ("x", "y") else ""
     moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1
     sense = COUNTERCLOCKWISE if rotation else ALONG.get(axis, ("", "")) if moves else ("", "")
+    # A moment has the same unit; of an energy it is the joule.
+    unit = "J" if found.unit.text == "N*m" and is_energy(found.find) else found.unit.text
     return Expected(
         found.name,
         asked_words(found.find),
         _kind(found),
         values,
-        found.unit.text,
-        _text(found, values, sense),
+        unit,
+        _text(found, unit, values, sense),
         tolerance_of(problem.problem, found.name),
         scale,
         rotation and (len(values) == 1 or found.values is None),
@@ -260,13 +262,13 @@ def _kind(found: Found) -> str:
     return found.kind if found.kind in ("vector", "list") else "number"
 
 
-def _text(found: Found, values: Sequence[float], sense: tuple[str, str]) -> str:
+def _text(found: Found, unit_text: str, values: Sequence[float], sense: tuple[str, str]) -> str:
     """As a key tells it: four figures, the unit, the sense in words. `sense`: of plus and of minus; "" where the number
     has its sign.
     """
     if found.word:
         return found.word
-    unit = pretty_unit(found.unit.text)
+    unit = pretty_unit(unit_text)
     behind = unit if unit == "°" else f" {unit}" if unit else ""
     if len(values) == 1 and sense[0] and values[0]:
         return f"{shown(abs(values[0]))}{behind} {sense[values[0] < 0]}"
@@ -325,7 +327,7 @@ def _with_formula(made: Expected, part: Part, one: Found) -> Expected:
     expr = sp.sympify((one.expressions or (sp.S.Zero,))[0])
     if len(one.expressions or ()) != 1:
         raise Undecided(f"{one.name} is no single formula; a homework asks for its components one by one")
-    ledger = _ledger(part)
+    ledger = ledger_of(part)
     letters = tuple((s.name, _unit_text(ledger, s)) for s in sorted(expr.free_symbols, key=lambda s: s.name))
     if isinstance(expr, sp.Eq):
         text = f"{as_written(expr.lhs)} = {as_written(expr.rhs)}"
@@ -335,7 +337,8 @@ def _with_formula(made: Expected, part: Part, one: Found) -> Expected:
     return replace(made, formula=text, letters=letters, text=text, mistakes=mistakes)
 
 
-def _ledger(part: Part) -> Any:
+def ledger_of(part: Part) -> Any:
+    """The names of a part with their values; None: it has none."""
     solution = part.solution
     if solution.motion is not None:
         return solution.motion.ledger
