@@ -98,7 +98,8 @@ def test_the_example_of_a_sheet_can_be_read(tmp_path: Path) -> None:
     filled.write_text(text.split("```")[1].removeprefix("text\n").replace("#", ""))
     (read,) = submissions(contents(str(filled)))
     assert (read.student, read.wrong) == ("O'Neil: 1", ())
-    assert read.answers == (("slot", "v", "12.3 m/s"),)
+    assert read.answers[0] == ("slot", "v", "12.3 m/s")
+    assert [find for _, find, _ in read.answers] == [e.find for e in homework.papers[0].tasks[0].expected]
 
 
 def test_what_stands_in_the_text_is_not_given_again() -> None:
@@ -227,3 +228,27 @@ def test_forms_of_a_check(form: str, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["check", str(HOMEWORK / "rod.yaml"), str(HOMEWORK / "slot.yaml"), "--format", form]) == 0
     told = capfd.readouterr().out
     assert ("rod.yaml" in told) == (form != "github")
+
+
+def test_a_key_with_worked_solutions_is_not_lost(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path, out = tmp_path / "set.yaml", tmp_path / "out"
+    path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")
+    assert run(["key", str(path), "--both", "-o", str(out)]) == 0
+    before = (out / "key.md").read_text()
+    assert run(["key", str(path), "-o", str(out)]) != 0
+    assert "holds worked solutions, which this run would leave out: add --both" in capfd.readouterr().err
+    assert (out / "key.md").read_text() == before
+
+
+def test_each_student_has_a_text_and_who_is_absent_is_named(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "set.yaml"
+    path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\nstudents: [ann, bob, eve]\nvariants: {{number: 1}}\n")
+    handed_in = tmp_path / "class.csv"
+    handed_in.write_text("student,problem,find,answer\nann,slot,v,1 m/s\nbob,slot,v,\n")
+    folder = tmp_path / "feedback"
+    assert run(["check", "--set", str(path), str(handed_in), "--feedback", str(folder)]) == 0
+    told = capfd.readouterr()
+    assert "nothing handed in by eve" in told.err
+    assert "  nothing was answered\n" in told.out
+    assert sorted(p.name for p in folder.iterdir()) == ["ann.txt", "bob.txt"]
+    assert "slot.v wrong: `1 m/s`: " in (folder / "ann.txt").read_text()

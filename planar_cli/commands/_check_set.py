@@ -70,10 +70,12 @@ class _Class:
 
     def __init__(self, homework_set: HomeworkSet, homework: Homework, form: str, options: Mapping[str, Any]) -> None:
         from planar_cli.homework.class_report import ClassReport
+        from planar_cli.homework.exports._text import Names
 
         self.homework_set, self.homework, self.form, self.options = homework_set, homework, form, options
         self.report: ClassReport = ClassReport()
         self.kept: list[Result] = []
+        self.names = Names()
 
     def graded(self, files: tuple[str, ...], jobs: int) -> int:
         """Grade all, printing as they come, then what came of the class."""
@@ -105,10 +107,14 @@ class _Class:
                 self._add(result)
 
     def _take(self, line: Line) -> None:
+        from planar_cli.homework.exports._text import slug
         from planar_cli.homework.results import result_of
 
         result = result_of(line.text)
         self._add(result)
+        if self.options["feedback"]:
+            text = "\n".join(_lines(result, for_student=True)) + "\n"
+            write_files({f"{self.names.of(slug(result.student))}.txt": text.encode()}, self.options["feedback"])
         if self.form == "jsonl":
             echo(line.text if not self.options["for_student"] else _for_student(line.text))
         elif self.form == "csv":
@@ -136,6 +142,10 @@ class _Class:
             echo(_report_markdown(self.homework.title, self.report), end="")
         elif self.form == "terminal":
             _print_report(self.report)
+        listed = [name for name, _ in self.homework.students]
+        absent = [name for name in listed if name not in self.report.counted]
+        if absent and self.options["shard"] == "1/1":
+            echo(visible(f"nothing handed in by {', '.join(sorted(absent))}"), err=True)
         if ran.skipped:
             echo(f"{ran.skipped} submissions were graded before", err=True)
         for name in self.options["exports"]:
@@ -190,6 +200,8 @@ def _lines(result: Result, for_student: bool) -> list[str]:
     """One submission in print: the score, and a line for all that is not right."""
     variant = f", variant {result.variant}" if result.variant else ""
     lines = [visible(f"{result.student}{variant}: {result.score:g} of {result.max_score:g}")]
+    if result.graded and all(g.verdict == "missing" for g in result.graded):
+        return [*lines, "  nothing was answered", *(visible(f"  {sentence}") for sentence in result.wrong)]
     # What keeps the whole from being graded is told once, below.
     of_all = {f"this cannot be graded: {sentence}" for sentence in result.wrong}
     for g in result.graded:

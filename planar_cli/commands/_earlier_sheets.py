@@ -8,18 +8,33 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
 from planar_cli.streams import echo
 
 MANIFEST = ".planar-key.json"
 """The names of the files that were written, with the digests of what stands in them."""
-OF_A_KEY = re.compile(r"(sheet(-[a-z0-9_-]+)?|key)\.(md|html|json|csv)")
+OF_A_KEY = re.compile(r"(sheet(-[a-z0-9_-]+)?|key(-[0-9]+)?)\.(md|html|json|csv)")
 MOST_BYTES = 8_000_000
 
 
-def manifest(files: Mapping[str, bytes]) -> bytes:
-    """What is to be known of the files of this run by the next."""
-    return (json.dumps({name: _digest(data) for name, data in sorted(files.items())}, indent=1) + "\n").encode()
+WORKED = "worked solutions in"
+"""Under this name the manifest has the key that holds worked solutions."""
+
+
+def manifest(files: Mapping[str, bytes], worked: str) -> bytes:
+    """What is to be known of the files of this run by the next. `worked`: the key with worked solutions; "": none."""
+    told = {name: _digest(data) for name, data in sorted(files.items())} | ({WORKED: worked} if worked else {})
+    return (json.dumps(told, indent=1) + "\n").encode()
+
+
+def demand_no_loss(folder: str, key: str) -> None:
+    """PlanarError where a key without worked solutions would take the place of one that has them."""
+    if _written(Path(folder) / MANIFEST).get(WORKED) == key and (Path(folder) / key).exists():
+        there = visible(str(Path(folder) / key))
+        raise PlanarError(
+            f"{there} holds worked solutions, which this run would leave out: add --both, or name another folder"
+        )
 
 
 def clear(folder: str, files: Mapping[str, bytes]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli import cli
 from planar_cli.commands._counter import counter
-from planar_cli.commands._earlier_sheets import MANIFEST, clear, manifest
+from planar_cli.commands._earlier_sheets import MANIFEST, clear, demand_no_loss, manifest
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
@@ -41,6 +41,9 @@ def key_of_set(
 
     if exports and output is None:
         raise PlanarError("--export needs a folder: `-o FOLDER`")
+    suffix = SUFFIX[form or "markdown"]
+    if output is not None and not worked and not both:
+        demand_no_loss(output, f"key.{suffix}")
     homework_set = read_set(path)
     homework_set = replace(
         homework_set,
@@ -57,11 +60,17 @@ def key_of_set(
     if output is None:
         write(key, None)
         return cli.SOLVED
-    suffix = SUFFIX[style]
     files = {f"{one.name}.{suffix}": _sheet(homework, one, style) for one in handed(homework, handed_out)}
-    data = {name: text.encode() for name, text in {**files, f"key.{suffix}": key}.items()}
+    keys = {f"key.{suffix}": key}
+    if len(handed_out) > 1:
+        width = len(str(max(handed_out)))
+        keys |= {
+            f"key-{k:0{width}d}.{suffix}": _key(homework, [k], style, worked or both, not worked or both)
+            for k in handed_out
+        }
+    data = {name: text.encode() for name, text in {**files, **keys}.items()}
     clear(output, data)
-    write_files({**data, MANIFEST: manifest(data)}, output)
+    write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if worked or both else "")}, output)
     for name in exports:
         _export(homework, name, homework_set.seed, output)
     return cli.SOLVED

@@ -36,6 +36,7 @@ NO_ANSWERS = "no answers"
 FORMS = ("terminal", "json", "jsonl", "csv", "junit", "github", "markdown")
 ONLY_SET = {
     "--results": "results",
+    "--feedback": "feedback",
     "--export": "exports",
     "--output": "output",
     "--student": "for_student",
@@ -53,6 +54,7 @@ COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad fil
 @option("--format", "form", type=Choice(FORMS), default="terminal", help="How to print.")
 @option("--results", metavar="FILE", help="With --set: lines of JSON as they come; a second run takes up there.")
 @option("--export", "exports", multiple=True, metavar="NAME", help="With --set: gradebook, canvas or gradescope.")
+@option("--feedback", metavar="FOLDER", help="With --set: a text for each student, with nothing of the key.")
 @option("-o", "--output", metavar="FOLDER", help="Where exports are written.")
 @option("--student", "for_student", is_flag=True, help="With --set: nothing of the key is printed.")
 @option("--shard", metavar="K/N", default="1/1", help="With --set: only the Kth of N parts of the submissions.")

@@ -5,7 +5,8 @@ the file states otherwise is marked. With --both all answers come first, then al
 `planar solve`.
 
 One FILE may be a homework set (`planar explain homework`): its variants are drawn, and with -o FOLDER a sheet for each
-variant or student and the key of all are written there; else the key is printed. The same seed gives the same files.
+variant or student, a key for each variant and the key of all are written there; else the key is printed. The same seed
+gives the same files.
 """
 
 from __future__ import annotations
