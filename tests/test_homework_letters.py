@@ -18,6 +18,7 @@ from planar_cli.homework.set_file import read_set
 from planar_cli.homework.sheets import handed, sheet
 from planar_cli.homework.submissions import contents, submissions
 from planar_cli.homework.wrong_formulas import as_written
+from planar_cli.registry import members
 
 SLOPE = """
 title: Block that slides down, in letters
@@ -268,3 +269,9 @@ def test_formulas_are_written_by_the_functions_of_a_file() -> None:
     assert as_written(y + sp.Abs(x)) == "y + abs(x)"
     assert as_written(sp.atan2(y, x)) == "2*atan(y/(x + sqrt(x^2 + y^2)))"
     assert as_written(sp.sinh(x)) == "(exp(x) - exp(-x))/2"
+
+
+@pytest.mark.parametrize("name", members("homework.mistakes"))
+def test_the_page_of_a_mistake_says_what_it_changes(name: str) -> None:
+    told = (members("homework.mistakes")[name].__doc__ or "").partition("\n\n    In the equations\n")[2]
+    assert len(told.split()) > 3

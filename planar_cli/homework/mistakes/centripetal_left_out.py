@@ -13,7 +13,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class CentripetalLeftOut(Mistake):
-    """The normal (centripetal) acceleration is left out."""
+    """The normal (centripetal) acceleration is left out.
+
+    In the equations
+        ω² r and v²/ρ are zero in every acceleration, also in those that are asked.
+    """
 
     kind: ClassVar[str] = "centripetal-left-out"
 

@@ -13,7 +13,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class CoriolisLeftOut(Mistake):
-    """The Coriolis acceleration is left out."""
+    """The Coriolis acceleration is left out.
+
+    In the equations
+        2 ω × v_rel is zero in every acceleration, also in those that are asked.
+    """
 
     kind: ClassVar[str] = "coriolis-left-out"
 

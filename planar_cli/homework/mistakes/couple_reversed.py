@@ -12,7 +12,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class CoupleReversed(Mistake):
-    """A couple has the wrong sign."""
+    """A couple has the wrong sign.
+
+    In the equations
+        A given `moment` has the other sign in the equations of forces, moments and energies; one at a time.
+    """
 
     kind: ClassVar[str] = "couple-reversed"
 

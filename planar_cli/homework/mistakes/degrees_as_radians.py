@@ -15,7 +15,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class DegreesAsRadians(Mistake):
-    """Degrees are taken for radians."""
+    """Degrees are taken for radians.
+
+    In the equations
+        Each angle that is given in degrees has its number of degrees as a number of radians.
+    """
 
     kind: ClassVar[str] = "degrees-as-radians"
 

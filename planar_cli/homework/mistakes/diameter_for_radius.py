@@ -16,7 +16,11 @@ KEYS = "radius", "hub", "radius_of_gyration"
 
 @final
 class DiameterForRadius(Mistake):
-    """The diameter is taken for the radius, or the radius for the diameter."""
+    """The diameter is taken for the radius, or the radius for the diameter.
+
+    In the equations
+        A given length that stands at `radius` is twice or half as large; one at a time.
+    """
 
     kind: ClassVar[str] = "diameter-for-radius"
 

@@ -14,7 +14,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class FrictionLeftOut(Mistake):
-    """The friction is left out."""
+    """The friction is left out.
+
+    In the equations
+        All given coefficients of friction are zero.
+    """
 
     kind: ClassVar[str] = "friction-left-out"
 

@@ -12,7 +12,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class FrictionReversed(Mistake):
-    """The friction acts in the wrong direction."""
+    """The friction acts in the wrong direction.
+
+    In the equations
+        All given coefficients of friction have the other sign in the equations of forces, moments and energies.
+    """
 
     kind: ClassVar[str] = "friction-reversed"
 

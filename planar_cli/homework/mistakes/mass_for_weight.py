@@ -15,7 +15,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class MassForWeight(Mistake):
-    """The mass is taken for the weight, or the weight for the mass."""
+    """The mass is taken for the weight, or the weight for the mass.
+
+    In the equations
+        g is 1 in the equations of forces, moments and energies; where weights are given, g is 1 in m = W/g.
+    """
 
     kind: ClassVar[str] = "mass-for-weight"
 

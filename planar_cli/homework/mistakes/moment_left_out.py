@@ -16,7 +16,11 @@ from planar_cli.units import FORCE
 
 @final
 class MomentLeftOut(Mistake):
-    """The moment of a force is left out."""
+    """The moment of a force is left out.
+
+    In the equations
+        In the equations of moments the terms of one force are missing; one force at a time.
+    """
 
     kind: ClassVar[str] = "moment-left-out"
 

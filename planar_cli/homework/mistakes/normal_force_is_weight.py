@@ -15,7 +15,11 @@ from planar_cli.units import FORCE
 
 @final
 class NormalForceIsWeight(Mistake):
-    """The whole weight is taken for its component along the normal."""
+    """The whole weight is taken for its component along the normal.
+
+    In the equations
+        In an equation with the normal force, m g stands in place of m g cos β or m g sin β.
+    """
 
     kind: ClassVar[str] = "normal-force-is-weight"
 

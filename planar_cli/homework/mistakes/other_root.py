@@ -12,7 +12,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class OtherRoot(Mistake):
-    """The other root of an equation is taken."""
+    """The other root of an equation is taken.
+
+    In the equations
+        An unknown whose equation has several roots has another one of them, and what follows goes on from there.
+    """
 
     kind: ClassVar[str] = "other-root"
 

@@ -18,7 +18,12 @@ MISSING = "the term m d² of the parallel-axis theorem is missing"
 
 @final
 class ParallelAxisLeftOut(Mistake):
-    """The term m d² of the parallel-axis theorem is left out."""
+    """The term m d² of the parallel-axis theorem is left out.
+
+    In the equations
+        The term m d² α is missing in equations of moments; where a body turns about a fixed point, m v_G²/2 is missing
+        in its energy and the moment of m v_G in its angular momentum.
+    """
 
     kind: ClassVar[str] = "parallel-axis-left-out"
 

@@ -11,7 +11,11 @@ from planar_cli.homework.paper import Expected
 
 @final
 class PowerOfTen(Mistake):
-    """The number is off by a power of ten."""
+    """The number is off by a power of ten.
+
+    In the equations
+        Nothing: the right number is ten, a hundred or a thousand times as large, or as small.
+    """
 
     kind: ClassVar[str] = "power-of-ten"
 

@@ -16,7 +16,11 @@ from planar_cli.units import INERTIA
 
 @final
 class RotationalInertiaLeftOut(Mistake):
-    """The moment of inertia of a body is left out."""
+    """The moment of inertia of a body is left out.
+
+    In the equations
+        The moment of inertia of a body is zero; one body at a time.
+    """
 
     kind: ClassVar[str] = "rotational-inertia-left-out"
 

@@ -25,7 +25,11 @@ def angles(equations: Equations) -> dict[str, sp.Symbol]:
 
 @final
 class SineForCosine(Mistake):
-    """Sine and cosine are exchanged."""
+    """Sine and cosine are exchanged.
+
+    In the equations
+        A given angle is 90° less itself, so that its sine and cosine change places; one at a time.
+    """
 
     kind: ClassVar[str] = "sine-for-cosine"
 

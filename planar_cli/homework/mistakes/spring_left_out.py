@@ -14,7 +14,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class SpringLeftOut(Mistake):
-    """The force or the energy of a spring is left out."""
+    """The force or the energy of a spring is left out.
+
+    In the equations
+        A given stiffness is zero; one spring at a time.
+    """
 
     kind: ClassVar[str] = "spring-left-out"
 

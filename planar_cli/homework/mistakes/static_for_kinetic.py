@@ -13,7 +13,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class StaticForKinetic(Mistake):
-    """The static and the kinetic coefficient of friction are exchanged."""
+    """The static and the kinetic coefficient of friction are exchanged.
+
+    In the equations
+        The static and the kinetic coefficient of friction change places.
+    """
 
     kind: ClassVar[str] = "static-for-kinetic"
 

@@ -13,7 +13,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class TangentialLeftOut(Mistake):
-    """The tangential acceleration is left out."""
+    """The tangential acceleration is left out.
+
+    In the equations
+        α r is zero in every acceleration, also in those that are asked; velocities after a blow stay as they are.
+    """
 
     kind: ClassVar[str] = "tangential-left-out"
 

@@ -25,7 +25,11 @@ WORDS = {"in": "inches", "ft": "feet", "deg": "degrees", "rad": "radians"}
 
 @final
 class UnitNotConverted(Mistake):
-    """The number stands for another unit than the one that is asked, or was converted where it had the asked one."""
+    """The number stands for another unit than the one that is asked, or was converted where it had the asked one.
+
+    In the equations
+        Nothing: the right number is multiplied or divided by the factor between two units, such as rpm and rad/s.
+    """
 
     kind: ClassVar[str] = "unit-not-converted"
 

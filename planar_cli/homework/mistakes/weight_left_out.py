@@ -15,7 +15,11 @@ from planar_cli.replay.equations import Equations
 
 @final
 class WeightLeftOut(Mistake):
-    """The weight is left out."""
+    """The weight is left out.
+
+    In the equations
+        g is zero in the equations of forces, moments and energies, and in formulas by which a reaction is told.
+    """
 
     kind: ClassVar[str] = "weight-left-out"
 

@@ -35,9 +35,18 @@ slip, taut or slack), the same signs, no answer that hangs on the last digits of
 still clearly wrong. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
     planar key set.yaml                          the key, on the terminal
-    planar key set.yaml -o out --format html     a sheet for each variant, and the key of all
+    planar key set.yaml -o out --format html     a sheet and a key for each variant, and the key of all
     planar key set.yaml -o out --both            the key with the worked solutions too
     planar key set.yaml -o out --export moodle   questions for a course system
+
+A worked page is made for each variant by itself, on all cores, and takes as long as `planar solve` does: 300 variants
+of a problem that takes a second are five minutes on one core. `--timeout` is for one page, and for solving one problem
+with its variants. A key without worked solutions does not take the place of one that has them.
+
+In a file with `symbols` the names of `given` stay letters in the key, which tells a variant both ways:
+`(1 + e) √(3 g l) / (1 + 3 n) = 3 √(3 g l)/8`. An answer may have the letters, their numbers, or some of each. Such a
+file is solved once more with numbers in place of its letters; by these equations wrong formulas are diagnosed, and what
+follows from own ones is carried.
 
 A student learns the variant from the sheet: it stands in its title, in its file name, `sheet-07`, and in the example of
 how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, and need not
@@ -70,6 +79,7 @@ line that cannot be read costs that line alone.
 
     planar check --set set.yaml submissions/                       every student, and the class
     planar check --set set.yaml submissions/ --export gradebook -o out
+    planar check --set set.yaml submissions/ --feedback texts      a text for each student, with nothing of the key
     planar check --set set.yaml submissions/ --results done.jsonl  goes on there when it is run again
     planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, or pass a wrong model?
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
