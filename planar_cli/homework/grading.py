@@ -84,7 +84,8 @@ def grade(
             if one.verdict == WRONG and carry is not None and own and values is not None:
                 one = _carried(task, expected, one, values, own, rules, carry)
             if values is not None and one.verdict == WRONG:
-                own[expected.find] = values
+                # What only follows from another stands first: it is the first to be found needless.
+                own = {expected.find: values, **own} if one.carried else {**own, expected.find: values}
             graded.append(one)
     if submission.wrong and not submission.answers:
         # Nothing of it could be read, or it was given up: that is not to leave all blank.
@@ -369,7 +370,8 @@ def _carried(
     if is_right or not follows or (one.unit != RIGHT and not formula):
         # Where the earlier value changes nothing, nothing is carried.
         return one
-    names = needed(names, due, lambda own: carry(task, expected, own), own)
+    left = needed(names, due, lambda own: carry(task, expected, own), own)
+    names = tuple(e.find for e in task.expected if e.find in left)
     earlier = " and ".join(f"your {n}" for n in names)
     which = "which is not right" if len(names) == 1 else "which are not right"
     return replace(
