@@ -37,6 +37,10 @@ ROUGHLY = 13, 10
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 
 
+ROUNDED = Decimal(10) ** (8 - DIGITS)
+"""An angle that was worked out is not told apart from another that differs from it by less than this part of it."""
+
+
 def _through_mpmath(function: str, zeros: bool = False) -> Callable[[Decimal], Decimal]:
     """`zeros`: it vanishes at multiples of π or between them, where of it only the rounding of the angle is left."""
 
@@ -47,7 +51,7 @@ def _through_mpmath(function: str, zeros: bool = False) -> Callable[[Decimal], D
             if mpmath.isnan(value):
                 raise NoValue(f"{function} has no value at {x}")
             found = Decimal(mpmath.nstr(value, DIGITS + 2))
-            return ZERO if zeros and abs(found) < CERTAIN * abs(x) else found
+            return ZERO if zeros and abs(found) < ROUNDED * abs(x) else found
 
     return call
 
