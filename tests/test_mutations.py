@@ -161,7 +161,6 @@ IMPLIED = {
     "motion/pin-in-circular-groove.yaml:19:5": "without {guide",
     "motion/pin-in-circular-groove.yaml:18:20": "P -> O",
     "kinematics/geneva-wheel.yaml:18:5": "without {pin",
-    "rigid-bodies/boom-when-its-rope-breaks.yaml:19:15": "without equilibrium",
 }
 """Statements that follow from others, by which their contraries are refused."""
 
