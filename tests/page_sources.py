@@ -53,7 +53,8 @@ def without_source(page: Page) -> Iterator[str]:
     """Numbers of a line that nothing before it gives or works out; components of a vector that no formula leads to."""
     known = Known()
     for r in page.rows:
-        if r.kind == "equation":
+        # What is collected is worked out of the line before.
+        if r.kind == "equation" and "collected" not in r.lead:
             yield from _of_line(r, known)
         known.add(r.text)
 

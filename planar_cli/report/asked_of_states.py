@@ -174,7 +174,10 @@ class AskedTelling:
             resolved = [_along_its_direction(p) for p in parts]
             became = resolved != parts
             parts = resolved
-            became |= any(p.is_Symbol and untold(p, self.found) is not None for p in parts)
+            became |= any(
+                p.is_Symbol and (untold(p, self.found) is not None or not (raw.is_Symbol or raw.is_number))
+                for p, raw in zip(parts, asked.parts, strict=True)
+            )
             formulas = (became or any(map(self._is_formula, parts))) and all(
                 p.is_Symbol or p == 0 or self._is_formula(p) for p in parts
             )

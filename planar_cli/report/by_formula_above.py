@@ -9,6 +9,7 @@ friction = 0:  P (R (R + r)/(R² + k_G²) - 1) = 0
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import fields
 from typing import Any
 
@@ -28,6 +29,7 @@ from planar_cli.report.blocks import (
     Equation,
     Forces,
     Heading,
+    Inline,
     Line,
     Math,
     Name,
@@ -35,6 +37,7 @@ from planar_cli.report.blocks import (
     Paragraph,
     Result,
     Table,
+    Text,
     line,
 )
 from planar_cli.report.blocks import Relation as Stated
@@ -157,3 +160,16 @@ def _signed(product: sp.Expr) -> list[sp.Expr]:
     """The sums in a product, with its sign in the first of them."""
     sums = [f for f in product.args if f.is_Add]
     return [-sums[0], *sums[1:]] if -1 in product.args else sums
+
+
+def stood_above(block: Block, above: Iterable[Block]) -> bool:
+    """Is it a note of what was noted before, as a part of another note or by itself?"""
+    if not isinstance(block, Note):
+        return False
+    notes = (b.line for b in above if isinstance(b, Note) and b.kind == block.kind)
+    return any(all(piece in told or _said_in(piece, told) for piece in block.line) for told in notes)
+
+
+def _said_in(piece: Inline, told: Line) -> bool:
+    """Does a text begin a text of a note?"""
+    return isinstance(piece, Text) and any(isinstance(t, Text) and t.text.startswith(piece.text) for t in told)

@@ -29,7 +29,7 @@ from planar_cli.report.blocks import (
     line,
 )
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
-from planar_cli.report.by_formula_above import by_formula_above, without_foretold
+from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
 from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
@@ -118,10 +118,15 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         if part.case:
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
-            if why is None and (shorter := by_formula_above(part, solution, mine, own)) is not own:
-                blocks, own = without_foretold(blocks, part, solution), shorter
+            # Of what the formula above is set to zero for, the heading says all that is new.
+            headed = why is None and (shorter := by_formula_above(part, solution, mine, own)) is not own
+            if headed:
+                blocks = without_foretold(blocks, part, solution)
+                own = [b for b in shorter if not stood_above(b, blocks)]
+            headed = headed and all(g in problem.given for g in case.given)
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-            blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
+            told_case = why is not None or headed
+            blocks += () if told_case else changed_notes(problem, case, own, (first, mine), voice.figures)
         own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
         own = without_primes(list(without_ritual(own)))
         if voice.audience == "exam":
