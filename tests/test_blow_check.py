@@ -14,7 +14,7 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
-ONE = r"\(u \+ u′\)/2 = (\S+) \((\S+) \+ (\S+)\)/2 = (\S+) J; T′ - T = (\S+) - (\S+) = (\S+) J"
+ONE = r"\([uc] \+ [uc]′\)/2 = (\S+) \((\S+) \+ (\S+)\)/2 = (\S+) J; T′ - T = (\S+) - (\S+) = (\S+) J"
 
 
 def _page(stem: str) -> str:

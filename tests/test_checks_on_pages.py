@@ -24,7 +24,7 @@ from planar_cli.report.narrate import narrate
         (
             "kinematics/pin-in-a-limacon-groove",
             [
-                "at θ = 0: v_r = 0, v_th = b w, a_r = 0, a_th = 0; at θ = 180°: v_r = 0, v_th = 3 b w, a_r = -4 b w²",
+                "at θ = 0: v_r = 0, v_th = b w, a_r = 0, a_th = 0; at θ = π: v_r = 0, v_th = 3 b w, a_r = -4 b w²",
                 # At an instant the components along and across the radius, by those along x and y.
                 "a_ur = a_Px cos θ + a_Py sin θ = -2 b w²",
                 "a_uth = a_Py cos θ - a_Px sin θ = 2 b w²",

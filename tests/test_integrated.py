@@ -118,8 +118,8 @@ find: {time: t @ c in h}
 
 def test_the_laws_of_each_stretch_and_the_blow_between_them() -> None:
     page = " ".join(Terminal(200).render(narrate(solve_problem(load_text(CORD)[0]))).split())
-    assert "from go to slack, from taut to low: a_Bx =" in page
-    assert "from slack to hit, from back to taut: a_By = -g" in page
+    assert "from go to slack, from taut to low: a_x =" in page
+    assert "from slack to hit, from back to taut: a_y = -g" in page
     assert "At hit there is a blow: the velocities from back on follow from those before it" in page
 
 

@@ -221,5 +221,5 @@ find: {rho: rho}
 
 def test_a_relation_of_the_file_is_told_in_the_notation_of_the_page(page: Page) -> None:
     text = page(HUMP)
-    assert "v_car,x = √(2 g (h - 5 m))" in text
+    assert "v = √(2 g (h - 5 m))" in text
     assert "sqrt" not in text

@@ -83,7 +83,7 @@ def test_a_circle_has_no_ends() -> None:
     ("name", "said"),
     [
         ("satellite-launched-level", "t_2 = π √((r_1/2 + r_2/2)³/g_0) / R"),
-        ("satellite-once-round-the-earth", "t_round = 2 π √((r_1/2 + r_far/2)³/K)"),
+        ("satellite-once-round-the-earth", "t_round = π √((r_1 + r_far)³ / (2 K))"),
         ("descent-to-the-moon", "1/r_B = K/(r_A⁴ φ̇_ship,A²) + (1/r_A - K/(r_A⁴ φ̇_ship,A²)) cos φ_ship,B"),
     ],
 )

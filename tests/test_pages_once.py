@@ -63,7 +63,7 @@ def test_a_string_to_a_fixed_point_of_a_turning_body() -> None:
     """The velocity is the absolute one: the point about which the block swings does not turn with the table."""
     page = page_of_file("exercise-3-38")
     assert "v_A,table" not in page
-    assert "φ_A: the angle of the radius to A from the x axis" in page
+    assert "s_A: the way of A along its path" in page
 
 
 def test_a_bob_swings_about_the_point_from_which_it_hangs() -> None:

@@ -71,7 +71,7 @@ find: {theta_dot: dot(theta), theta_ddot: ddot(theta)}
 def test_a_place_is_differentiated_as_often_as_it_is() -> None:
     """Both levels are found together: the speeds are first derivatives, in ft/s."""
     rows = page(PEG).splitlines()
-    first = next(i for i, row in enumerate(rows) if "v_Py + θ̇ = 0" in row)
+    first = next(i for i, row in enumerate(rows) if "v_y + θ̇ = 0" in row)
     assert rows[first].endswith("in ft/s")
     assert rows[first - 1].endswith(" differentiated:")
     second = next(i for i, row in enumerate(rows) if "θ̈ + a_Py = 0" in row)

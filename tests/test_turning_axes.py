@@ -9,9 +9,9 @@ import pytest
 from worked import page_of_file
 
 LINES = [
-    "At 2, in axes ξ, η that turn with frame: ξ = x_P,2 = 1.2 m η = 1.2²/2 = 0.72 m",
+    "At 2, in axes ξ, η that turn with frame: ξ = x_P,2 = 1.2 m η = 1/2 · 1.2² = 0.72 m",
     "v_ξ = ξ̇ - η w = 0.4 - 0.72 · 3 = -1.76 m/s",
-    "velocity, x = v_ξ cos θ_2 - v_η sin θ_2 = -1.76 cos 85.94° - 4.08 sin 85.94° = -4.194 m/s",
+    "v_Px,2 = v_ξ cos θ_2 - v_η sin θ_2 = -1.76 cos 85.94° - 4.08 sin 85.94° = -4.194 m/s",
     "a_ξ = -w² ξ - 2 w η̇ = -3² · 1.2 - 2 · 3 · 0.48 = -13.68 m/s²",
     "acceleration = √(a_η² + a_ξ²) = √((-3.92)² + (-13.68)²) = 14.23 m/s²",
 ]

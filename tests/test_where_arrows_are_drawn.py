@@ -74,7 +74,7 @@ CASES = [
     (RODS, "N_A ↑ at A", "N_A ↓"),
     (BOWL, "N_A ↗ at A,  N_B ↖ at B", "N_A ↖"),
     (BUFFER, "F_buffer ←", "F_buffer →"),
-    (DIP, "Accelerations:\n    (2)  a_P = 128.7", "Velocities:\n    (2)"),
+    (DIP, "Accelerations:\n    (2)  a = 128.7", "Velocities:\n    (2)"),
     (PLANE, "e_t = [0, 1], e_n = [1, 0]", "v_B′ = -v_B"),
     (PLANE, "a_Bt = -0.007716 m/s²", "0.007716                       in m/s²"),
 ]

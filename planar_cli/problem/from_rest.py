@@ -48,8 +48,9 @@ def with_ways_from_rest(problem: Problem) -> Problem:
         names = called(problem, point)
         way = (stated_way(problem, point) if told.word == "a" else None) or positive_way(problem, point)
         assert isinstance(law.statement, Relation)
-        if way is not None and _begins_at_rest(law.statement, told, first, names):
-            drawn = DrawnDirections(problem.given, problem.points, problem.bodies)
+        drawn = DrawnDirections(problem.given, problem.points, problem.bodies)
+        still = way is not None and any(_rests_along(drawn, s, names, way) for s in first.relations)
+        if way is not None and (still or _begins_at_rest(law.statement, told, first, names)):
             # A rate below zero already says that it goes against the positive way.
             grows = all((drawn.number(s) or 0) >= 0 for s in (law.statement.left, law.statement.right))
             against = grows and any(_against(drawn, s, names, way) for s in first.relations)
@@ -120,6 +121,19 @@ def _rests(statement: Statement, names: frozenset[str]) -> bool:
         case Relation(left=Quantity(word="v", things=(point,), parts=(Part(kind="mag" | "t"),)), right=Number(value=0)):
             return statement.operator == "=" and point in names
     return False
+
+
+def _rests_along(drawn: DrawnDirections, statement: Statement, names: frozenset[str], way: Parts) -> bool:
+    """Is a component of the velocity zero that the way of the point has where it is drawn?"""
+    match statement:
+        case Relation(operator="=", left=Quantity(word="v", things=(point,), parts=(part,)), right=Number(value=0)):
+            asked, ahead = drawn.direction(part), drawn.direction(way[0])
+        case _:
+            return False
+    if point not in names or asked is None or ahead is None:
+        return False
+    along = asked[0] * ahead[0] + asked[1] * ahead[1]
+    return abs(along) > LEVEL * math.hypot(*asked) * math.hypot(*ahead)
 
 
 def _against(drawn: DrawnDirections, statement: Statement, names: frozenset[str], way: Parts) -> bool:

@@ -78,11 +78,11 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
 
 def _centre_on_a_line(system: System, j: Joining, phrases: Phrases) -> tuple[str, Vec, Vec] | None:
     """The named centre of a round outline that rolls on a straight line, its arm from the contact, and its place; None:
-    there is none. It keeps its distance from the line, so that it has no acceleration across it.
+    there is none, or the line moves. It keeps its distance from the line, so that it has no acceleration across it.
     """
     assert j.rolling is not None
     own, base, value = j.rolling.mover, j.rolling.base, phrases.value
-    if value.vanishes(own) or not value.vanishes(base):
+    if j.base != GROUND or value.vanishes(own) or not value.vanishes(base):
         return None
     arm = j.rolling.tangent.turned() / own
     centre = j.point + arm
