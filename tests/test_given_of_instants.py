@@ -88,7 +88,7 @@ find: {t: t @ land in s}
     ("text", "datum"),
     [
         (BOB, "the tension in cord = 2.5 m g"),
-        (BIKE, "v_bike,x = 0.2 1/s · x_bike + 5 m/s from 0 to full, a_bike,x = 0 from full to end"),
+        (BIKE, "v = 0.2 1/s · x + 5 m/s from 0 to full, a = 0 from full to end"),
         (SHELL, "g = 32.19 ft/s²"),
     ],
 )

@@ -28,7 +28,7 @@ find: {v: v(skier).mag @ 4}
 """
 
 
-@pytest.mark.parametrize(("mu", "code", "line"), [("mu: 0", "PL706", 13), ("mu_k: 0.05", "PL626", 10)])
+@pytest.mark.parametrize(("mu", "code", "line"), [("mu: 0", "PL706", 13), ("mu_k: 0.05", "PL706", 13)])
 def test_the_slope_has_no_end_and_the_start_lies_on_its_other_side(mu: str, code: str, line: int) -> None:
     with pytest.raises(NoSolution) as raised:
         solve(JUMP.replace("HEIGHT", "2 m").replace("mu: 0", mu).replace(", during: 3->4}", "}"))

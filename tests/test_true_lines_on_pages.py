@@ -74,7 +74,7 @@ def test_a_place_is_differentiated_as_often_as_it_is() -> None:
     first = next(i for i, row in enumerate(rows) if "v_y + θ̇ = 0" in row)
     assert rows[first].endswith("in ft/s")
     assert rows[first - 1].endswith(" differentiated:")
-    second = next(i for i, row in enumerate(rows) if "θ̈ + a_Py = 0" in row)
+    second = next(i for i, row in enumerate(rows) if "θ̈ + a_y = 0" in row)
     assert rows[second].endswith("in ft/s²")
     assert rows[second - 1].endswith(" differentiated twice:")
 

@@ -102,8 +102,8 @@ def _page(text: str) -> str:
 def test_a_time_between_states_is_not_the_time_of_the_last() -> None:
     """t_4 is what the author calls so; the time of state 4, counted from the first, is another letter."""
     page = _page(DROPPED)
-    assert "t_4 = t_4′ - t_3 = " in page
-    assert "(t_4′ - t_3)" in page
+    assert "t_4 = t_4′ - t_2 = " in page
+    assert "(t_4′ - t_2)" in page
     assert "t_2′" not in page, "the time of state 2 is what is asked as t_2"
     assert "MOTION from 1 to 2 " in page
     assert "from 2 to 3" not in page, "a blow is no motion"
