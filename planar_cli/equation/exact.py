@@ -35,14 +35,11 @@ ROUGHLY = 13, 10
 """The same where it is only to be told whether something holds."""
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
-
-
-ROUNDED = Decimal(10) ** (8 - DIGITS)
-"""An angle that was worked out is not told apart from another that differs from it by less than this part of it."""
+ROUNDED = Decimal(10) ** (8 - DIGITS)  # angles that differ by less than this part of them are one
 
 
 def _through_mpmath(function: str, zeros: bool = False) -> Callable[[Decimal], Decimal]:
-    """`zeros`: it vanishes at multiples of π or between them, where of it only the rounding of the angle is left."""
+    """`zeros`: it vanishes where of it only the rounding of the angle is left."""
 
     @lru_cache(maxsize=REMEMBERED)
     def call(x: Decimal) -> Decimal:

@@ -255,7 +255,7 @@ class Offers:
         ]
         for direction, words in named_ways(self.system, self.numbers, group.bodies):
             found.append(self._force(group, direction, words, self._form_along(words, group)))
-        if not group.turning or any(b in self._crossed for b in group.bodies[1:] and group.bodies):
+        if not group.turning or (group.bodies[1:] and not self._crossed.isdisjoint(group.bodies)):
             return c.cheapest(found, self.most)
         named = self._named_points(group)
         for name, place in named.items():

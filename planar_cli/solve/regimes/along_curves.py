@@ -44,15 +44,15 @@ def curve_equations(since: Stop, stop: Stop, regime: Regime, value: Valuation) -
         arc = ledger.once(f"s_{since.name}_{stop.name}", "m", way)
         told = "∫ √(r² + (dr/dθ)²) dθ" if c.unit == "rad" else "∫ √(1 + (dy/dx)²) dx"
         words = f"the length of the path of {c.words.split(' of ')[-1]}, {told}"
-        yield Equation(arc - way, ARC, words, stop.name, since.name, family=(*family, ARC), rank=1)
+        yield Equation(arc - way, ARC, words, stop.name, since.name, family=(*family, ARC, arc.name), rank=1)
         square = v**2 - v_0**2 - 2 * acceleration * arc
         yield Equation(square, "v(q)", CONSTANT, stop.name, since.name, family=(*family, "s"))
 
 
 def arc_lengths(equations: Iterable[Equation]) -> tuple[sp.Symbol, ...]:
     """The letters for lengths along curves."""
-    return tuple(next(s for s in e.residual.free_symbols if e.residual.coeff(s) == 1 and s.name.startswith("s_"))
-                 for e in equations if e.kind == ARC)  # fmt: skip
+    told = [(s, e.family[-1]) for e in equations if e.kind == ARC for s in e.residual.free_symbols]
+    return tuple(s for s, name in told if s.name == name)
 
 
 def _place(regime: Regime, speed: sp.Symbol) -> tuple[Coordinate, sp.Expr] | None:
