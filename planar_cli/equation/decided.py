@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from decimal import DecimalException
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
@@ -15,7 +16,7 @@ from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import derivative, letters, simplified
-from planar_cli.errors import FileProblem, Mark, refuse
+from planar_cli.errors import FileProblem, Mark, NoValue, refuse
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import Outlined, hub_of
@@ -124,8 +125,18 @@ class Decided:
         if assumed:
             text = "no numbers were found for which every length is real and `assume` holds"
             return refuse(assumed[0].mark, "PL532", text, "look at places told by two distances")
+        for valuation in self.ledger.valuations(lambda _: True, 1):
+            self._demand_no_zero_divisor(valuation)
         text = "no position was found near the drawn one in which the joints hold and every length is real"
         return refuse(Mark(self.problem.file, 1, 1), "PL532", text, "draw the points nearer to where the joints hold")
+
+    def _demand_no_zero_divisor(self, valuation: Valuation) -> None:
+        """NoValue: a place divides by what is zero where it is drawn, as by the distance of points that coincide."""
+        try:
+            self._assumed(valuation)
+        except NoValue as error:
+            if isinstance(error.__cause__, DecimalException):
+                raise
 
     def _all_hold(self, relations: Iterable[Relation], valuation: Valuation) -> bool:
         return all(self.compare(r, valuation) for r in relations)
