@@ -26,7 +26,7 @@ def page(stem: str) -> str:
     ("ex-4-11", ["to be found: x_max = 2 l sin β_2 - 2 l sin β_1", "M g x_max + 2 m g x_max - 1/2 k x_max² = 0",
                  "x_max = 2 (M + 2 m) g / k =", "x_max = 0 is state 1 itself"]),
     ("ex-4-13", ["to be found: φ_max = θ_3 - θ_1", "(cos φ_max - 1)", "cos φ_max = 54.4", "φ_max = 62.46°"]),
-    ("block-runs-into-a-spring", ["to be found: s = x_P,deepest - d", "1/2 m v0² - 1/2 k s² = 0", "s = v0 √(m/k) ="]),
+    ("block-runs-into-a-spring", ["to be found: s = x_deepest - d", "1/2 m v0² - 1/2 k s² = 0", "s = v0 √(m/k) ="]),
     ("block-between-two-springs", ["nearest = 0.58 m", "nearest = 0.82 m is state 1 itself"]),
     ("flywheel-of-a-punch-press", ["U of the torque motor = M turns", "= 83.33 rad = 13.26 rev"]),
 ])  # fmt: skip

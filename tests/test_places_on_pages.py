@@ -62,7 +62,7 @@ def test_motions_alone_tell_no_forces() -> None:
 
 
 def test_the_vector_comes_before_the_component_that_is_given() -> None:
-    assert "v_O = ω_disk × r_O/C r_O/C = [0, 0.1] m Given: v_Ox = v_O (1) -r ω_disk = v_O" in _page("ex-4-07")
+    assert "v⃗_O = ω_disk × r⃗_O/C r⃗_O/C = [0, 0.1] m Given: v_Ox = v_O (1) -r ω_disk = v_O" in _page("ex-4-07")
 
 
 def test_a_point_that_numbers_tell_has_a_line_before_its_arm() -> None:

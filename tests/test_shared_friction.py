@@ -69,17 +69,13 @@ def test_a_force_that_it_can_not_hold() -> None:
     assert first(solve(_blocks("12.3 N") + FAR)["v"]) == pytest.approx((2 * a * 2) ** 0.5)
 
 
-def test_in_letters_the_numbers_are_told_with_which_it_was_tried() -> None:
+def test_in_letters_it_is_told_that_no_size_gets_there() -> None:
     letters = "symbols: {F: N, mu: 1, d: m}\nassume: ['F < (2.5 kg)*mu*g']"
     with pytest.raises(NoSolution) as refused:
         solve(BLOCKS.replace("GIVEN", letters) + FAR)
     (told,) = refused.value.diagnostics
     assert told.code == "PL621"
-    hint = told.hint or ""
-    numbers = dict(part.split(" = ") for part in hint.partition("tried with ")[2].split(", "))
-    assert list(numbers) == ["g", "F", "mu", "d"]
-    force, mu, g = (float(numbers[n].split()[0]) for n in ("F", "mu", "g"))
-    assert force < 2.5 * mu * g
+    assert (told.hint or "").startswith("with none of the sizes that were tried for the letters")
 
 
 def test_a_force_that_grows_moves_them_once_no_distribution_is_left() -> None:

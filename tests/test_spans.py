@@ -240,4 +240,4 @@ def test_a_half_swing_to_the_left_is_a_positive_way(tmp_path: Path) -> None:
     problem, _ = load_text(text[: text.index("find:")] + "find: {way: path_length(P) @ 1->3}\n")
     assert problem is not None
     page = Terminal().render(narrate(solve_problem(problem)))
-    assert "∫[t_1 → t_2] (-v_P) dt + ∫[t_2 → t_3] v_P dt" in page
+    assert "∫[t_1 → t_2] (-v) dt + ∫[t_2 → t_3] v dt = x_1 + x_3 - 2 x_2" in page

@@ -54,17 +54,7 @@ def how_near(course: MotionEquations, followed: Followed, stop: Stop, value: Val
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
     if outcome is not None and outcome.kind == "repeats":
         found.append(outcome.words)
-    return "; ".join(dict.fromkeys([*found, *_tried_with(course, value, found)]))
-
-
-def _tried_with(course: MotionEquations, value: Valuation, found: Sequence[str]) -> list[str]:
-    """The numbers that stood for letters, where others are told that rest on them."""
-    ledger, problem = course.ledger, course.problem
-    names = ["g", *(s.name for s in problem.symbols)] if problem.symbols and found else []
-    symbols = [ledger.symbols[n] for n in names if n in ledger.symbols]
-    numbers = [(s, number) for s in symbols if s in ledger.letters and (number := value.known(s)) is not None]
-    told = ", ".join(f"{s.name} = {in_unit(number, ledger.units[s], problem.us)}" for s, number in numbers)
-    return [f"tried with {told}"] if told else []
+    return "; ".join(dict.fromkeys(found))
 
 
 def _on_the_way(course: MotionEquations, followed: Followed) -> list[FollowedSegment]:
