@@ -8,6 +8,8 @@ SI units or any other consistent ones.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative, definite
@@ -21,10 +23,12 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.plain import derivative, parts_of, simplified
 
-__all__ = ["BY_FACTOR", "Moment", "Span", "relations"]
+__all__ = ["BY_FACTOR", "BY_PRODUCT", "Moment", "Span", "relations"]
 
 BY_FACTOR = "v dv = a dq, linear in v², with its integrating factor"
 """The words of a relation for which a law is first multiplied by a factor."""
+BY_PRODUCT = "a = dv/dt, as the derivative of a product"
+"""The words of a relation of a law a = F - p v, told as d(μ v)/dt = μ F with its integrating factor μ."""
 
 
 def relations(
@@ -254,8 +258,8 @@ def _linear_in_speed(
     ended = factor.xreplace({x: end.t})
     terms = sp.Add(start.v * factor.xreplace({x: start.t}) / ended, *(g / ended for g in sp.Add.make_args(gained)))
     speed = simplified(terms)
-    words = "a = F - p v is linear in v: with μ = exp ∫ p dt, d(μ v) = μ F dt"
-    found = [span("v(t)", words, end.v - speed, None, speed, where)]
+    told = span("v(t)", BY_PRODUCT, end.v - speed, None, speed, where)
+    found = [replace(told, product=(ended, simplified(factor * rest).xreplace({x: end.t})))]
     change = definite(terms.xreplace({end.t: x}), x, start.t, end.t, value)
     if change is not None:
         sides = integral(1, start.q, end.q), integral(speed, start.t, end.t)

@@ -28,7 +28,8 @@ class Span:
     upper limit); None where it comes from no integral. `residual` vanishes; it holds no derivative. `explicit`: the
     formula of the first letter of `kind`. `unevaluated`: `residual` holds an integral that is to be done by numbers.
     `where`: expressions that must not become negative on the way, each bound to the end as it stands, else the
-    relation does not hold (v: "as long as v ≥ 0").
+    relation does not hold (v: "as long as v ≥ 0"). `product`: μ and μ F of a law a = F - p v that is told as
+    d(μ v)/dt = μ F, in the letters of the end.
     """
 
     kind: str
@@ -39,6 +40,7 @@ class Span:
     explicit: sp.Expr | None
     unevaluated: bool
     where: tuple[sp.Expr, ...] = ()
+    product: tuple[sp.Expr, sp.Expr] | None = None
 
 
 @lru_cache(maxsize=1000)

@@ -52,6 +52,7 @@ from planar_cli.report.origins import (
 )
 from planar_cli.report.passing import heading, passing_lines, root_words
 from planar_cli.report.periods_given import held_by_periods, swings
+from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.roots_of_squares import is_long_root, rooted
@@ -295,6 +296,7 @@ class MotionTelling:
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         """The definite integrals with matching limits."""
+        yield from product_blocks(e, route, self.found, self.phrases)
         span = e.span
         if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
             return

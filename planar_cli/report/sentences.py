@@ -42,7 +42,7 @@ def _stream(load: Load, presses: bool) -> str:
             "leaves, in the opposite one"
         )
     if comes is not None:
-        return f"What enters pushes {body} with its momentum per second, seen from {body}"
+        return f"Bringing what enters to the velocity of {body} takes mass per second times relative velocity"
     return (
         f"What leaves takes momentum with it. Thrust: mass per second times its velocity relative to {body}, in the "
         "opposite direction"
