@@ -26,6 +26,7 @@ from types import FrameType
 
 from planar_cli.errors import PlanarError, Undecided
 from planar_cli.homework.grader import Batch, Begun, Grader, Grading, Piece, Told, given_up
+from planar_cli.homework.in_order import InOrder
 from planar_cli.homework.results import Index, Line, ResultsFile
 from planar_cli.homework.submissions import contents, submission_files
 from planar_cli.homework.supervisor import Heard, Supervisor
@@ -63,9 +64,10 @@ def grade_files(
 ) -> Ran:
     """Grade all submissions of files and folders, but those that the results file `results` has already.
 
-    `take` hears each line as it is written. `executor`: a cluster, else `jobs` workers work here. An interrupt or
-    SIGTERM ends the run early, with all lines written and no worker left. Raises PlanarError for names that are not
-    there, a results file that is none, and a cluster that fails.
+    `take` hears each line in the order of the files, and of the rows of a table, as soon as all before it are written.
+    `executor`: a cluster, else `jobs` workers work here. An interrupt or SIGTERM ends the run early, with all lines
+    written and no worker left. Raises PlanarError for names that are not there, a results file that is none, and a
+    cluster that fails.
     """
     written = ResultsFile(results) if results is not None else None
     index = written.index if written is not None else Index()
@@ -73,8 +75,8 @@ def grade_files(
     ended: Counter[str] = Counter()
     own = os.path.abspath(results) if results is not None else ""
     files = (p for p in submission_files(names) if in_shard(p, shard) and os.path.abspath(p) != own)
-    pieces = _undone(files, index, grading.key, before.append)
-    batches = batches_of(pieces)
+    order = InOrder(take)
+    batches = batches_of(order.expecting(_undone(files, index, grading.key, before.append)))
     lines = graded_here(grading, batches, jobs) if executor is None else graded_by(executor, batches, grading)
     interrupted = 0
     try:
@@ -85,12 +87,13 @@ def grade_files(
                 else:
                     index.enter(line)
                 ended[line.ended] += 1
-                take(line)
+                order.hear(line)
     except KeyboardInterrupt as stop:
         interrupted = stop.args[0] if stop.args else signal.SIGINT
     finally:
         if written is not None:
             written.close()
+        order.close()
     return Ran(sum(ended.values()), sum(before), dict(sorted(ended.items())), tuple(index.twice()), interrupted)
 
 
