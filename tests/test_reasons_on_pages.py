@@ -164,7 +164,7 @@ def test_a_distance_in_polar_coordinates_is_not_negative() -> None:
         ("textbook/ex-4-13", "momentum after (the impulse of the weight is negligible)."),
         ("textbook/ex-4-14", "momentum after."),
         ("textbook/ex-4-14", "of AB about G, Σ m r² of its point masses:"),
-        ("textbook/ex-4-16", "B moves along a straight line, so that a_B has no component across it:"),
+        ("textbook/ex-4-16", "B moves along the floor, so that a_By = 0:"),
     ],
 )
 def test_a_reason_names_what_the_scene_has(stem: str, told: str) -> None:

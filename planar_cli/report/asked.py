@@ -74,7 +74,7 @@ class AskedTelling:
         """A line or several for each answer that is no unknown of the equations."""
         still = (z for stage in self.instant.stages for z in stage.zero)
         nothing = dict.fromkeys((*self.vectors.zero, *still), sp.S.Zero)
-        every = tuple(found)
+        self.relative.answers = every = tuple(found)
         for one in every:
             if one.kind not in ("number", "vector") or one.find is None:
                 continue

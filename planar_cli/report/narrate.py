@@ -55,7 +55,7 @@ from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
-from planar_cli.report.said import said, said_once, says_nothing
+from planar_cli.report.said import said_once, says_nothing
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slopes import slopes_of
@@ -67,6 +67,7 @@ from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
+from planar_cli.report.velocities_first import asked_told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.solution import Found, InstantSolution
@@ -251,14 +252,13 @@ def _instant_blocks(
     wanted = _needed(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
-    blocks = telling.blocks()
+    mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
+    blocks = telling.blocks(mine if part.motion is None else ())
     if part.motion is None:
         asks = any(f.find is not None and asks_mode(f.find) for f in part.found)
         blocks += [told for _, told in decision_lines(instant, phrases, asks) if why is None]
-        mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
-        told = [said(b) for b in blocks if isinstance(b, Equation)]
-        told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
-        asked = (b for b in telling.asked.blocks(mine) if not isinstance(b, Equation) or said(b) not in told)
+        mine = [f for f in mine if f not in telling.first]
+        asked = asked_told(telling.asked, mine, blocks)
         return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count
     blocks = where_asked(blocks, part.motion, instant, telling, phrases)
     if why is None:

@@ -21,10 +21,13 @@ from planar_cli.report.on_path import Once
 from planar_cli.report.projected import differences, vector_at
 from planar_cli.report.told import RATES
 from planar_cli.report.vectors import VectorTelling
+from planar_cli.solve.solution import Found
 from planar_cli.units import VELOCITY
 
 LEVELS = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}
 """What must be told for each kind of relative motion."""
+SAME = Decimal("1e-9")
+"""How closely two numbers agree that are one."""
 
 
 class RelativeTelling:
@@ -41,8 +44,12 @@ class RelativeTelling:
     ) -> None:
         self.vectors, self.phrases, self.once = vectors, vectors.phrases, once
         self.absolute, self.carried, self.system = absolute, carried, vectors.system
+        self.answers: tuple[Found, ...] = ()
+        """What is being told."""
         self._along: dict[str, Decimal] = {}
         """The components along lines that were told, in the unit of the page."""
+        self._converted: set[str] = set()
+        """Answers whose component was told in the unit that is asked."""
 
     def seen(self, point: str, frame: str, word: str, projected: bool = False) -> Iterator[Block]:
         """All that leads to what is meant by `word`. `projected`: the Coriolis acceleration is told where its component
@@ -67,11 +74,21 @@ class RelativeTelling:
         self.vectors.valued.add(f"e {slot.frame}")
         self._along[key] = value
         note = unit_told(self.vectors, slot) if first else why_along(self.vectors, slot) if level[0] == "a" else ()
-        yield Equation((*sides, self._shown(value, level)), None, note=note)
+        yield Equation((*sides, *self._shown(value, slot, level)), None, note=note)
 
-    def _shown(self, value: Decimal, level: str) -> Value:
-        one = self.phrases.of_dimension(Decimal(1), RATES[level])
-        return Value(value, one.unit, one.figures)
+    def _shown(self, value: Decimal, slot: Slot, level: str) -> list[Value]:
+        """In the unit of the page; and, where that component is an answer of its own name, in the one that is asked."""
+        one, v = self.phrases.of_dimension(Decimal(1), RATES[level]), level[0]
+        for answer in self.answers:
+            q = answer.find.found.what if answer.find is not None else None
+            asked = isinstance(q, Quantity) and (q.word, tuple(q.things)) == (v, (slot.point, slot.frame))
+            if not asked or answer.values is None or plain_name(answer.name) != plain_name(f"{v}_rel"):
+                continue
+            values = self.phrases.in_units(answer.values[0], answer.unit)
+            if len(values) > 1 and abs(values[0].number - value) <= SAME * abs(value):
+                self._converted.add(answer.name)
+                return values
+        return [Value(value, one.unit, one.figures)]
 
     def part(self, answer: str, q: Quantity, axis: Sequence[Decimal], values: list[Value]) -> list[Block] | None:
         """The line of what is asked after the component along a line was told: v_slot = v_rel · e,
@@ -94,7 +111,7 @@ class RelativeTelling:
         against = sum((e * x for e, x in zip(slot.unit, axis, strict=True)), Decimal(0)) < 0
         along_line = component(self.vectors, slot, v)
         if not own and not against:
-            return [Equation((along_line, *values))] if len(values) > 1 else []
+            return [Equation((along_line, *values))] if len(values) > 1 and answer not in self._converted else []
         shown = line("-(", *along_line, ")") if against else along_line
         return [Equation((line(Name(answer)), shown, *values))]
 

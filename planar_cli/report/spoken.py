@@ -112,3 +112,9 @@ def begun(words: str) -> str:
     """Words at the beginning of a line; a quantity, `v(P).y is largest`, keeps its small letter."""
     first = words.split(" ", 1)[0]
     return words if "(" in first else f"{words[:1].upper()}{words[1:]}"
+
+
+def lead_of(lead: str) -> Line:
+    """What is equated, before an equation; every other piece between backquotes is a name."""
+    pieces = lead.split("`")
+    return line(*(Name(p) if i % 2 else p for i, p in enumerate(pieces) if p), ":") if lead else ()

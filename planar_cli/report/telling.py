@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -33,10 +33,11 @@ from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
-from planar_cli.report.spoken import begun, spoken
+from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.translations import translations
 from planar_cli.report.vectors import VectorTelling
+from planar_cli.report.velocities_first import ACCELERATIONS, VELOCITIES, asked_told, of_velocities
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -44,7 +45,7 @@ from planar_cli.solve.instant.limit_conditions import at_the_limit
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written
-from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solution import Found, InstantSolution
 
 OF_FORCES = ("limit", "extreme")
 """Relations of these sources rest on the equations of forces."""
@@ -98,7 +99,9 @@ class Telling:
         """How many equations and lines have a number, with those before it."""
         return self._before + len(self._numbers)
 
-    def blocks(self) -> list[Block]:
+    def blocks(self, found: Iterable[Found] = ()) -> list[Block]:
+        """`found`: what is asked; velocities among it are told with the velocities, if accelerations follow."""
+        self.first = of_velocities(found, self.vectors.late)
         blocks = assumption_notes(self.instant, self.phrases)
         self.vectors.named |= set().union(*self._constructed.values())
         velocity = [s for s in self.stages if s.level == "velocity"]
@@ -186,8 +189,10 @@ class Telling:
             if written:
                 # What only stands under Given again, with nothing after it, wants no heading.
                 if last is not None or not all(map(self.data.restates, written)):
-                    blocks.append(Paragraph(line("Velocities:")))
+                    blocks.append(VELOCITIES)
                 blocks += [*self._equations(written, stage), *self.solving.blocks(stage)]
+        self.first = self.first if blocks and last is not None else ()
+        blocks += [*self.definitions.of_asked(self.first), *asked_told(self.asked, self.first, blocks)]
         if last is None:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
@@ -200,7 +205,7 @@ class Telling:
         rates += self._centres(last) if kinetic else ()
         rates += [self._explicit(x, last) for x in last.lines if x not in first]
         apart = rates and (blocks or (relations and stages))
-        return [*blocks, *([Paragraph(line("Accelerations:"))] if apart else []), *rates]
+        return [*blocks, *([ACCELERATIONS] if apart else []), *rates]
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
         sides, note = self.numeric.named(x, stage)
@@ -231,7 +236,7 @@ class Telling:
             return self._relation(w, stage, number)
         sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
-            return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
+            return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, lead_of(w.lead), note)]
         turn = self.system.tree.turn(w.bodies) if w.law == "moment" else 1
         w = clockwise_too(onward(w), turn)
         whole = self.principle.sides(w.left, w.right)
@@ -349,12 +354,6 @@ class Telling:
                 self._premised.add(p.name)
                 blocks.append(Equation((line(Name(p.name)), self.phrases.math(p.formula)), None, line(f"{p.words}:")))
         return blocks
-
-    @staticmethod
-    def _lead(w: Written) -> Line:
-        """What is equated; every other piece between backquotes is a name."""
-        pieces = w.lead.split("`")
-        return line(*(Name(p) if i % 2 else p for i, p in enumerate(pieces) if p), ":") if w.lead else ()
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""

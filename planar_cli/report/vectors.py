@@ -25,6 +25,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, lin
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
+from planar_cli.report.fixed_lines import along_fixed
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
@@ -92,8 +93,7 @@ class VectorTelling:
             own = Name(f"{level[0]}_{index_of(joining.place)}")
             words = tie_words(joining, level, self._called(joining), own, self.system, self.phrases)
             return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
-        reach = self._reach(joining, level)
-        known = projected(self, joining, w, level)
+        reach, known = self._reach(joining, level), projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
@@ -137,13 +137,8 @@ class VectorTelling:
             return self._rolls(j, w, level)
         if j.base == GROUND and j.path is None:
             return line(f"{place} is fixed, ", own, " = 0; ", side)
-        if j.base == GROUND and j.path is not None and (j.path.curvature == 0 or level == "velocity"):
-            way = "a straight line" if j.path.curvature == 0 else "its path"
-            return line(f"{place} moves along {way}, so that ", own, " has no component across it")
         if j.base == GROUND:
-            if all(self.phrases.value.is_zero(p) for p in self._velocity(j)):
-                return line(f"{place} moves along its path, from rest, so that ", own, " has no component across it")
-            return line(f"{place} moves along its path; across it ", own, " is its normal part")
+            return along_fixed(j, own, level, self.system, self.phrases)
         if j.path is None:
             return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel")]
@@ -169,10 +164,6 @@ class VectorTelling:
             return rolls_on_ground(j, own, level, side)
         spins = [self._symbol(b, "velocity") if b != GROUND else sp.S.Zero for b in (j.mover, j.base)]
         return rolls_on_body(j, w, level, side, spins[0] - spins[1], self.phrases)
-
-    def _velocity(self, j: Joining) -> tuple[sp.Expr, sp.Expr]:
-        v = self.motion.velocity(j.point, j.mover)
-        return v.x, v.y
 
     @staticmethod
     def _across(j: Joining, v: str) -> Line:

@@ -1,0 +1,54 @@
+"""What a fixed line says of a point that moves along it: E moves along the wall, so that v_Ex = 0."""
+
+from __future__ import annotations
+
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.scene import with_article
+from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.words import Phrases
+
+SHORT = 2
+"""A component clings to a name of so many letters."""
+
+
+def along_fixed(j: Joining, own: Name, level: str, system: System, phrases: Phrases) -> Line:
+    """`own`: the velocity or the acceleration of the point of the joint; `level`: which of them it is."""
+    assert j.path is not None
+    if j.path.curvature == 0:
+        return _along_straight(j, own, system, phrases)
+    if level == "velocity":
+        return line(f"{j.place} moves along its path, so that ", own, " has no component across it")
+    assert system.motion is not None
+    v = system.motion.velocity(j.point, j.mover)
+    if all(phrases.value.is_zero(p) for p in (v.x, v.y)):
+        return line(f"{j.place} moves along its path, from rest, so that ", own, " has no component across it")
+    return line(f"{j.place} moves along its path; across it ", own, " is its normal part")
+
+
+def _along_straight(j: Joining, own: Name, system: System, phrases: Phrases) -> Line:
+    """In which direction it moves, and which component it has not."""
+    assert j.path is not None
+    nil = phrases.value.is_zero
+    across = "x" if nil(j.path.tangent.x) else "y" if nil(j.path.tangent.y) else ""
+    surface = _surface(j, system)
+    if surface:
+        way = f"moves along {with_article(surface.replace('_', ' '))}"
+    elif across and system.scene.problem.plane != "horizontal":
+        way = f"moves {'vertically' if across == 'x' else 'horizontally'}"
+    else:
+        way = f"moves parallel to {'y' if across == 'x' else 'x'}" if across else "moves along a straight line"
+    if not across:
+        return line(f"{j.place} {way}, so that ", own, " has no component across it")
+    comma = "," if len(own.name) > SHORT + 2 else ""
+    return line(f"{j.place} {way}, so that ", Name(f"{own.name}{comma}{across}"), " = 0")
+
+
+def _surface(j: Joining, system: System) -> str:
+    """The surface of the file along which a joint leads; "": it has no name."""
+    problem = system.scene.problem
+    joint = next((one for one in problem.joints if one.name == j.joint), None)
+    along = getattr(joint, "along", None)
+    names = {s.name for s in problem.surfaces}
+    told = [*getattr(joint, "between", ()), getattr(along, "name", along)]
+    return next((n for n in told if isinstance(n, str) and n in names), "")

@@ -1,0 +1,42 @@
+"""What is asked of velocities stands with the velocities, before the accelerations that rest on them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+
+import sympy as sp
+
+from planar_cli.problem.expression import Quantity
+from planar_cli.report.asked import AskedTelling
+from planar_cli.report.blocks import Block, Equation, Paragraph, line
+from planar_cli.report.said import said
+from planar_cli.solve.solution import Found
+
+VELOCITIES, ACCELERATIONS = Paragraph(line("Velocities:")), Paragraph(line("Accelerations:"))
+
+
+def of_velocities(found: Iterable[Found], late: Collection[sp.Symbol]) -> tuple[Found, ...]:
+    """Those of the answers that are velocities and rest on velocities alone. `late`: what is only found after them."""
+    return tuple(f for f in found if _word(f) == "v" and not any(e.free_symbols & set(late) for e in f.asked))
+
+
+def asked_told(asked: AskedTelling, found: Iterable[Found], blocks: list[Block]) -> Iterator[Block]:
+    """The lines of some answers but for those that stand in `blocks`; accelerations behind all else, under a heading
+    where the blocks have one for velocities alone.
+    """
+    told = [said(b) for b in blocks if isinstance(b, Equation)]
+    told += [[sides[0], sides[-1]] for sides in told if len(sides) > 2]
+    alone = VELOCITIES in blocks and ACCELERATIONS not in blocks
+    every = tuple(found)
+    last = tuple(f for f in every if alone and _word(f) in ("a", "coriolis"))
+    for b in asked.blocks(f for f in every if f not in last):
+        if not isinstance(b, Equation) or said(b) not in told:
+            yield b
+    behind = [b for b in asked.blocks(last) if not isinstance(b, Equation) or said(b) not in told]
+    yield from (ACCELERATIONS, *behind) if any(isinstance(b, Equation) for b in behind) else behind
+
+
+def _word(found: Found) -> str:
+    """The word of the quantity that is asked."""
+    what = found.find.found.what if found.find is not None else None
+    return what.word if isinstance(what, Quantity) else ""

@@ -1,0 +1,28 @@
+"""Velocities that are asked stand before the accelerations; a fixed line says which component is zero."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(("stem", "velocity", "acceleration"), [
+    ("gear-between-racks", "v_G = ω_gear × r_G/C = [-0.2 (-3), 0] = [0.6, 0] m/s", "a_G ="),
+    ("disk-on-fixed-disk", "v_B = -(r ω_disk + (R + r) ω_arm) = -2 w (R + r)", "a_G ="),
+    ("wheel-that-pushes-a-rod", "= [2.030, 0] m/s", "a_A ="),
+])  # fmt: skip
+def test_velocities_stand_before_accelerations(stem: str, velocity: str, acceleration: str) -> None:
+    page = page_of_file(stem)
+    assert page.index(velocity) < page.index("Accelerations:") < page.index(acceleration)
+    assert page.count(velocity) == 1
+
+
+def test_a_relative_velocity_is_told_once_in_the_unit_that_is_asked() -> None:
+    page = page_of_file("ex-2-09")
+    assert page.count("v_rel · e = v_D · e = 0.8660 · 0.8619 = 0.7464 m/s = 746.4 mm/s") == 1
+    assert page.count("746.4 mm/s") == 2  # in its line and in the answer
+
+
+def test_a_fixed_line_says_which_component_is_zero() -> None:
+    assert "B moves along the floor, so that v_By = 0:" in page_of_file("wheel-that-pushes-a-rod")
+    assert "B moves horizontally, so that a_By = 0:" in page_of_file("slider-crank-offset")
