@@ -27,16 +27,19 @@ class Lesson:
 
 def with_lessons(blocks: Sequence[Block], uses: Uses, told: set[str]) -> list[Block]:
     """The blocks of a part with the words of the lesson behind the headings of its steps; of a part without steps at
-    its beginning. `told`: on the page before.
+    its beginning. The first step of a motion that needs no other has the words of kinematics too. `told`: on the page
+    before.
     """
     found: list[Block] = []
     alone = not any(_is_step(b) for b in blocks)
+    moving = not any(_is_step(b) and b.text in (KINEMATICS, KINETICS, EQUILIBRIUM, SOLVING) for b in blocks)
     for block in blocks:
         if alone and isinstance(block, Paragraph | Equation):
             found += _new([*_words(KINEMATICS, uses), *_words("", uses)], told)
             alone = False
         found.append(block)
         if _is_step(block):
+            found += _new(_words(KINEMATICS, uses) if moving else [], told)
             found += _new(_words(block.text, uses), told)
     return found
 

@@ -50,7 +50,7 @@ from planar_cli.report.origins import (
     told_once,
     turning_blocks,
 )
-from planar_cli.report.passing import heading, passing_lines, root_words
+from planar_cli.report.passing import passing_blocks
 from planar_cli.report.periods_given import held_by_periods, swings
 from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
@@ -124,11 +124,7 @@ class MotionTelling:
         yield from swings(self.found, self.phrases, self._one)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
-        routes = {n: r for n, r in self.found.passing.items() if any(not leg.is_datum for leg in r.steps)}
-        for i, (name, route) in enumerate(routes.items()):
-            yield heading(name, self.found, route)
-            yield from () if route in list(routes.values())[:i] else (*self._route(route), *root_words(route))
-            yield from passing_lines(name, self.found, self.phrases)
+        yield from passing_blocks(self.found, self.phrases, self._route)
 
     # --- the route ---------------------------------------------------------------------------------------------------
 

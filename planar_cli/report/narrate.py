@@ -55,6 +55,7 @@ from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
+from planar_cli.report.restated import is_restated
 from planar_cli.report.said import said_once, says_nothing
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
@@ -182,7 +183,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         settled = settled_phrases(part.motion, phrases)
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
-            moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), blocks)
+            moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), [*before.data, *blocks])
         moving += grips_in_letters(part.motion, phrases) if why is None else ()
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)
@@ -264,6 +265,9 @@ def _instant_blocks(
     if why is None:
         blocks = with_asked(blocks, telling, part.motion)
     acting = stretches(part, instant)
+    if is_restated(blocks):
+        before.data += blocks
+        blocks = []
     if is_solved_in_steps(part.motion, part.motion.regime(instant)):
         blocks = _without_solution(blocks)
     blocks = before.reduced(blocks, acting, numbers[0])

@@ -1,17 +1,20 @@
 """What is asked of a motion as a function: where it holds, and the check that its derivative is the law again.
 
-ω from let_go to lowest, as a function of θ:   …   the positive root, as θ grows there
+θ̇ dθ̇ = θ̈ dθ from θ = 0, θ̇ = 0 to any θ:   …   the positive root, as θ grows
 d(1/2 θ̇²)/dθ = g cos θ / r, which is θ̈
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.origins import calculus, head
+from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
 
@@ -19,18 +22,74 @@ SHORT = 12
 """A law of more operations is not written out once more."""
 
 
-def heading(name: str, found: MotionTrace, route: RouteTrace) -> Paragraph:
-    """Where a function holds: what a square tells only as long as the motion keeps its sense."""
+def passing_blocks(
+    found: MotionTrace, phrases: Phrases, way: Callable[[RouteTrace], Iterator[Block]]
+) -> Iterator[Block]:
+    """All that is asked as a function. `way`: tells a route."""
+    routes = {n: r for n, r in found.passing.items() if any(not leg.is_datum for leg in r.steps)}
+    for i, (name, route) in enumerate(routes.items()):
+        fresh = route not in list(routes.values())[:i]
+        yield from _heading(name, found, route, fresh)
+        if fresh:
+            yield from _in_general(found, route, phrases, (*way(route), *_root_words(route)))
+        yield from _lines(name, found, phrases)
+
+
+def _heading(name: str, found: MotionTrace, route: RouteTrace, fresh: bool) -> Iterator[Paragraph]:
+    """Where a function holds: what a square tells only as long as the motion keeps its sense. `fresh`: the way to it
+    follows, and with it where a square begins.
+    """
     e = _squared(route)
     if e is None or e.law is None:
-        return Paragraph(line(Name(name), " throughout the motion:"))
+        yield Paragraph(line(Name(name), " throughout the motion:"))
+        return
+    if fresh:
+        return
     states = list(found.states)
     after = states[states.index(e.since) + 1 :] if e.since in states else []
     where = f" from {e.since} to {after[0]}" if e.since and after else " as long as the sense of the motion is kept"
-    return Paragraph(line(Name(name), f"{where}, as a function of ", Math(e.law.coordinate.symbol), ":"))
+    yield Paragraph(line(Name(name), f"{where}, as a function of ", Math(e.law.coordinate.symbol), ":"))
 
 
-def root_words(route: RouteTrace) -> Iterator[Block]:
+def _in_general(found: MotionTrace, route: RouteTrace, phrases: Phrases, told: Iterable[Block]) -> Iterator[Block]:
+    """The blocks of the way to a function. That of a square has one heading: the law, from where to any place."""
+    e = _squared(route)
+    heads = () if e is None else (head(e, found.ledger.symbols),)
+    for block in told:
+        if e is not None and isinstance(block, Paragraph) and block.line in heads:
+            yield Paragraph(line(*_law(e, found), *_start(e, found, route, phrases)))
+        else:
+            yield block
+
+
+def _law(e: Relation, found: MotionTrace) -> Line:
+    """`θ̇ dθ̇ = θ̈ dθ`, with its letters apart from its words."""
+    assert e.law is not None
+    assert e.span is not None
+    q = e.law.coordinate.symbol
+    rate, second = (Name(f"{q.name}_{dots}") for dots in ("dot", "ddot"))
+    if e.span.words != "v dv = a dq" or e.law.coordinate.words != q.name:
+        return spoken(calculus(e), found.ledger.symbols)
+    return line(rate, " d", rate, " = ", second, " d", Math(q))
+
+
+def _start(e: Relation, found: MotionTrace, route: RouteTrace, phrases: Phrases) -> Line:
+    """` from θ = θ_0, θ̇ = 0 to any θ:`, with the place and the speed at the state at which it begins."""
+    assert e.law is not None
+    q = e.law.coordinate.symbol
+    speed = e.law.speed if e.law.speed is not None and e.law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
+    parts: list[Any] = []
+    for general in (q, speed):
+        own = next((s for s, g in found.general.items() if g == general and found.ledger.roles[s].at == e.since), None)
+        if own is None:
+            continue
+        told = route.formulas.get(own, found.route.formulas.get(own, own))
+        value = phrases.math(told) if phrases.symbolic or told == 0 else phrases.shown(own)
+        parts += [", " if parts else " from ", Math(general), " = ", value]
+    return line(*parts, " to any ", Math(q), ":")
+
+
+def _root_words(route: RouteTrace) -> Iterator[Block]:
     """Why one sign of the root is taken."""
     e = _squared(route)
     results = [r for leg in route.steps if e in leg.relations for r in leg.results]
@@ -38,11 +97,11 @@ def root_words(route: RouteTrace) -> Iterator[Block]:
         return
     grows = results[0].value > 0
     q = Math(e.law.coordinate.symbol)
-    kind, way = ("positive", " grows there") if grows else ("negative", " decreases there")
+    kind, way = ("positive", " grows") if grows else ("negative", " decreases")
     yield Paragraph(line(f"the {kind} root, as ", q, way))
 
 
-def passing_lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+def _lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """What is asked, in the letters that were just told."""
     for asked in found.requests:
         if asked.find.name != name:

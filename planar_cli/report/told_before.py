@@ -100,6 +100,8 @@ class ToldBefore:
     """Remembers what the parts of one motion have told."""
 
     told: list[tuple[str, tuple[Section, ...]]] = field(default_factory=list)
+    data: list[Block] = field(default_factory=list)
+    """Steps that were left out, as they only write down what is given."""
 
     def reduced(self, blocks: Sequence[Block], where: str, steps: int) -> list[Block]:
         """Blocks without the steps that an earlier place has told, which is named instead. `where`: what this place is

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.report.blocks import Block, Check, Equation, Math, Paragraph, Text
+from planar_cli.report.blocks import Answer, Block, Check, Equation, Heading, Math, Name, Paragraph, Text, line
 from planar_cli.report.laws import FOR
-from planar_cli.report.one_name import Renaming
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.one_name import Renaming, letter_of_answer
 
 RATES = {"_dot": "omega", "_ddot": "alpha"}
 ANGLE = "theta"
@@ -20,11 +21,40 @@ def with_turning_rates(blocks: Sequence[Block], own: Iterable[str]) -> list[Bloc
     """
     declared = set(own)
     angles = {a for b in blocks if isinstance(b, Equation) for a in _angles(b)} - declared
+    called = sorted(a for a in declared if _is_called_so(a, blocks))
+    angles |= set(called)
     names = {f"{a}{mark}": f"{stem}{a.removeprefix(ANGLE)}" for a in sorted(angles) for mark, stem in RATES.items()}
     if not names:
         return list(blocks)
     renaming = Renaming(names)
-    return _once([_shorter(renaming.of(b)) for b in blocks])
+    answered = (renaming.answered(b) if isinstance(b, Answer) else renaming.of(b) for b in blocks)
+    return _once(_defined([_shorter(b) for b in answered], called))
+
+
+def _is_called_so(angle: str, blocks: Sequence[Block]) -> bool:
+    """Is the rate of a declared angle asked for as ω, and is nothing else on the page called ω or α?"""
+    if not angle.startswith(ANGLE):
+        return False
+    omega, alpha = (f"{stem}{angle.removeprefix(ANGLE)}" for stem in RATES.values())
+    answers = [b for b in blocks if isinstance(b, Answer)]
+    asked = [b for b in answers if b.name == omega and letter_of_answer(b.line) == f"{angle}_dot"]
+    letters = {s.name for b in blocks for p in pieces_of(b) if isinstance(p, Math) for s in p.expr.free_symbols}
+    others = {b.name for b in answers if b not in asked}
+    return bool(asked) and not {omega, alpha} & (others | {x.partition("__")[0] for x in letters})
+
+
+def _defined(blocks: list[Block], angles: Iterable[str]) -> list[Block]:
+    """With ω = θ̇, α = θ̈ of these angles at the beginning of the solution."""
+    told = [
+        piece
+        for a in angles
+        for mark, stem in RATES.items()
+        for piece in (", ", Name(f"{stem}{a.removeprefix(ANGLE)}"), " = ", Name(f"{a}{mark}"))
+    ]
+    first = next((i for i, b in enumerate(blocks) if isinstance(b, Heading)), None)
+    if not told or first is None:
+        return blocks
+    return [*blocks[: first + 1], Paragraph(line(*told[1:])), *blocks[first + 1 :]]
 
 
 def _once(blocks: Sequence[Block]) -> list[Block]:
