@@ -83,10 +83,10 @@ def test_derivatives_by_the_chain_rule() -> None:
                 "a_C = -ω² r_C/G = [0, -(-0.3) · 8.333²] = [0, 20.83] m/s²",
             ],
         ),
-        # Of a component that does without α the vector equation stands before its formula.
+        # In letters a vector equation has its components once, without what was found to be zero.
         (
             "kinematics/disk-on-fixed-disk",
-            ["a_B = a_G + α_disk × r_B/G - ω_disk² r_B/G", "a_B = -(r ω_disk² + (R + r) ω_arm²)", "along y"],
+            ["v_G = [-(R + r) ω_arm, 0]", "a_B = a_G - ω_disk² r_B/G = [0, -(r ω_disk² + (R + r) ω_arm²)]"],
         ),
     ],
 )

@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from conftest import ROOT
 from worked import page_of_file
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 @pytest.mark.parametrize(
@@ -25,5 +31,12 @@ def test_a_speed_that_forces_tell_gives_no_number_before() -> None:
 
 
 def test_what_a_component_does_without_is_named() -> None:
-    page = page_of_file("disk-on-fixed-disk")
+    """Of a component that does without α the vector equation stands before its formula."""
+    text = (ROOT / "problems" / "kinematics" / "disk-on-fixed-disk.yaml").read_text(encoding="utf-8")
+    text = text.partition("find:")[0] + "find: {a_B: a(B).y}\n"
+    problem, _ = load_text(text)
+    assert problem is not None
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert "along y, where α_arm and α_disk do not enter" in page
+    first = page.index("a_B = a_G + α_disk × r_B/G - ω_disk² r_B/G")
+    assert first < page.index("a_B = -(r ω_disk² + (R + r) ω_arm²)")

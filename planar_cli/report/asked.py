@@ -21,7 +21,7 @@ from planar_cli.problem.scene import ALL
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
-from planar_cli.report.axes_asked import along_radius, axis_of, noted, without
+from planar_cli.report.axes_asked import along_radius, axis_of, dimension_of, noted, rational, without, without_vector
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import components_told, sliding_told, turned_with
@@ -200,7 +200,7 @@ class AskedTelling:
         same = any(plain_name(s.name) == plain_name(answer.name) for e in answer.asked for s in e.free_symbols)
         if not same or not isinstance(what, Quantity) or not what.parts or what.parts[-1].kind not in AXES:
             return " as asked" if same else ""
-        return f" in the sense {self.phrases.arrow(*map(_rational, self._axis(what)))}"
+        return f" in the sense {self.phrases.arrow(*map(rational, self._axis(what)))}"
 
     def _values(self, answer: Found, component: int) -> list[Value]:
         """The value of a component in the unit of the page and in that of the answer; nothing while letters remain."""
@@ -228,7 +228,7 @@ class AskedTelling:
         key = f"{'velocity' if q.word == 'v' else 'acceleration'} {name.removeprefix(f'{q.word}_')}"
         if told or name in self._named or key in self._told:
             self._named.add(name)
-            yield from told
+            yield from without_vector(told) if answer.values is None and axis_of(q) else told
             if answer.values is not None or not says_all(self._shown.get(key), answer.expressions):
                 yield from self._component(answer, q, name)
         else:
@@ -309,6 +309,8 @@ class AskedTelling:
         if key not in self._told | self.vectors.valued:
             self._told.add(key)
             self._shown[key] = vector
+            nothing = dict.fromkeys(self.vectors.zero, sp.S.Zero) if self.phrases.symbolic else {}
+            vector = Vec(*(sp.sympify(p).xreplace(nothing) for p in (vector.x, vector.y))) if nothing else vector
             value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
             yield Equation((*sides, value) if value else sides, None, note=note)
 
@@ -339,10 +341,10 @@ class AskedTelling:
             chain = (line(Name(answer.name)), *((across,) if across else ()), *values)
             yield Equation(chain, None, note=line(told) if told else ())
             return
-        numbers = [self.phrases.of_dimension(v, _dimension(q)) for v in vector]
+        numbers = [self.phrases.of_dimension(v, dimension_of(q)) for v in vector]
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
-            size = self.slides.size(name) or size_of(vector, _dimension(q), self.phrases)
+            size = self.slides.size(name) or size_of(vector, dimension_of(q), self.phrases)
             yield Equation((*own, line("|", Name(name), "|"), size, *values))
             return
         axis = self._axis(q)
@@ -354,7 +356,7 @@ class AskedTelling:
         symbols = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in ("0", "1", "cos0", "cos1")]
         texts, names = {s: significant(x, figures) for s, x in zip(symbols, counted, strict=True)}, symbols[:2]
         cosines = [s for s in texts if s not in names]
-        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
+        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(rational, axis)))
         if not own and 0 in vector and any(abs(c) == 1 for c in axis):
             # The vector that stands before has no other part.
             return
@@ -390,11 +392,3 @@ class AskedTelling:
         if not isinstance(found, Vec):
             return None
         return [self.phrases.certain(p.value) for p in (found.x, found.y)]
-
-
-def _dimension(q: Quantity) -> Dimension:
-    return VELOCITY if q.word == "v" else ACCELERATION
-
-
-def _rational(number: Decimal) -> sp.Rational:
-    return sp.Rational(str(number))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -13,10 +14,11 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Block, Equation, Line, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Text, Value, line
 from planar_cli.report.counted import as_vector
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
+from planar_cli.units import ACCELERATION, VELOCITY, Dimension
 
 LONGEST = 40
 """A sum of components of more operations is not written."""
@@ -26,6 +28,30 @@ def axis_of(what: Any) -> str:
     """x or y, where one component is asked; else nothing."""
     kind = what.parts[0].kind if isinstance(what, Quantity) and len(what.parts) == 1 else ""
     return kind if kind in ("x", "y") else ""
+
+
+def dimension_of(q: Quantity) -> Dimension:
+    """That of a velocity or an acceleration."""
+    return VELOCITY if q.word == "v" else ACCELERATION
+
+
+def rational(number: Decimal) -> sp.Rational:
+    return sp.Rational(str(number))
+
+
+def without_vector(told: Sequence[Block]) -> list[Block]:
+    """The last of some vector equations without its components in letters: the one that is asked follows."""
+    last = told[-1] if told else None
+    if not isinstance(last, Equation) or len(last.sides) < 3:
+        return list(told)
+    return [*told[:-1], replace(last, sides=last.sides[:-1])] if is_vector(last.sides[-1]) else list(told)
+
+
+def is_vector(side: Inline | Line) -> bool:
+    """Is it [x, y] in letters?"""
+    if not isinstance(side, tuple) or len(side) < 2:
+        return False
+    return side[0] == Text("[") and not any(isinstance(p, Value) for p in side)
 
 
 def noted(blocks: Iterable[Block], axis: str, aside: Line = ()) -> Iterator[Block]:

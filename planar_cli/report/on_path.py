@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
+from planar_cli.equation.counting import operations
 from planar_cli.equation.curves import curve_formula
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.motion import Edge
@@ -229,6 +230,6 @@ def vector_of(vector: Vec, dimension: Dimension, phrases: Phrases) -> Line:
         return phrases.vector(phrases.certain(vector.x), phrases.certain(vector.y), dimension)
     if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
         return ()
-    plain = [factored(sp.sympify(p)) for p in (vector.x, vector.y)]
+    plain = [min((factored(p), simplified(p)), key=operations) for p in map(sp.sympify, (vector.x, vector.y))]
     shown: list[Any] = [with_unit(p, dimension, phrases.ledger, phrases.figures) or phrases.math(p) for p in plain]
     return line("[", shown[0], ", ", shown[1], "]")

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.asked import AskedTelling
+from planar_cli.report.axes_asked import is_vector
 from planar_cli.report.blocks import Block, Equation, Paragraph, line
 from planar_cli.report.said import said
 from planar_cli.solve.solution import Found
@@ -30,10 +33,21 @@ def asked_told(asked: AskedTelling, found: Iterable[Found], blocks: list[Block])
     every = tuple(found)
     last = tuple(f for f in every if alone and _word(f) in ("a", "coriolis"))
     for b in asked.blocks(f for f in every if f not in last):
-        if not isinstance(b, Equation) or said(b) not in told:
-            yield b
-    behind = [b for b in asked.blocks(last) if not isinstance(b, Equation) or said(b) not in told]
+        yield from _new(b, told)
+    behind = [new for b in asked.blocks(last) for new in _new(b, told)]
     yield from (ACCELERATIONS, *behind) if any(isinstance(b, Equation) for b in behind) else behind
+
+
+def _new(block: Block, told: list[list[Any]]) -> Iterator[Block]:
+    """A line that was not told; a vector in letters without the equation that stands above it."""
+    if not isinstance(block, Equation):
+        yield block
+        return
+    own = said(block)
+    if len(own) == 3 and own[:2] in told and is_vector(block.sides[-1]):
+        yield replace(block, sides=(block.sides[0], block.sides[-1]))
+    elif own not in told:
+        yield block
 
 
 def _word(found: Found) -> str:
