@@ -94,8 +94,7 @@ def _key(homework: Homework, variants: list[int], form: str, worked: bool, short
         return sheets.as_json(sheets.key_data(homework, variants))
     if form == "csv":
         return sheets.key_csv(homework, variants)
-    text = sheets.key(homework, variants, worked, short, formulas_set=form != "html")
-    return sheets.as_html(text, f"{homework.title}: key") if form == "html" else text
+    return (sheets.key_html if form == "html" else sheets.key)(homework, variants, worked, short)
 
 
 def _export(homework: Homework, name: str, seed: int, output: str) -> None:

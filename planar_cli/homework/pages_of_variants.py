@@ -11,10 +11,11 @@ from planar_cli.homework.set_file import HomeworkSet
 from planar_cli.homework.worked_problem import plainly_solved
 from planar_cli.problem.nodes import read_file
 from planar_cli.problem.variations import with_first_values, with_values
+from planar_cli.records import record
 from planar_cli.solve.solved_problem import Solution
 
-Page = Callable[[Solution], tuple[str, str]]
-"""Writes a worked solution, as Markdown and as plain text."""
+Page = Callable[[Solution], str]
+"""Writes a worked solution in Markdown."""
 Item = tuple[str, Values, Page]
 
 
@@ -43,8 +44,8 @@ def with_pages(
         tasks = list(ready.tasks[:first])
         for variant, (task, values) in enumerate(zip(ready.tasks[first:], ready.values[first:], strict=True), first):
             result = made[problem.path, values].result
-            if isinstance(result, tuple):
-                tasks.append(replace(task, worked=result[0], worked_text=result[1]))
+            if isinstance(result, Made):
+                tasks.append(replace(task, worked=result.page))
                 continue
             text = f"{problem.path}: the worked page of {f'variant {variant}' if variant else 'the file'}: {result}"
             hint = "`--timeout 0` sets no limit" if made[problem.path, values].verdict == "timeout" else ""
@@ -56,11 +57,18 @@ def with_pages(
     return found
 
 
-def _page(item: Item) -> tuple[str, str] | str:
+@record
+class Made:
+    """A page that was made."""
+
+    page: str
+
+
+def _page(item: Item) -> Made | str:
     path, values, page = item
     node = read_file(path)[1]
     assert node is not None
     try:
-        return page(plainly_solved(path, with_values(with_first_values(node), dict(values))))
+        return Made(page(plainly_solved(path, with_values(with_first_values(node), dict(values)))))
     except PlanarError as error:
         return str(error)

@@ -87,8 +87,6 @@ class Task:
     expected: tuple[Expected, ...]
     worked: str = ""
     """The worked solution in Markdown; "" where it is not wanted."""
-    worked_text: str = ""
-    """The same as plain text with aligned equations, for a page on which no script sets formulas."""
 
 
 @record

@@ -7,8 +7,8 @@ import re
 _WORDS = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega"
 _LETTERS = "αβγδεζηθκλμνξπρστφχψω"
 _CAPITALS = {"Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ"}
-_GREEK = {**dict(zip(_WORDS.split(), _LETTERS, strict=True)), **_CAPITALS, "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω"}
-LETTERS = {**{sign: word for word, sign in _GREEK.items()}, "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Ω": "Omega"}
+GREEK = {**dict(zip(_WORDS.split(), _LETTERS, strict=True)), **_CAPITALS, "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω"}
+LETTERS = {**{sign: word for word, sign in GREEK.items()}, "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Ω": "Omega"}
 """The word of each Greek letter, also of its other forms."""
 
 
@@ -20,4 +20,4 @@ def printed(name: str) -> str:
 def _letter(part: str) -> str:
     word = re.match("[A-Za-z]*", part)
     letters = word[0] if word else ""
-    return _GREEK.get(letters, letters) + part[len(letters) :]
+    return GREEK.get(letters, letters) + part[len(letters) :]

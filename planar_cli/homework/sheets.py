@@ -10,9 +10,12 @@ import html
 import io
 import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
 
 from planar_cli.homework.exports._text import Names, slug
+from planar_cli.homework.exports._worked import worked_html
+from planar_cli.homework.mathml import MathML
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework
@@ -26,7 +29,9 @@ MARKUP = str.maketrans({c: f"\\{c}" for c in "\\`*_{}[]<>#|~$"})
 STYLE = (
     "body{font:16px/1.5 Georgia,serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#111;background:#fff}"
     "table{border-collapse:collapse}td,th{border:1px solid #999;padding:.2rem .6rem;text-align:left}"
-    "pre{font-size:12px;overflow-x:auto}h2{margin-top:2rem}@media print{h2{break-after:avoid}}"
+    "pre{font-size:12px;overflow-x:auto}h2,h3{margin-top:2rem}math{font-size:1.05em}"
+    ".equation{display:block;padding-left:4rem;text-indent:-2rem}.equation>math{text-indent:0}"
+    ".number{float:right;text-indent:0;padding-left:1rem}@media print{h2,h3,h4{break-after:avoid}}"
 )
 
 
@@ -125,24 +130,33 @@ def _made_up(letters: Sequence[str]) -> str:
     return f"2/7*{one}*sqrt({more[-1]})" if more else f"2/7*{one}"
 
 
-def key(
-    homework: Homework, variants: Iterable[int], worked: bool, short: bool = True, formulas_set: bool = True
-) -> str:
-    """The key of some variants in Markdown: the answers, the worked solutions, or both.
+def key(homework: Homework, variants: Iterable[int], worked: bool, short: bool = True) -> str:
+    """The key of some variants in Markdown: the answers, the worked solutions, or both."""
+    pieces = _key_pieces(homework, variants, worked, short)
+    return "\n".join(f"{_below(p.worked)}\n" if isinstance(p, Task) else p for p in pieces)
 
-    `formulas_set`: what shows it sets formulas; if not, the worked solutions are plain text.
-    """
-    lines = [f"# {plain(homework.title)}: key", ""]
+
+def key_html(homework: Homework, variants: Iterable[int], worked: bool, short: bool = True) -> str:
+    """The same as one HTML page; formulas are set by the browser."""
+    formulas, body = MathML(), ""
+    for is_page, pieces in groupby(_key_pieces(homework, variants, worked, short), lambda p: isinstance(p, Task)):
+        if is_page:
+            body += "".join(worked_html(p.worked, formulas) for p in pieces if isinstance(p, Task))
+        else:
+            body += _rendered("\n".join(p for p in pieces if isinstance(p, str)))
+    return _page(body, f"{homework.title}: key")
+
+
+def _key_pieces(homework: Homework, variants: Iterable[int], worked: bool, short: bool) -> Iterator[str | Task]:
+    """Lines in Markdown, and the tasks whose worked solutions stand between them."""
+    yield from (f"# {plain(homework.title)}: key", "")
     for variant in variants:
         paper = homework.papers[variant]
         if len(homework.papers) > 1:
             students = "".join(f", {plain(name)}" for name, own in homework.students if own == variant)
-            lines += [f"## {'The files as they are' if not variant else f'Variant {variant}'}{students}", ""]
-        lines += list(_short(paper)) if short else []
-        if worked:
-            for task in paper.tasks:
-                lines += [_below(task.worked) if formulas_set else _as_it_is(task), ""]
-    return "\n".join(lines)
+            yield from (f"## {'The files as they are' if not variant else f'Variant {variant}'}{students}", "")
+        yield from _short(paper) if short else ()
+        yield from paper.tasks if worked else ()
 
 
 def _short(paper: Paper) -> Iterable[str]:
@@ -158,13 +172,6 @@ def _short(paper: Paper) -> Iterable[str]:
 def _below(page: str) -> str:
     """A page with its headings two levels lower."""
     return "\n".join(f"##{line}" if line.startswith("#") else line for line in page.splitlines())
-
-
-def _as_it_is(task: Task) -> str:
-    """The worked solution as plain text, in a fence longer than any run of backticks in it."""
-    longest = max((len(run) for run in re.findall("`+", task.worked_text)), default=0)
-    fence = "`" * max(3, longest + 1)
-    return f"### {plain(task.title)}\n\n{fence}text\n{task.worked_text.rstrip()}\n{fence}"
 
 
 def _asked(expected: Expected) -> str:
@@ -189,9 +196,17 @@ def plain(text: str) -> str:
 
 def as_html(markdown: str, title: str) -> str:
     """A document of ours as one HTML page without scripts; raw HTML in it stays text."""
+    return _page(_rendered(markdown), title)
+
+
+def _rendered(markdown: str) -> str:
     from markdown_it import MarkdownIt
 
-    body = MarkdownIt("commonmark", {"html": False}).enable("table").render(markdown)
+    html_of_it: str = MarkdownIt("commonmark", {"html": False}).enable("table").render(markdown)
+    return html_of_it
+
+
+def _page(body: str, title: str) -> str:
     policy = "default-src 'none'; style-src 'unsafe-inline'"
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'

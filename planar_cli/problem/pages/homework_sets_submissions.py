@@ -53,8 +53,8 @@ how to hand in. Where the set lists `students`, each has a sheet of his or her o
 write the variant. Sheets list the given values that vary or do not stand in the text. Sheets and keys that an earlier
 run wrote to the folder are removed if nobody changed them since (`.planar-key.json` there tells which they are).
 
-The formats are markdown, html, json and csv. The same seed gives the same files, byte for byte. A sheet as CSV can be
-filled in and handed in as it is.
+The formats are markdown, html, json and csv; a browser sets the formulas of an HTML page by itself. The same seed gives
+the same files, byte for byte. A sheet as CSV can be filled in and handed in as it is.
 
 Submissions
 

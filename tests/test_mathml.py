@@ -1,0 +1,96 @@
+"""Formulas of a worked page as MathML: read back as what they say, well formed, every command of the report known."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+import planar_cli
+from planar_cli.homework.exports._worked import worked_html
+from planar_cli.homework.mathml import MathML
+from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.ready import Homework
+from planar_cli.homework.sheets import key_html
+
+WRITERS = ("report/latex.py", "report/names.py", "report/notation.py", "formats/_formulas.py", "formats/markdown.py")
+
+
+def shape(latex: str) -> str:
+    """The MathML of a formula, its elements as brackets."""
+    return _told(ET.fromstring(MathML().inline(latex)))
+
+
+def _told(element: ET.Element) -> str:
+    if not len(element):
+        return "_" if element.tag == "mspace" else element.text or ""
+    inside = " ".join(map(_told, element))
+    return inside if element.tag in ("math", "mrow") else f"{element.tag}({inside})"
+
+
+@pytest.mark.parametrize(
+    ("latex", "due"),
+    [
+        (r"a_{G} = R \alpha", "msub(a G) = R α"),
+        (r"k_{G}^{2} = 0.2^{2}", "msubsup(k G 2) = msup(0.2 2)"),
+        (r"\frac{1}{2} m v_{G,2}^{2}", "mfrac(1 2) m msubsup(v G , 2 2)"),
+        (r"\sqrt{3 g l}", "msqrt(3 g l)"),
+        (r"2~\mathrm{kg \cdot m^{2}}", "2 _ kg · msup(m 2)"),
+        (r"30^{\circ}", "30 °"),
+        (r"\sin^{2} \theta", "msup(sin 2) _ θ"),
+        (r"\cos(\omega t)", "cos ( ω t )"),
+        (r"\left(\frac{a}{b} - 1\right)", "( mfrac(a b) − 1 )"),
+        (r"\left\lvert \frac{a}{b} \right\rvert", "| mfrac(a b) |"),
+        (r"\ddot{x} = -\frac{k}{m} x", "mover(x ¨) = − mfrac(k m) x"),
+        (r"\text{in words: }x", "in words:\xa0 x"),
+        (r"\int_{0}^{t} v\, dt", "msubsup(∫ 0 t) v _ d t"),
+        (
+            r"\begin{cases} 1 & x \lt 2 \\ 0 & \text{else} \end{cases}",
+            "{ mtable(mtr(mtd(1) mtd(x < 2)) mtr(mtd(0) mtd(else)))",
+        ),
+        (r"v_{D}' = v_{D'}", "msub(v D) ′ = msub(v D ′)"),
+        (r"\unheard", "\\unheard"),
+    ],
+)
+def test_a_formula(latex: str, due: str) -> None:
+    assert shape(latex) == due
+
+
+def test_every_command_that_the_report_writes_is_known() -> None:
+    folder = Path(planar_cli.__file__).parent
+    written = {name for file in WRITERS for name in re.findall(r"\\([A-Za-z]{2,})", (folder / file).read_text())}
+    unknown = [n for n in sorted(written) if f"<mtext>\\{n}" in MathML().display(rf"\{n}{{x}}{{y}} \tag{{1}}")]
+    assert [n for n in unknown if n not in ("tag", "right", "end")] == []
+    assert len(written) > 30
+
+
+def test_a_long_formula_may_go_on_in_the_next_line() -> None:
+    page = MathML().display(r"\text{(1) in (2):} \quad x = \frac{a}{b} = 3~\mathrm{m} \tag{4}")
+    assert page.count("<math>") == 3
+    assert '<span class="number">(4)</span>' in page
+    sum_of_many = " + ".join(f"m_{{{k}}} v_{{{k}}}" for k in range(20))
+    assert MathML().display(f"p = {sum_of_many}").count("<math>") > 2
+    assert MathML().display("a = b + c").count("<math>") == 1
+
+
+def test_words_of_a_file_are_text() -> None:
+    page = worked_html('$$\n\\text{a <script> "b" & c} \\quad x < 1\n$$', MathML())
+    root = ET.fromstring(page)
+    assert not list(root.iter("script"))
+    assert "<script" not in page
+
+
+def test_a_key_in_html_has_its_worked_solutions_as_a_page() -> None:
+    table = "| body | forces |\n| --- | --- |\n| **block** | $m g$ ↓ |"
+    worked = f"# A block\n\n**Find:** $a$\n\n{table}\n\n$$\na = \\frac{{F}}{{m}}\n$$\n"
+    homework = Homework("Sheet", "", {0: Paper(0, (Task("p", "A block", "", (), (), worked),))}, {}, "")
+    page = key_html(homework, [0], worked=True)
+    body = page[page.index("<body>") : page.index("</html>")]
+    ET.fromstring(body)
+    assert "<h3>A block</h3>" in page
+    assert "<mfrac><mi>F</mi><mi>m</mi></mfrac>" in page
+    assert "<td><strong>block</strong></td>" in page
+    assert "<pre>" not in page
+    assert "$" not in page
