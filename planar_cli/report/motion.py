@@ -25,6 +25,7 @@ from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.idle_zeros import is_untold
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import divides_by_zero, solved_for
+from planar_cli.report.in_order_of_time import states_of, states_told
 from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
@@ -32,7 +33,7 @@ from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
-from planar_cli.report.motion_title import motion_title
+from planar_cli.report.motion_title import OVER_TIME, title_of
 from planar_cli.report.nil_impulses import in_blow, nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
@@ -100,37 +101,38 @@ class MotionTelling:
         self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""
+        self.early: list[RouteStep] = []
+        """What was told before the forces of a later part of the motion."""
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
         body = list(told_once(self._body()))
-        route = self.found.route
         if not body:
             return []
-        timed = any(e.is_of_motion for leg in route.steps for e in leg.relations)
         spans = [s for s in self.found.spans if not in_blow(s)]
-        title = "Motion over time" if timed or spans or self.found.passing else motion_title(self.found)
-        return [Heading(f"STEP {step}", title, self._states()), *(body[1:] if body[0] == HENCE else body)]
-
-    def _states(self) -> str:
-        names = [name for name in self.found.states if name]
-        return "states " + ", ".join(names) if len(names) > 1 else ""
+        rest = [leg for leg in self.found.route.steps if leg not in self.early]
+        title = OVER_TIME if spans or self.found.passing else title_of(rest, self.found)
+        states = states_told(self.found.states, states_of(self.early, self.found))
+        return [Heading(f"STEP {step}", title, states), *(body[1:] if body[0] == HENCE else body)]
 
     def _body(self) -> Iterator[Block]:
         yield from times_given(self.found, self.phrases)
         yield from turning_blocks(self.found, self.phrases)
-        yield from nil_impulses(self.found, self.phrases)
-        yield from self._route(self.found.route)
+        yield from () if self.early else nil_impulses(self.found, self.phrases)
+        yield from self.told_route(self.found.route)
         yield from swings(self.found, self.phrases, self._one)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
-        yield from passing_blocks(self.found, self.phrases, self._route)
+        yield from passing_blocks(self.found, self.phrases, self.told_route)
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
-    def _route(self, route: RouteTrace) -> Iterator[Block]:
+    def told_route(self, route: RouteTrace, only: Sequence[RouteStep] | None = None) -> Iterator[Block]:
+        """What was not told yet of a route. `only`: these steps of it."""
         held = [leg for legs in held_by_periods(self.found).values() for leg in legs]
-        legs = [leg for leg in needed_steps(route, self.wanted) if leg not in held]
+        early = self.early
+        every = [leg for leg in needed_steps(route, self.wanted) if leg not in held and leg not in early]
+        legs = [leg for leg in every if only is None or leg in only]
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
         for leg in given:
@@ -142,8 +144,8 @@ class MotionTelling:
         yield from self._integrated(followed if first else [])
         for leg in derived:
             i = legs.index(leg)
-            self._open = {x for later in legs[i:] for x in later.unknowns}
-            yield from self._leg(*rooted(without_zeros(leg, route, legs[:i]), self.found))
+            self._open = {x for later in every if later not in legs[:i] for x in later.unknowns}
+            yield from self._leg(*rooted(without_zeros(leg, route, [*early, *legs[:i]]), self.found))
         yield from self._integrated([] if first else followed)
 
     def _one(self, leg: RouteStep) -> Iterator[Block]:

@@ -1,15 +1,20 @@
-"""The title of the step that joins states: by what it joins them, where no time runs between them."""
+"""The title of a step that joins states: by what it joins them, where no time runs between them."""
 
 from __future__ import annotations
 
-from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
+from collections.abc import Sequence
+
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, RouteStep
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
+OVER_TIME = "Motion over time"
 
 
-def motion_title(found: MotionTrace) -> str:
-    """Work and energy, impulse and momentum, or both; of neither plainly the motion."""
-    sources = [e.source for leg in found.route.steps for e in leg.relations]
+def title_of(legs: Sequence[RouteStep], found: MotionTrace) -> str:
+    """Of these steps of a motion: that time runs; else work and energy, impulse and momentum, or both."""
+    if any(e.is_of_motion for leg in legs for e in leg.relations):
+        return OVER_TIME
+    sources = [e.source for leg in legs for e in leg.relations]
     laws = {b.law.letter for b in sources if isinstance(b, BalanceTrace)}
     blows = any(isinstance(b, ImpactEquation) for b in sources)
     works = laws - {""}

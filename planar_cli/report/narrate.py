@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -69,12 +69,14 @@ from planar_cli.report.told_before import ToldBefore, defined_once
 from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.velocities_first import asked_told
+from planar_cli.report.wanted import needed_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
 if TYPE_CHECKING:
+    from planar_cli.report.motion import MotionTelling
     from planar_cli.solve.between.trace import MotionTrace
 
 
@@ -155,21 +157,15 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     part, positive = with_signs(with_plain_answers(with_across_speeds(part)))
-    blocks: list[Block] = []
     figures = voice.figures
-    steps = count = 0
+    telling = None
+    if part.motion is not None:
+        from planar_cli.report.motion_in_parts import motion_telling
+
+        telling = motion_telling(part.motion, figures, why)
+    notes = presumed_notes(part, phrases_of(part.instants[0], figures), positive) if part.instants else []
     before = ToldBefore()
-    for instant in part.instants:
-        if instant.state:
-            blocks.append(Heading("STATE", instant.state))
-        if voice.effects:
-            blocks += _effects(instant, told)
-        if instant is part.instants[0]:
-            blocks += presumed_notes(part, phrases_of(instant, figures), positive)
-        if not instant.quiet and (part.tale is None or not part.tale.whole):
-            numbers = (steps, count) if part.motion is not None else (0, 0)
-            told_here, steps, count = _instant_blocks(part, instant, voice, why, before, numbers)
-            blocks += told_here
+    blocks, steps, count = _of_instants(part, telling, voice, why, (told, notes, before))
     phrases = settled = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
@@ -179,7 +175,8 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     whole = _tale(part, phrases, steps + 1, whole=True)
     blocks += whole
     if part.motion is not None:
-        moving = list(_motion_blocks(part, part.motion, voice, why, steps + bool(whole), count))
+        assert telling is not None
+        moving = list(_motion_blocks(part, telling, voice, why, steps + bool(whole), count))
         settled = settled_phrases(part.motion, phrases)
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
@@ -203,6 +200,38 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if not decided and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _of_instants(
+    part: PartSolution,
+    telling: MotionTelling | None,
+    voice: Voice,
+    why: str | None,
+    said: tuple[set[tuple[str, ...]], Iterable[Note], ToldBefore],
+) -> tuple[list[Block], int, int]:
+    """All instants, each after what happens before its forces act; how many steps and numbered equations there are.
+    `said`: effects that were listed before, what is presumed, and what earlier parts of the motion have told.
+    """
+    blocks: list[Block] = []
+    steps = count = 0
+    for instant in part.instants:
+        if instant.state:
+            blocks.append(Heading("STATE", instant.state))
+        if voice.effects:
+            blocks += _effects(instant, said[0])
+        if instant is part.instants[0]:
+            blocks += said[1]
+        if instant.quiet or (part.tale is not None and part.tale.whole):
+            continue
+        if telling is not None:
+            from planar_cli.report.motion_in_parts import early_blocks
+
+            early, steps, count = early_blocks(telling, instant, (steps, count), [*said[2].data, *blocks])
+            blocks += early
+        numbers = (steps, count) if part.motion is not None else (0, 0)
+        told, steps, count = _instant_blocks(part, instant, voice, why, said[2], numbers)
+        blocks += told
+    return blocks, steps, count
 
 
 def _student_checks(
@@ -250,7 +279,7 @@ def _instant_blocks(
     if part.motion is not None:
         ways = part.motion.regime(instant).ways
         phrases = replace(phrases, ways=ways, drawn=where_told(part.motion, instant))
-    wanted = _needed(part, instant, why)
+    wanted = needed_of(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
     mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
@@ -287,17 +316,15 @@ def _without_solution(blocks: list[Block]) -> list[Block]:
 
 
 def _motion_blocks(
-    part: PartSolution, motion: MotionTrace, voice: Voice, why: str | None, steps: int, count: int
+    part: PartSolution, telling: MotionTelling, voice: Voice, why: str | None, steps: int, count: int
 ) -> Iterator[Block]:
     """The way from state to state, then what is asked of forces at single states."""
     from planar_cli.report.at_state import state_blocks
-    from planar_cli.report.motion import MotionTelling
-    from planar_cli.report.motion_phrases import motion_phrases
 
-    telling = MotionTelling(motion, motion_phrases(motion, voice.figures), count + 1, _letters(part, why))
+    telling.next = count + 1
     yield from telling.blocks(steps + 1)
     if why is None and (part.tale is None or not part.tale.whole):
-        yield from state_blocks(motion, voice.figures, voice.audience, steps + 1, telling.next - 1)
+        yield from state_blocks(telling.found, voice.figures, voice.audience, steps + 1, telling.next - 1)
 
 
 def _at(found: Found) -> str:
@@ -313,33 +340,6 @@ def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[B
     if key not in told:
         yield from notes
         told.add(key)
-
-
-def _needed(part: PartSolution, instant: InstantSolution, why: str | None) -> frozenset[str] | None:
-    """The unknowns of an instant that are told: of a motion only those on which it rests."""
-    if part.motion is None or why is not None:
-        return _wanted(part, why)
-    from planar_cli.report.at_state import is_told_at_states
-
-    regime = part.motion.regime(instant)
-    return regime.resting if is_told_at_states(part.motion, regime) else regime.wanted
-
-
-def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
-    """The names of the symbols that the wanted find rests on directly; None: everything."""
-    if why is None:
-        return None
-    found = next(f for f in part.found if f.name == why)
-    return frozenset(s.name for e in found.asked for s in e.free_symbols)
-
-
-def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:
-    """The names of the letters of states that the wanted find rests on; None: everything."""
-    if why is None:
-        return None
-    assert part.motion is not None
-    asked = next(a for a in part.motion.requests if a.find.name == why)
-    return frozenset(s.name for p in asked.parts for s in p.free_symbols)
 
 
 def _read_off(part: PartSolution, figures: int) -> Iterator[Block]:
