@@ -26,3 +26,14 @@ def test_a_relative_velocity_is_told_once_in_the_unit_that_is_asked() -> None:
 def test_a_fixed_line_says_which_component_is_zero() -> None:
     assert "B moves along the floor, so that v_By = 0:" in page_of_file("wheel-that-pushes-a-rod")
     assert "B moves horizontally, so that a_By = 0:" in page_of_file("slider-crank-offset")
+
+
+def test_what_touches_a_fixed_surface_is_at_rest_there() -> None:
+    page = page_of_file("gear-between-racks")
+    assert page.index("C touches the fixed floor: v_C = 0") < page.index("v_T = ω_gear × r_T/C")
+
+
+def test_a_given_component_keeps_its_sign() -> None:
+    page = page_of_file("gear-between-racks")
+    assert "-0.4 ω_gear = 1.2" in page
+    assert "-0.4 α_gear = -0.8" in page

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
-from planar_cli.problem.scene import with_article
+from planar_cli.problem.scene import GROUND, with_article
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.words import Phrases
 
@@ -42,6 +43,16 @@ def _along_straight(j: Joining, own: Name, system: System, phrases: Phrases) -> 
         return line(f"{j.place} {way}, so that ", own, " has no component across it")
     comma = "," if len(own.name) > SHORT + 2 else ""
     return line(f"{j.place} {way}, so that ", Name(f"{own.name}{comma}{across}"), " = 0")
+
+
+def touches_at_rest(edge: Edge, system: System) -> Line:
+    """C touches the fixed floor: v_C = 0, of a body that rolls on what does not move; else nothing."""
+    j = edge.joining
+    if j is None or j.rolling is None or j.base != GROUND or j.drift is not None:
+        return ()
+    surface, place = _surface(j, system).replace("_", " "), j.place.replace("_", ",")
+    named = f"the fixed {surface}" if surface.islower() else f"{surface or 'the ground'}, which is fixed"
+    return line(Name(place), f" touches {named}: ", Name(f"v_{place}"), " = 0")
 
 
 def _surface(j: Joining, system: System) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import sympy as sp
+
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.vectors import VectorTelling, index_of
@@ -12,6 +14,15 @@ from planar_cli.solve.instant.written import Written
 
 COMPONENT = re.compile(r"([va])\((\w+)\)\.[xy] = ")
 LEVELS = {"v": "velocity", "a": "acceleration"}
+
+
+def against(w: Written, number: sp.Expr) -> bool:
+    """Is a component that the file gives as a number on the other side of an equation with the other sign?"""
+    found = COMPONENT.match(w.lead) if w.source == "given" and not w.times else None
+    given = w.lead[found.end() :] if found is not None else ""
+    if not given.lstrip("-")[:1].isdigit() or number == 0:
+        return False
+    return bool(number.could_extract_minus_sign()) != given.startswith("-")
 
 
 def vector_before(w: Written, vectors: VectorTelling, level: str) -> list[Block]:
@@ -47,5 +58,5 @@ def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Itera
     if straight and j.rolling is not None and ground is not None:
         turned = vectors.phrases.math(motion.accelerations[edge.parent].angular)
         arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
-        both = f" has the acceleration of {j.place} on {edge.parent}, that of "
-        yield Paragraph(line(*note, ": along the contact ", Name(own), both, turned, " × ", arm, ":"))
+        why = f" and does not slip at {j.place}, so that along the contact "
+        yield Paragraph(line(*note, why, Name(f"a_{own}"), " = ", turned, " × ", arm, ":"))

@@ -12,6 +12,7 @@ from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import common_dimension, is_clean
+from planar_cli.report.given_components import against
 from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.opened_sums import opened_number, opened_sides
 from planar_cli.report.page_units import coherent_unit
@@ -271,6 +272,8 @@ class NumericTelling:
         note = () if bare else _unit_note(found, self.phrases)
         if apart and found.right.expr != 0:
             whole = self._number_of(w, stage, left - right, unknowns, found.right.expr.could_extract_minus_sign())
+            if whole is None and not found.left.expr.is_Symbol and against(w, found.right.expr):
+                return tuple(Math(-side.expr, side.values) for side in (found.left, found.right)), note
             return (found.left, *([] if whole is None else [whole]), found.right), note
         return (found.left, found.right), note
 

@@ -25,7 +25,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, lin
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
-from planar_cli.report.fixed_lines import along_fixed
+from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
@@ -211,6 +211,10 @@ class VectorTelling:
             value = () if place.endswith("′") else known_sides(self, body, at, arm, level)
             self.valued |= {f"{level} {place}"} if value and not apart else set()
             sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
+            touching = touches_at_rest(edge, self.system) if level == "velocity" and self.rests(edge, level) else ()
+            if touching and f"rest {body}" not in self._told:
+                self._told.add(f"rest {body}")
+                yield Paragraph(touching)
             yield Equation((*sides, *value), None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
