@@ -57,6 +57,14 @@ class _Names:
     order: tuple[str, ...]
     things: frozenset[str]
     pattern: re.Pattern[str]
+    texts: dict[int, str]
+    """What blocks of the page say, by their identity: each is looked at with its neighbours several times."""
+
+    def text(self, block: Block) -> str:
+        """What a block says, but for its numbers."""
+        if id(block) not in self.texts:
+            self.texts[id(block)] = _text(block)
+        return self.texts[id(block)]
 
     @classmethod
     def of(cls, problem: Problem) -> _Names:
@@ -64,7 +72,7 @@ class _Names:
         order = tuple(dict.fromkeys([*things, *(s.name for s in (*problem.given, *problem.symbols))]))
         longest = sorted(order, key=len, reverse=True)
         pattern = re.compile(rf"(?<![A-Za-z0-9])(?:{'|'.join(map(re.escape, longest))})(?![A-Za-z0-9])")
-        return cls(order, frozenset(things), pattern)
+        return cls(order, frozenset(things), pattern, {})
 
 
 @record
@@ -77,7 +85,7 @@ class _Unit:
 
     @classmethod
     def of(cls, blocks: Sequence[Block], names: _Names) -> _Unit:
-        text = "\n".join(_text(b) for b in blocks)
+        text = "\n".join(map(names.text, blocks))
         own = tuple(dict.fromkeys(names.pattern.findall(text)))
         form = names.pattern.sub(lambda m: f"‹{own.index(m[0])}›", text)
         return cls(tuple(blocks), NUMBER.sub("(#)", form), own)
