@@ -82,7 +82,7 @@ def test_a_force_is_told_by_the_acceleration_that_is_known(stem: str, line: str)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("connecting-rod-on-a-knife-edge", "δ̈ + g δ (l - a) / (k_G² + (l - a)²) = 0"),
+    ("connecting-rod-on-a-knife-edge", "δ̈ + g (l - a) δ / (k_G² + (l - a)²) = 0"),
     ("connecting-rod-on-a-knife-edge", "I_B = m (l - a)² + I_G"),
     ("connecting-rod-on-a-knife-edge", "↺ ΣM_B: m g (l - a) sin θ = I_B α"),
     ("beam-on-two-ropes", "m g (l/2 - c) - T_A (l - c) = 0"),

@@ -21,10 +21,10 @@ def _page(stem: str) -> str:
     [
         (
             "hinged-beam-critical-damping",
-            ["F_E = k δ L - 1/2 m g", "F_F = 1/2 c L δ̇", "ΣM_A: -1/4 c L² δ̇ - k δ L² = I_A α"],
+            ["F_E = k L δ - 1/2 m g", "F_F = 1/2 c L δ̇", "ΣM_A: -1/4 c L² δ̇ - k L² δ = I_A α"],
         ),
-        ("inverted-pendulum", ["F_W = -k a δ", "ΣM_O: δ (m_B g l + 1/2 m_b g l - k a²) = m_B l² α"]),
-        ("disk-held-by-a-spring", ["F_V = 2 k_2 δ", "ΣM_C: (k_1 + 4 k_2) δ R = I_G α - m a_G R"]),
+        ("inverted-pendulum", ["F_W = -k a δ", "ΣM_O: (m_B g l + 1/2 m_b g l - k a²) δ = m_B l² α"]),
+        ("disk-held-by-a-spring", ["F_V = 2 k_2 δ", "ΣM_C: (k_1 + 4 k_2) R δ = I_G α - m a_G R"]),
     ],
 )
 def test_forces_are_linear(stem: str, lines: list[str]) -> None:
@@ -53,8 +53,8 @@ def test_a_motion_between_states_needs_the_whole_force() -> None:
     ("stem", "check"),
     [
         ("inverted-pendulum", "E_k = 1/2 · 1.813 δ̇², V = 1/2 · 13.96 δ² in J; ω_0 = √(13.96/1.813) = 2.774 rad/s"),
-        ("hinged-beam-critical-damping", "E_k = 1/6 m L² δ̇², V = 1/2 k δ² L²; ω_0² = 3 k/m"),
-        ("half-disk-rocking", "V = 2 m g δ² R/(3 π); ω_0² = 8 g / ((9 π - 16) R)"),
+        ("hinged-beam-critical-damping", "E_k = 1/6 m L² δ̇², V = 1/2 k L² δ²; ω_0² = 3 k/m"),
+        ("half-disk-rocking", "V = 2 m g R δ²/(3 π); ω_0² = 8 g / ((9 π - 16) R)"),
     ],
 )
 def test_energies_check_the_frequency(stem: str, check: str) -> None:
@@ -71,3 +71,25 @@ def test_a_spring_is_drawn_as_it_lies_at_rest() -> None:
     page = _page("disk-held-by-a-spring")
     assert "F_V ← at S" in page
     assert "F_S ↓ at Q" in _page("bar-with-a-mass-on-a-spring")
+
+
+def test_a_rolling_body_is_summed_about_its_contact() -> None:
+    """What has squares of speeds is of the second order: it is left out with a word, and no vector is torn in two."""
+    page = _page("toy-on-a-round-end").partition("CASE limit")[0]
+    assert "terms with ω² are of the second order in it and left out" in page
+    assert "a_G = a_O + α × r_G/O = y_G α ←" in page
+    assert "= m y_G α ← at G, I α ↺" in page
+    assert "ΣM_C: m g (y_G - r) δ = m y_G² α + I α" in page
+    assert "δ̈ + m g (r - y_G) δ / (m y_G² + I) = 0" in page
+    assert "is stable, as y_G < r: displaced, it returns" in page
+    assert "is unstable, as y_G > r: displaced, it moves further away" in page
+    assert "cos θ" not in page
+
+
+def test_a_limit_rests_on_the_mass_centre_alone() -> None:
+    """Where nothing swings no dynamics is told; the statement stands in the letter of the mass centre."""
+    limit = _page("toy-on-a-round-end").partition("CASE limit")[2]
+    assert "y_G = r 2 r² = 3 h² with y_G put in, multiplied out" in limit
+    assert "(1): h = √6 r/3 = √6 · 0.1 / 3 = 0.08165 m = 81.65 mm" in limit
+    assert "Kinetic analysis" not in limit
+    assert "θ" not in limit

@@ -111,7 +111,7 @@ class DefinitionTelling:
         if is_length and not self.phrases.symbolic and (hidden or not is_clean(ledger, expr, dimension=LENGTH)):
             parts = in_parts(ledger.titles[symbol], self.scene, self.phrases)
             sides = (sides[0], *parts, value) if parts else sides
-        if not is_length and is_sought(symbol, ledger):
+        if is_sought(symbol, ledger):
             sides = sides[:2]
         return [
             *rate_of_length(symbol, expr, self.system, self.phrases),

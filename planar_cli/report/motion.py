@@ -17,6 +17,7 @@ from planar_cli.report.between import dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
+from planar_cli.report.centres_put_in import centres_put_in
 from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
@@ -290,7 +291,7 @@ class MotionTelling:
         swings = self._swings.blocks(e, leg, route, number := self.number())
         own = Equation(self._sides(e, route), number)
         yield self._head(e, *(() if swings else own.sides))
-        yield from swings or (*self._integral(e, route), own)
+        yield from swings or (*self._integral(e, route), own, *centres_put_in(e, self.phrases))
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         """The definite integrals with matching limits."""

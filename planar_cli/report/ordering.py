@@ -30,6 +30,8 @@ _OTHER_LETTERS = 6
 _TIME = len(_GROUPS) - 1
 _FUNCTIONS = len(_GROUPS)
 _NUMBERS = -1
+_DEVIATIONS = ("delta", "delta_dot", "delta_ddot")
+"""A small deviation from an equilibrium stands behind what it is multiplied by: k l² δ, m g (l - a) δ."""
 NUMBER = "#"
 """With this the name of a symbol begins that stands for a number as it is printed."""
 HELD = f"{NUMBER}unit"
@@ -51,6 +53,8 @@ def factor_key(factor: Any) -> Key:
         name = base.name
         if name.startswith(BEHIND):
             return (_FUNCTIONS + 1, False, "", name, power)
+        if name in _DEVIATIONS:
+            return (_FUNCTIONS + 0.5, False, "", name, power)
         if name.startswith(NUMBER):
             return (_NUMBERS, False, "", name, power)
         return (_rank(name), "_" in name, name.casefold(), name, power)

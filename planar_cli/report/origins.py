@@ -111,7 +111,7 @@ def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
     if isinstance(e.source, BalanceTrace):
         sides = (e.source.before + e.source.gain, e.source.after)
         return sides[0].xreplace(dict(route.plain)), sides[1].xreplace(dict(route.plain))
-    residual = e.residual.xreplace(dict(route.plain))
+    residual = (e.residual if e.told is None else e.told).xreplace(dict(route.plain))
     left = sp.Add(*(a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()))
     return left, left - residual
 
@@ -212,6 +212,7 @@ def balanced(e: Relation, residual: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """What vanishes as two sides without a minus in front; a derivative of one letter stands as it is, 20 - 4 t = 0."""
     if over_time(e) and len(residual.free_symbols) == 1:
         return residual, sp.S.Zero
+    residual = residual if e.told is None else e.told
     residual = without_number(residual) if e.kind == "given" else residual
     positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
     left = sp.Add(*positive)

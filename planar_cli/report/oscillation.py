@@ -15,6 +15,7 @@ from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragr
 from planar_cli.report.formula import is_negative
 from planar_cli.report.linearised import DEVIATION, near_equilibrium
 from planar_cli.report.modes import mode_blocks
+from planar_cli.report.near_rest import differences
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
@@ -79,27 +80,28 @@ def oscillation_blocks(
     symbolic: bool,
     period: str = "T",
     general: Line = (),
+    linear: bool = False,
 ) -> Iterator[Block]:
     """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed; `period`: how the
     file calls the period; `general`: what it is called where frequency and period stay formulas, as they have to tell
-    a constant first.
+    a constant first; `linear`: the sums above are told to the first order in the deviation.
     """
     state = found.state
     laws = [(rate, _law(law, value, phrases, symbolic)) for rate, law in found.motion]
-    if any(longer(law.expr, LONG) for _, law in laws):
+    if not linear and any(longer(law.expr, LONG) for _, law in laws):
         yield Paragraph(line(f"Small oscillations about the equilibrium {state}, from the equations above."))
-    else:
+    elif not linear:
         yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
         for rate, law in laws:
             yield Equation((phrases.math(rate), law))
     if len(found.motion) == 1:
-        yield from _single(found, value, phrases, symbolic, period, general)
+        yield from _single(found, value, phrases, symbolic, period, general, linear)
     else:
         if found.modes is None or not found.modes.matrix:
             yield from _several(found)
         if found.modes is not None:
             yield from mode_blocks(found, found.modes, value, phrases, symbolic)
-    yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
+    yield Result(_verdict(found, value, phrases, linear))
 
 
 def _law(law: sp.Expr, value: Valuation, phrases: Phrases, symbolic: bool) -> Math:
@@ -125,15 +127,11 @@ def period_line(found: OscillationTrace, value: Valuation, phrases: Phrases, nam
 
 
 def _single(
-    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, general: Line
+    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, general: Line, linear: bool
 ) -> Iterator[Block]:
-    w2, c = found.stiffness, found.damping
+    w2, c = _stiffness(found, linear), found.damping
     speed, rate = RATES
-    near = near_equilibrium(found, value, phrases)
-    there = line(", ", *near, ",") if near else ()
-    yield Paragraph(
-        line("For a small deviation ", phrases.math(DEVIATION), " from there", *there, " its linear part is:")
-    )
+    yield Paragraph(_linear_words(found, value, phrases, linear))
     texts: dict[sp.Symbol, str] = {}
     left: list[Any] = [phrases.math(rate)]
     for coefficient, factor in ((c, speed), (w2, DEVIATION)):
@@ -165,6 +163,21 @@ def _single(
         natural = sp.Symbol("omega_d", real=True)
         yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
     yield _line(name, found.period, value, "s", phrases, symbolic, (2 * sp.pi / natural, value(sp.sqrt(square))))
+
+
+def _stiffness(found: OscillationTrace, linear: bool) -> sp.Expr:
+    """ω₀², by the one sum of the page where that is the shorter formula."""
+    own = [found.near.square] if linear and found.near is not None else []
+    return min((*own, found.stiffness), key=sp.count_ops)
+
+
+def _linear_words(found: OscillationTrace, value: Valuation, phrases: Phrases, linear: bool) -> Line:
+    """What the linear equation of motion comes from."""
+    if linear:
+        return line("Solved for ", phrases.math(RATES[1]), ", all on one side:")
+    near = near_equilibrium(found, value, phrases)
+    there = line(", ", *near, ",") if near else ()
+    return line("For a small deviation ", phrases.math(DEVIATION), " from there", *there, " its linear part is:")
 
 
 def _line(
@@ -200,6 +213,17 @@ def _several(found: OscillationTrace) -> Iterator[Block]:
         if root.imag >= 0:
             parts = (Value(Decimal(str(root.real)), ""), " ± i ", Value(Decimal(str(root.imag)), ""))
             yield Result(line(*parts))
+
+
+def _verdict(found: OscillationTrace, value: Valuation, phrases: Phrases, linear: bool) -> Line:
+    """Is it stable, and why: y_G < r decides it where that difference is all that can be negative."""
+    decides = differences(found.near) if linear and found.near is not None and found.verdict.power == 1 else []
+    why: list[Any] = []
+    if len(decides) == 1:
+        one, other = sorted(decides[0], key=str, reverse=True)
+        why = [", as ", phrases.math(one), " < " if value(one) < value(other) else " > ", phrases.math(other)]
+    said = f"The equilibrium {found.state} is {found.verdict.kind}"
+    return line(said, *why, f"{_because(found.verdict)}.")
 
 
 def _because(verdict: Verdict) -> str:

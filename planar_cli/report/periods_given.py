@@ -16,6 +16,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, line
 from planar_cli.report.equilibrium_places import place_blocks
 from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula
+from planar_cli.report.small_deviations import is_of_small_deviations
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.trace import MotionTrace, RouteStep
@@ -44,14 +45,15 @@ def held_by_periods(found: MotionTrace) -> dict[str, list[RouteStep]]:
 def swings(found: MotionTrace, phrases: Phrases, leg_of: Callable[[RouteStep], Iterator[Block]]) -> Iterator[Block]:
     """Places of equilibrium, and all small oscillations. `leg_of`: how a step of the route is told."""
     periods, held = periods_told(found), held_by_periods(found)
+    linear = any(is_of_small_deviations(found, r.solution) for r in found.regimes)
     yield from place_blocks(found, phrases)
     for swing in found.oscillations:
         name, legs = periods.get(swing.state, "T"), held.get(swing.state, [])
         if not legs:
-            yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name)
+            yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, (), linear)
             continue
         general = _as_function(name, legs, phrases)
-        yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, general)
+        yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, general, linear)
         for leg in legs:
             yield from _derived(leg, swing, phrases, general)
             yield from leg_of(leg)

@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
 from planar_cli.report.linearised import DEVIATION
+from planar_cli.report.near_rest import SECOND_ORDER, near_the_rest, sides_near
 from planar_cli.report.oscillation import RATES
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.telling import Telling
@@ -31,29 +32,37 @@ def in_small_deviations(
     """
     if not is_of_small_deviations(motion, instant):
         return blocks
-    linear = {p.of: p for o in motion.oscillations for p in o.linear}
+    linear, near = {p.of: p for o in motion.oscillations for p in o.linear}, motion.oscillations[0].near
     by_number = _sums(telling, linear)
+    whole = {} if near is None else sides_near(telling, near, DEVIATION)
+    blocks = blocks if near is None else near_the_rest(blocks, near, instant, phrases)
     found: list[Block] = []
     for block in _unsolved(blocks):
         if isinstance(block, Equation) and block.number in by_number:
             found[-1:] = [_aside(found[-1])]
             sides = (phrases.math(by_number[block.number]), *block.sides[1:])
             found.append(replace(block, sides=sides, note=()))
+        elif isinstance(block, Equation) and block.number in whole:
+            found[-1:] = [_aside(found[-1])]
+            found.append(replace(block, sides=tuple(map(phrases.math, whole[block.number])), note=()))
         elif isinstance(block, Equation) and (pull := _pull(block, linear)) is not None:
             told = phrases.math(pull.constant + _varying(pull))
             found.append(replace(block, sides=(block.sides[0], told), lead=_first_order(block.lead), note=()))
         else:
             found.append(block)
-    last = max((i for i, b in enumerate(found) if isinstance(b, Forces)), default=-1)
-    state = motion.oscillations[0].state
-    name = line(phrases.math(DEVIATION), f": a small deviation from the equilibrium {state}")
+    kind = Forces if near is None else Heading
+    drawn = [i for i, b in enumerate(found) if isinstance(b, kind)]
+    # Up to which order the accelerations go is said before them.
+    last = -1 if not drawn else drawn[-1] if near is None else drawn[0]
+    state, order = motion.oscillations[0].state, "" if near is None else SECOND_ORDER
+    name = line(phrases.math(DEVIATION), f": a small deviation from the equilibrium {state}{order}")
     return [*found[: last + 1], Paragraph(name), *found[last + 1 :]]
 
 
 def is_of_small_deviations(motion: MotionTrace, instant: InstantSolution) -> bool:
     """Is a general position told in its linear parts?"""
     at_rest_only = all(since == stop for since, stop in motion.regime(instant).stretches)
-    linear = [p for o in motion.oscillations for p in o.linear]
+    linear = [o for o in motion.oscillations if o.linear or o.near is not None]
     inertial = instant.instant.principle.inertia_as_force
     return bool(linear) and len(motion.oscillations) == 1 and at_rest_only and not inertial
 

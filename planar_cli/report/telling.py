@@ -71,7 +71,7 @@ class Telling:
         numbers: int = 0,
         constants: Phrases | None = None,
     ) -> None:
-        self.steps, self._before = steps, numbers
+        self.steps, self._before, self._wanted = steps, numbers, wanted or frozenset()
         self.instant, self.phrases, self.audience = instant, phrases, audience
         self.system = instant.trial.system
         self.scene = instant.instant.scene
@@ -166,7 +166,7 @@ class Telling:
 
     def _used(self) -> set[sp.Symbol]:
         """Every symbol that stands in an equation or line that is told."""
-        used: set[sp.Symbol] = set()
+        used = {s for s in self.scene.ledger.definitions if s.name in self._wanted}
         for stage in self.stages:
             for block in stage.blocks:
                 for w in block.equations:

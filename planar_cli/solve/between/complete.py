@@ -32,7 +32,7 @@ def completed(found: SolvedMotion) -> SolvedMotion:
     value = found.value.extended(balanced.values)
     for letter in balanced.values:
         formula = _resolved(letter, balanced.formulas)
-        if not formula.free_symbols & set(balanced.values):
+        if (course.swings or letter not in course.sought()) and not formula.free_symbols & set(balanced.values):
             course.told[letter] = formula
     check_oscillations(course, course.swings, value)
     spans = solve_spans(course, value, found.followed) if course.spanned else ()

@@ -17,6 +17,7 @@ from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
+from planar_cli.solve.between.by_centres import in_centres, without_places
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.elapsed import by_what_passes
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
@@ -24,6 +25,7 @@ from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.linear_parts import energies_near, linear_parts
 from planar_cli.solve.between.modes_of_oscillation import modes_told
+from planar_cli.solve.between.near_rest import near_rest
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -163,6 +165,7 @@ def _oscillation(
         roots=() if found.single else tuple(roots_of(found, value)),
         verdict=stability(found, value),
         linear=linear_parts(course, found, value),
+        near=near_rest(found, value),
         modes=modes_told(found, finds, value),
         energies=energies_near(course, found),
     )
@@ -205,7 +208,7 @@ class _Tracer:
     def route(self, route: Route) -> RouteTrace:
         known = settled(route, self.value, self.base, self.lettered)
         self._level = levels(route.formulas.items())
-        steps = tuple(self._step(step, route.plain) for step in route.steps)
+        steps = without_places([self._step(step, route.plain) for step in route.steps])
         return RouteTrace(steps, known, route.formulas, route.plain)
 
     def _step(self, step: DerivedStep, plain: Mapping[sp.Symbol, sp.Expr]) -> RouteStep:
@@ -221,7 +224,10 @@ class _Tracer:
         if aim is not None and (isinstance(law, BalanceTrace) or aim.law is None):
             told = AimTrace(aim.quantity, aim.formula, law if isinstance(law, BalanceTrace) else None, aim.timed)
         data = e.kind in DATA
-        return Relation(e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told)
+        here = in_centres(self.course, e, self._level)
+        return Relation(
+            e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told, here
+        )
 
     def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:
         if source is None or isinstance(source, Together):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
@@ -11,6 +11,7 @@ from planar_cli.equation.plain import are_zero
 from planar_cli.principles.base import Balance
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
+from planar_cli.solve.between.by_centres import by_centres
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.energies import centre_of
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -29,7 +30,7 @@ Asked = Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
 
 
 def wanted_of(
-    course: StatedMotion, routes: Iterable[Route], instant: InstantSolution, asked: Asked, value: Valuation
+    course: StatedMotion, routes: Sequence[Route], instant: InstantSolution, asked: Asked, value: Valuation
 ) -> tuple[frozenset[str] | None, frozenset[str] | None]:
     """Names of unknowns of a general position on which routes and finds rest, and those on which anything but finds
     at states does; None: all of them. `value`: numbers of everything.
@@ -43,7 +44,8 @@ def wanted_of(
     names = _of_turnings(course, regime)
     for name in (s.name for s, _ in course.modes.equilibria if course.readers[s.name].regime is regime):
         # A travel that swings nowhere, like that of a free cart, has no equation of motion to be told.
-        swinging = _rates(regime, course.swings[name].speeds if name in course.swings else regime.free)
+        free = () if name not in course.swings and _of_places(routes) else regime.free
+        swinging = _rates(regime, course.swings[name].speeds if name in course.swings else free)
         idle = _rates(regime, regime.free) - swinging
         said = [e for e in said if e in finds or not (e.is_Symbol and e.name in idle)]
         names |= swinging
@@ -62,9 +64,16 @@ def wanted_of(
         if isinstance(e.source, StateBalance):
             parts = _parts(course, regime, e.source, way.formulas, value)
             names |= {s.name for x in parts for s in x.free_symbols & known}
+    known |= by_centres(regime) if _of_places(routes) else set()
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
     return frozenset(names | every), frozenset(names | others)
+
+
+def _of_places(routes: Sequence[Route]) -> bool:
+    """Does what is asked of an equilibrium rest on where it is alone: on no sum of forces?"""
+    used = [e for way in routes for step in way.steps for e in step.derivation.equations]
+    return bool(used) and all(e.kind in ("drawn", "given") for e in used)
 
 
 def _carried(regime: Regime, blow: Blow, w: Written) -> set[str]:

@@ -34,6 +34,21 @@ class LinearPart:
 
 
 @record
+class NearRest:
+    """The one sum of moments or forces near an equilibrium, to the first order: slope δ = inertia."""
+
+    of: sp.Expr
+    """Its left side in a general position."""
+    slope: sp.Expr
+    inertia: sp.Expr
+    """Its right side in the equilibrium: a factor times the acceleration."""
+    square: sp.Expr
+    """ω₀² by it, 1/s²: negative where the equilibrium is unstable."""
+    places: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    """The coordinates and free speeds in the equilibrium, by the letters of the general position."""
+
+
+@record
 class Modes:
     """Several freedoms that swing: s̈ + A s = 0 without damping, s = a cos ωt, det(A - ω² I) = 0."""
 
@@ -75,6 +90,8 @@ class OscillationTrace:
     """Is it stable?"""
     linear: tuple[LinearPart, ...] = ()
     """Of its forces and sums of forces, where they are long in a general position."""
+    near: NearRest | None = None
+    """Of its one sum, where squares of speeds stand in it, which are of the second order."""
     modes: Modes | None = None
     """The modes of several freedoms, where their periods or frequencies are asked."""
     energies: tuple[sp.Expr, sp.Expr] | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
@@ -40,6 +41,8 @@ class StatedMotion(RegimeSequence):
     """By state: what `motion` says of places all the time."""
     equilibria: Equilibria
     """The equilibrium states, solved."""
+    beside: Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]
+    """By equilibrium state: what it says, with its expressions in the unknowns of the general position."""
     spanned: Mapping[sp.Symbol, SpanQuantity]
     """Quantities over spans, by what stands for them."""
     swings: Mapping[str, Oscillation]
@@ -125,6 +128,7 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
         demands=demands,
         placed=placed,
         equilibria=equilibria,
+        beside=beside,
         spanned=spanned,
         swings=swings,
         blows=blows,

@@ -144,6 +144,8 @@ class Relation:
     """The principles of which it is a law, by their words; none for data, geometry and blows."""
     aim: AimTrace | None = None
     """What is largest or smallest by it."""
+    told: sp.Expr | None = None
+    """The residual in letters that have lines of their own, as the coordinates of mass centres; None: as it is."""
 
     @property
     def is_of_motion(self) -> bool:

@@ -1,0 +1,116 @@
+"""A body near its equilibrium, drawn and summed up to the first order in the deviation δ: its accelerations are those
+in the equilibrium without the terms with ω², which are of the second order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.centres import centre_of
+from planar_cli.equation.plain import simplified
+from planar_cli.report.actions import onward
+from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Text
+from planar_cli.report.telling import Telling
+from planar_cli.report.vectors import index_of
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.oscillation_trace import NearRest
+from planar_cli.solve.instant.stages import acceleration_unknowns
+from planar_cli.solve.solution import InstantSolution
+
+SECOND_ORDER = "; terms with ω² are of the second order in it and left out"
+
+
+def near_the_rest(blocks: list[Block], near: NearRest, instant: InstantSolution, phrases: Phrases) -> list[Block]:
+    """Kinematics and diagrams of a general position in the equilibrium."""
+    return [_put(block, near, instant, phrases) for block in blocks]
+
+
+def sides_near(telling: Telling, near: NearRest, deviation: sp.Symbol) -> dict[int | None, tuple[sp.Expr, sp.Expr]]:
+    """Both sides of the sum to the first order, by the number that it has on the page."""
+    found: dict[int | None, tuple[sp.Expr, sp.Expr]] = {}
+    for stage in telling.stages:
+        for w in (w for block in stage.blocks for w in block.equations):
+            if w.law in ("force", "moment") and w.left == near.of:
+                sign = 1 if onward(w).left == w.left else -1
+                found[telling.number(stage, w.number)] = (sign * near.slope * deviation, sign * near.inertia)
+    return found
+
+
+def differences(near: NearRest) -> list[tuple[sp.Symbol, sp.Symbol]]:
+    """The differences of two letters in the moment of what has turned by δ."""
+    sums = [f for f in sp.Mul.make_args(near.slope) if f.is_Add]
+    pairs = [[t if t.is_Symbol else -t for t in f.args] for f in sums]
+    return [(p[0], p[1]) for p in pairs if len(p) == 2 and all(t.is_Symbol for t in p)]
+
+
+def _put(block: Block, near: NearRest, instant: InstantSolution, phrases: Phrases) -> Block:
+    places = dict(near.places)
+    if isinstance(block, Equation):
+        sides = tuple(_slow(side, places) if isinstance(side, tuple) else side for side in block.sides)
+        if sides != block.sides:
+            sides = (*sides, *_as_one(block, places, instant, phrases))
+        return replace(block, sides=sides, note=tuple(_pieces(block.note, places, phrases)))
+    if isinstance(block, Forces) and block.right:
+        drawn = _inertia(block, places, instant, phrases)
+        return replace(block, right=drawn) if drawn else block
+    return block
+
+
+def _as_one(
+    block: Equation, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases
+) -> tuple[Line, ...]:
+    """The acceleration of a mass centre along x or y, as one side more."""
+    scene = instant.instant.scene
+    body = next((b for b in scene.bodies if block.sides[0] == (Name(f"a_{index_of(centre_of(scene, b))}"),)), None)
+    told = [] if body is None else list(_components(body, places, instant, phrases))
+    return tuple((phrases.math(size), Text(f" {arrow}")) for size, arrow in told) if len(told) == 1 else ()
+
+
+def _slow(side: Line, places: dict[sp.Symbol, sp.Expr]) -> Line:
+    """Without a last term - ω² r."""
+    *before, sign, square, _, arm = side if len(side) > 4 else (None,) * 5
+    nought = isinstance(square, Math) and isinstance(square.expr, sp.Basic) and square.expr.xreplace(places) == 0
+    return tuple(before) if nought and sign == Text(" - ") and isinstance(arm, Name) else side
+
+
+def _pieces(whole: Line, places: dict[sp.Symbol, sp.Expr], phrases: Phrases) -> Iterator[Any]:
+    for piece in whole:
+        if isinstance(piece, Math) and isinstance(piece.expr, sp.Basic) and piece.expr.free_symbols & places.keys():
+            yield phrases.math(simplified(piece.expr.xreplace(places)))
+        else:
+            yield piece
+
+
+def _components(
+    body: str, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases
+) -> Iterator[tuple[sp.Expr, str]]:
+    """The acceleration of a mass centre in the equilibrium: its parts along x and y, each in the sense in which it goes
+    with the accelerations.
+    """
+    motion, model = instant.trial.system.motion, instant.instant.scene.bodies[body]
+    if motion is None:
+        return
+    a = motion.acceleration(model.center, body)
+    for component, (x, y) in ((a.x, (sp.S.One, sp.S.Zero)), (a.y, (sp.S.Zero, sp.S.One))):
+        size = simplified(sp.sympify(component).xreplace(places))
+        if size == 0:
+            continue
+        known = phrases.value.known(size.xreplace(dict.fromkeys(acceleration_unknowns(instant.trial.system), sp.S.One)))
+        sign = -1 if size.could_extract_minus_sign() or (known is not None and known < 0) else 1
+        yield simplified(sign * size), phrases.arrow(sign * x, sign * y)
+
+
+def _inertia(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases) -> Line:
+    """m a_G in its components, and the couple as it stands; empty: there is no such motion."""
+    mass = instant.instant.scene.bodies[block.body].mass
+    at = next((p.text.partition(" at ")[2] for p in block.right if isinstance(p, Text) and " at " in p.text), "")
+    parts: list[Any] = []
+    for size, arrow in _components(block.body, places, instant, phrases):
+        told = phrases.math(sp.Mul(mass, size, evaluate=False))
+        parts += [Text(",  ")] * bool(parts) + [told, Text(f" {arrow}{' at ' if at else ''}{at}")]
+    couple = next((i for i, p in enumerate(block.right) if isinstance(p, Text) and p.text in (" ↺", " ↻")), 0)
+    return tuple([*parts, Text(",  "), *block.right[couple - 1 :]] if couple and parts else parts)
