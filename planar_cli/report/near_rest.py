@@ -72,7 +72,9 @@ def _as_one(
 
 def _slow(side: Line, places: dict[sp.Symbol, sp.Expr]) -> Line:
     """Without a last term - ω² r."""
-    *before, sign, square, _, arm = side if len(side) > 4 else (None,) * 5
+    if len(side) < 5:
+        return side
+    *before, sign, square, _, arm = side
     nought = isinstance(square, Math) and isinstance(square.expr, sp.Basic) and square.expr.xreplace(places) == 0
     return tuple(before) if nought and sign == Text(" - ") and isinstance(arm, Name) else side
 
