@@ -37,3 +37,9 @@ def test_a_given_component_keeps_its_sign() -> None:
     page = page_of_file("gear-between-racks")
     assert "-0.4 ω_gear = 1.2" in page
     assert "-0.4 α_gear = -0.8" in page
+
+
+def test_a_place_and_its_one_open_coordinate_are_one_line() -> None:
+    page = page_of_file("wheel-that-pushes-a-rod")
+    assert "B is l from A and at y = 0, on the right: x_B = R + √(l² - R²) = 0.4 + √(1.2² - 0.4²) = 1.531 m" in page
+    assert "x of B" not in page

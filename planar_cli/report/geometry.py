@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -57,6 +58,23 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[B
         side = f", {_SIDES.get(point.place.side, point.place.side)}" if point.place.side else ""
         sides = (line(point.name), *_by_slope(scene, point.place, (x, y), phrases), where)
         yield Equation(sides, None, line(f"{point.name} is ", *joined, f"{side}:"))
+
+
+def with_coordinates(placed: Iterable[Block], defined: Iterable[Block], scene: Scene) -> list[Block]:
+    """Lines of places and of coordinates; where one coordinate is all that a place leaves open, one line of both:
+    B is l from A and at y = 0, on the right: x_B = R + √(l² - R²) = 1.531 m.
+    """
+    lines, blocks = list(defined), list[Block]()
+    for place in placed:
+        name = place.sides[0][0].text if isinstance(place, Equation) else ""
+        at = scene.point(name) if name else None
+        open_yet = {s for p in (at.x, at.y) for s in p.free_symbols} & set(scene.ledger.definitions) if at else set()
+        own = [b for b in lines if isinstance(b, Equation) and b.lead in (line(f"x of {name}:"), line(f"y of {name}:"))]
+        if len(own) != 1 or len(open_yet) != 1 or not isinstance(place, Equation):
+            blocks.append(place)
+            continue
+        lines = [replace(b, lead=place.lead) if b is own[0] else b for b in lines]
+    return [*blocks, *lines]
 
 
 def _by_slope(scene: Scene, place: TwoFacts, where: tuple[Decimal, Decimal], phrases: Phrases) -> list[Line]:

@@ -19,7 +19,7 @@ from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.derivatives_after import derivatives_after
 from planar_cli.report.forces import force_rows
-from planar_cli.report.geometry import constructed, in_numbers, places
+from planar_cli.report.geometry import constructed, in_numbers, places, with_coordinates
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
@@ -107,9 +107,9 @@ class Telling:
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
+        placed = places(self.scene, self._constructed, self.phrases)
         kinematics = [
-            *places(self.scene, self._constructed, self.phrases),
-            *self.definitions.lines(self._used(), "m"),
+            *with_coordinates(placed, self.definitions.lines(self._used(), "m"), self.scene),
             *translations(self.instant.trial, self.vectors.zero, self.phrases),
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
