@@ -46,7 +46,7 @@ def in_numbers(scene: Scene, page: Collection[Block], phrases: Phrases) -> Itera
     yield from places(scene, ends.intersection(plain), phrases)
 
 
-def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[Block]:
+def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[Equation]:
     """C is 0.5 m from B and 0.4 m from D: C = [0.5474, 0.3965] m."""
     for point in scene.problem.points:
         if point.name not in names or not isinstance(point.place, TwoFacts):
@@ -60,21 +60,21 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[B
         yield Equation(sides, None, line(f"{point.name} is ", *joined, f"{side}:"))
 
 
-def with_coordinates(placed: Iterable[Block], defined: Iterable[Block], scene: Scene) -> list[Block]:
+def with_coordinates(placed: Iterable[Equation], defined: Iterable[Equation], scene: Scene) -> list[Equation]:
     """Lines of places and of coordinates; where one coordinate is all that a place leaves open, one line of both:
     B is l from A and at y = 0, on the right: x_B = R + √(l² - R²) = 1.531 m.
     """
-    lines, blocks = list(defined), list[Block]()
+    lines, apart = list(defined), list[Equation]()
     for place in placed:
-        name = place.sides[0][0].text if isinstance(place, Equation) else ""
-        at = scene.point(name) if name else None
-        open_yet = {s for p in (at.x, at.y) for s in p.free_symbols} & set(scene.ledger.definitions) if at else set()
-        own = [b for b in lines if isinstance(b, Equation) and b.lead in (line(f"x of {name}:"), line(f"y of {name}:"))]
-        if len(own) != 1 or len(open_yet) != 1 or not isinstance(place, Equation):
-            blocks.append(place)
+        name = next((p.text for p in pieces_of(place.sides[0]) if isinstance(p, Text)), "")
+        at, leads = scene.point(name), [line(f"{axis} of {name}:") for axis in ("x", "y")]
+        open_yet = {s for p in (at.x, at.y) for s in sp.sympify(p).free_symbols} & set(scene.ledger.definitions)
+        own = [b for b in lines if b.lead in leads]
+        if len(own) != 1 or len(open_yet) != 1:
+            apart.append(place)
             continue
         lines = [replace(b, lead=place.lead) if b is own[0] else b for b in lines]
-    return [*blocks, *lines]
+    return [*apart, *lines]
 
 
 def _by_slope(scene: Scene, place: TwoFacts, where: tuple[Decimal, Decimal], phrases: Phrases) -> list[Line]:
