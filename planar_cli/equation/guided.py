@@ -1,6 +1,8 @@
-"""Guides that have nothing to keep on their line: what is hauled up a shaft does not press against it."""
+"""Guides and walls that have nothing to keep on its line: what is hauled up a shaft does not press against it."""
 
 from __future__ import annotations
+
+from decimal import Decimal
 
 import sympy as sp
 
@@ -11,23 +13,31 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
 
+def does_nothing(system: System, push: Push, size: Decimal | None) -> bool:
+    """Is it a friction that is zero, or a guide that guides nothing? `size`: None where nothing tells it."""
+    return (size == 0 and push.kind == "friction") or (not size and guides_nothing(system, push))
+
+
 def guides_nothing(system: System, push: Push) -> bool:
-    """Is it the force of a guide at rest across which nothing else acts, and nothing is accelerated?"""
-    guides = {j.name for j in system.scene.problem.joints if j.kind == "guide"}
-    if push.kind != "normal" or push.joint not in guides:
+    """Is it the force of a fixed guide or wall across which nothing else acts, and nothing is accelerated? Two of them
+    on one body keep nothing either.
+    """
+    if push.kind != "normal":
         return False
     own = [a for a in push.actions if a.body != GROUND]
-    return len(own) == 1 and all(a.force is not None and not _acts(system, push, a.body, a.force) for a in own)
+    return len(own) == 1 and all(a.force is not None and not _acts(system, a.body, a.force) for a in own)
 
 
-def _acts(system: System, push: Push, body: str, across: Vec) -> bool:
-    """Is there anything on a body along a direction but this force?"""
+def _acts(system: System, body: str, across: Vec) -> bool:
+    """Is there anything on a body along a direction but forces of fixed guides and walls along it?"""
     motion, reactions = system.motion, system.reactions
     if motion is None or reactions is None:
         return True
     others = [w.force for w in system.wrenches if w.body == body and w.force is not None]
-    pushing = [a for p, _ in reactions.pushes if p.name != push.name for a in p.actions]
-    others += [a.force for a in pushing if a.body == body and a.force is not None]
+    for p, _ in reactions.pushes:
+        forces = [a.force for a in p.actions if a.body == body and a.force is not None]
+        fixed = p.kind == "normal" and all(a.body in (body, GROUND) for a in p.actions)
+        others += () if fixed and all(simplified(f.cross(across)) == 0 for f in forces) else forces
     center = system.scene.bodies[body].center
     others.append(motion.acceleration(center, body))
     return any(simplified(sp.sympify(force.dot(across))) != 0 for force in others)

@@ -16,14 +16,16 @@ from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
 from planar_cli.report.alike import told_of_each, weights_of_each
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import drawn_bodies, force_rows
+from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
+from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.report.put_in import put_in
 from planar_cli.report.sides import said
 from planar_cli.report.spread import spread
@@ -31,6 +33,7 @@ from planar_cli.report.standing import standing, standing_lines
 from planar_cli.report.turning_groups import Turning, by_group, turning_group
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
+from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
 
 LONGEST, MOST_NAMED, MOST_LETTERS = 60, 8, 44
@@ -241,7 +244,8 @@ class BetweenTelling:
             return
         self.told.add(impact.since)
         scene, stage = solution.instant.scene, solution.stages[0]
-        finite = self.finite.beside(impact.since, scene, drawn_bodies(solution, stage)) if self.finite else ()
+        rows = self._rows(impact, solution)
+        finite = self.finite.beside(impact.since, scene, drawn_bodies(solution, stage), rows) if self.finite else ()
         yield Paragraph(line(f"Just after {impact.since}: momentum before + impulses = momentum after", *finite, "."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
@@ -253,15 +257,20 @@ class BetweenTelling:
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
                 symbol = scene.ledger.symbols[letter]
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
+        yield from rows
+
+    def _rows(self, impact: Impact, solution: InstantSolution) -> list[Forces]:
+        """The diagrams of a blow."""
+        scene, stage = solution.instant.scene, solution.stages[0]
         phrases = Phrases(scene.ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
         # A velocity that is zero after the blow and stands in no equation is not drawn.
         speeds = dict.fromkeys(s for parts in stage.accelerations.values() for _, c in parts for s in c.free_symbols)
         idle = [s for s in speeds if s not in self.used and self.phrases.value.vanishes(s)]
         stage = replace(stage, zero=(*stage.zero, *idle))
-        nil = {symbol for symbol, since in self.nil if since == impact.since}
+        nil = {symbol for symbol, since in self.nil if since == impact.since} | nil_beside(solution, stage, self.used)
         rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
         nothing = (Text("0"),)
-        yield from (replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing))
+        return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing)]
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)
@@ -302,17 +311,19 @@ class BetweenTelling:
         yield from self._drawn(e.impact)
         before = self._put(e.left)
         why = ", zero before, and no impulse changes it" if before == 0 and e.law != "relation" else ""
-        yield Paragraph(line(*self._head(e), f"{why}:"))
+        yield Paragraph(line(*self._head(e, kept=bool(why)), f"{why}:"))
         yield result
 
-    def _head(self, e: ImpactEquation) -> Line:
-        """Of which bodies an equation of a blow is, and what it balances."""
+    def _head(self, e: ImpactEquation, kept: bool = False) -> Line:
+        """Of which bodies an equation of a blow is, and what it balances; `kept`: as no impulse changes it."""
         group = ", ".join(e.bodies)
         if e.law == "relation":
-            words = e.lead or e.words
+            words = no_rebound(e, self._put(e.left - e.right)) or e.lead or e.words
             return line(f"{words[:1].upper()}{words[1:]}")
         if e.law == "moment":
-            return self._about(e, group)
+            return self._about(e, group, () if kept else passing(e, self.used))
+        if e.lead and is_conserved(e):
+            return line(f"{group}: conservation of momentum along {e.lead} (no external impulse)")
         if e.lead:
             return line(f"{group}, momentum along {e.lead}")
         return line(f"{group}, momentum ", *_across(e.words))
@@ -325,9 +336,9 @@ class BetweenTelling:
             return line("↺ ", Name(f"H_{point_at(e) or e.lead}"), ":")
         return line(f"{self.phrases.along(e.along)} ")
 
-    def _about(self, e: ImpactEquation, group: str) -> Line:
+    def _about(self, e: ImpactEquation, group: str, passing_by: tuple[sp.Expr, ...]) -> Line:
         if e.centre is None:
-            return line(f"{group}, angular momentum about ", Name(e.lead))
+            return line(f"{group}, angular momentum about ", Name(e.lead), *self._through(passing_by))
         if at := point_at(e):
             return line(f"{group}, angular momentum about ", Name(at), *self._through(e.centre.through))
         x, y = (self.phrases.math(self._put(p)) for p in (e.centre.x, e.centre.y))

@@ -16,6 +16,9 @@ from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 
+COMPONENTS = ("x", "y", ",x", ",y")
+"""What a component has behind the letter of what moves along one axis alone."""
+
 
 def datum_blocks(
     leg: RouteStep,
@@ -58,11 +61,14 @@ def _is_number(r: Result, phrases: Phrases) -> bool:
 
 
 def _is_repeated(stated: Stated | None, r: Result) -> bool:
-    """Would its line only say again what is given, 2: t = 2 s and then t_2 = 2 s?"""
+    """Would its line only say again what is given, 2: t = 2 s and then t_2 = 2 s; 1: v_Ax = 4 m/s and then v_A,1 for
+    what moves along x alone?
+    """
     if not isinstance(stated, Relation):
         return False
     named = said(stated.left, 1)
     match named:
         case (Name(name),):
-            return plain_name(name) == plain_name(r.unknown.name.partition("__")[0])
+            letter = plain_name(r.unknown.name.partition("__")[0])
+            return plain_name(name) in (letter, *(f"{letter}{c}" for c in COMPONENTS))
     return False

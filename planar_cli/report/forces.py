@@ -12,7 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.guided import guides_nothing
+from planar_cli.equation.guided import does_nothing
 from planar_cli.equation.ledger import display
 from planar_cli.equation.one_way import one_way
 from planar_cli.equation.plain import longer, simplified
@@ -112,8 +112,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
     assert system.reactions is not None
     absent, at_limit = _absent(instant, stage), impending(stage)
     for push, expr in system.reactions.pushes:
-        idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
-        if push.name in absent or expr in nil or (idle and (push.kind == "friction" or guides_nothing(system, push))):
+        idle = not expr.free_symbols & used and does_nothing(system, push, phrases.value.known(expr))
+        if push.name in absent or expr in nil or idle:
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
@@ -122,7 +122,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             # What drives has the statement of the file for its place.
             where = named if rigid and push.kind != "drive" else ""
-            parts.append(_push(push, expr, a, phrases, where, expr in at_limit))
+            parts.append(_push(push, expr, a, phrases, where, expr in at_limit or expr in phrases.ledger.values))
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part

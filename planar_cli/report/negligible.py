@@ -10,12 +10,14 @@ from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.blocks import Forces, Line, Name, Text, line
 
 UNCOUNTED = ("drag",)
 """Kinds of loads that have no plural."""
 FORCE = "force"
 """The kind of load that is called by its letter, as in the diagrams."""
+NOT_LEVEL = "↑↓↖↗↘↙↺↻"
+"""The arrows of what is not horizontal."""
 
 
 @record
@@ -25,15 +27,17 @@ class FiniteForces:
     problem: Problem
     states: tuple[str, ...]
 
-    def beside(self, since: str, scene: Scene, bodies: Collection[str]) -> Line:
+    def beside(self, since: str, scene: Scene, bodies: Collection[str], rows: Sequence[Forces]) -> Line:
         """` (the impulse of the weights, the spring and R is negligible)` in the blow after a state on some bodies; ()
-        where no finite force acts on them then.
+        where no finite force acts on them then. `rows`: the diagrams of the blow; where all in them is horizontal,
+        weights are no matter.
         """
+        level = not any(arrow in _said(row) for row in rows for arrow in NOT_LEVEL)
         counts: dict[str, int] = {}
         letters: list[str] = []
         for load in acting_loads(self.problem):
             finite = type(load).impulses is Load.impulses and self._acts(load.during, since)
-            absent = load.kind == "weight" and self.problem.plane != "vertical"
+            absent = load.kind == "weight" and (level or self.problem.plane != "vertical")
             if absent or not finite or not _loaded(load, scene, bodies):
                 continue
             if letter := _letter(load):
@@ -59,6 +63,11 @@ class FiniteForces:
             touched = set(getattr(joint, "between", ())) & set(bodies)
             if isinstance(size, Letter) and touched and self._acts(joint.during, since):
                 yield size.name
+
+
+def _said(row: Forces) -> str:
+    """The words and arrows of a diagram."""
+    return "".join(p.text for p in (*row.left, *row.right) if isinstance(p, Text))
 
 
 def _listed(named: Sequence[Line]) -> Line:

@@ -1,14 +1,18 @@
-"""Impulses of a blow that the file says are zero, as a line before the equations that do without them."""
+"""Impulses of a blow that are zero: by the file, as a line before the equations that do without them, or as nothing
+acts along them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import sympy as sp
 
 from planar_cli.report.blocks import Block, Equation, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, SpanIntegral
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.solution import InstantSolution
 
 
 def in_blow(found: SpanIntegral) -> bool:
@@ -39,3 +43,13 @@ def said_nil(found: MotionTrace) -> Iterator[tuple[sp.Symbol, str, str]]:
     for span in found.spans:
         if (impulse := nil_of_blow(span)) is not None and span.symbol not in asked and impulse not in derived:
             yield impulse, span.pieces[0].since, span.pieces[0].until
+
+
+def nil_beside(solution: InstantSolution, stage: Stage, used: Collection[sp.Symbol]) -> set[sp.Symbol]:
+    """The impulses that are zero, as nothing else acts along them, and that are in no equation. `used`: the letters of
+    all equations of blows, and of what is asked.
+    """
+    reactions = solution.trial.system.reactions
+    assert reactions is not None
+    inside = {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols} | {*used}
+    return {e for _, e in reactions.pushes if e.is_Symbol and e not in inside and solution.value.known(e) == 0}

@@ -1,0 +1,75 @@
+"""What stands over an equation of a blow: of which bodies it is, what it balances, and why it has no other impulses.
+
+A, B: conservation of momentum along x (no external impulse)
+AB: angular momentum about A, through which J passes
+No rebound (e = 0): A and B have one velocity along the common normal
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+
+import sympy as sp
+
+from planar_cli.problem.facts import Action
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.nil_impulses import nil_beside
+from planar_cli.solve.between.trace import ImpactEquation
+
+RESTITUTION = re.compile(r"restitution between (.+), along the common normal")
+MOST = 2
+"""Of more impulses through one point the diagrams speak."""
+
+
+def no_rebound(e: ImpactEquation, residual: sp.Expr) -> str:
+    """What a restitution that is zero says; "" of any other. `residual`: of its equation, with what is known put in."""
+    found = RESTITUTION.fullmatch(e.lead or e.words)
+    if found is None or any(s.name.endswith(f"__{e.impact.since}") for s in residual.free_symbols):
+        return ""
+    return f"No rebound (e = 0): {found[1]} have one velocity along the common normal"
+
+
+def is_conserved(e: ImpactEquation) -> bool:
+    """Has a group of bodies no impulse from outside along the direction of an equation?"""
+    solution = e.impact.solution
+    if e.law != "force" or len(e.bodies) < 2 or not e.along or solution is None:
+        return False
+    system = solution.trial.system
+    along, value = Vec(*map(sp.sympify, e.along)), solution.value
+    given = [w.force for w in system.wrenches if w.kind == "impulse" and w.body in e.bodies and w.force is not None]
+    if any(not value.is_zero(sp.sympify(f.dot(along))) for f in given):
+        return False
+    return not (e.left - e.right).free_symbols & set(system.symbols.values())
+
+
+def passing(e: ImpactEquation, used: Collection[sp.Symbol]) -> tuple[sp.Expr, ...]:
+    """The impulses on a group that pass through the named point about which an equation is; (): none, or many. `used`:
+    the letters of all equations of blows, and of what is asked.
+    """
+    solution = e.impact.solution
+    if solution is None or e.law != "moment" or e.lead not in solution.instant.scene.points:
+        return ()
+    center = solution.instant.scene.points[e.lead]
+    nil = nil_beside(solution, solution.stages[0], used)
+    outer = ((s, acting) for s, acting in _outer(e) if s not in nil)
+    found = [s for s, acting in outer if all(solution.value.is_zero(_moment(a, center)) for a in acting)]
+    return tuple(found) if len(found) <= MOST else ()
+
+
+def _moment(action: Action, center: Vec) -> sp.Expr:
+    arm = action.point - center
+    turning = arm.cross(action.force) if action.force is not None else sp.S.Zero
+    return sp.sympify(turning + action.couple)
+
+
+def _outer(e: ImpactEquation) -> Iterator[tuple[sp.Symbol, list[Action]]]:
+    """The unknown impulses that act on a group from outside, with where they act on it."""
+    assert e.impact.solution is not None
+    solution = e.impact.solution
+    reactions = solution.trial.system.reactions
+    assert reactions is not None
+    for push, expr in reactions.pushes:
+        own = [a for a in push.actions if a.body in e.bodies]
+        if own and len(own) < len(push.actions) and expr.is_Symbol:
+            yield expr, own

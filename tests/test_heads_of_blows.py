@@ -1,0 +1,25 @@
+"""What stands over the equations of a blow, and what its diagrams do without."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(("stem", "said"), [
+    ("carriages-that-collide", "A, B: conservation of momentum along x (no external impulse): (2)"),
+    ("carriages-that-collide", "No rebound (e = 0): A and B have one velocity along the common normal: (1)"),
+    ("bullet-into-a-hanging-panel", "panel, bullet, angular momentum about A, through which J_Ax and J_Ay pass: (1)"),
+    # All momenta are horizontal: the weights are no matter.
+    ("carriages-that-collide", "momentum before + impulses = momentum after. A: m_A v_A,1 →, J ←"),
+    # The wall that rubs and the guide press on nothing, and the friction has a known sense.
+    ("pile-driven-into-soil-of-constant-resistance", "pile: J_N,ram ↓ = m_2 v_P,3 ↑"),
+    ("pile-driven-into-soil-of-constant-resistance", "pile: m_2 g ↓, R ↑, N_ram ↓ = m_2 a_P ↑"),
+])  # fmt: skip
+def test_what_a_blow_says(stem: str, said: str) -> None:
+    assert said in page_of_file(stem)
+
+
+def test_a_velocity_that_is_given_is_not_said_again() -> None:
+    """v_Ax = 4 m/s stands under Given, of what moves along x alone."""
+    assert "At 1, as given" not in page_of_file("carriages-that-collide")
