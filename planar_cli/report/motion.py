@@ -22,6 +22,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.extremes import aims_told
+from planar_cli.report.flights import FlightTelling
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.idle_zeros import is_untold
 from planar_cli.report.impulse_rows import before_leg
@@ -96,6 +97,7 @@ class MotionTelling:
         self.rates: list[ToldRate] = []
         self._steady: set[str] = set()
         self._laws = LawTelling(phrases, found.varying, found.regimes)
+        self._flights = FlightTelling.of(found, phrases)
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found, phrases, self._law)
         self.between = telling_between(found, phrases, self.numeric)
@@ -136,9 +138,8 @@ class MotionTelling:
         legs = [leg for leg in every if only is None or leg in only]
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
-        for leg in given:
-            if leg not in followed:
-                yield from self._datum(leg)
+        for leg in (x for x in given if x not in followed):
+            yield from self._datum(leg)
         derived = [leg for leg in legs if not is_untold(leg, self.found)]
         needed = {s for leg in derived for s in leg.needs}
         first = [leg for leg in followed if needed.intersection(leg.unknowns)]
@@ -164,16 +165,16 @@ class MotionTelling:
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)
+        yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route))
         equations, ledger = leg.relations, self.found.ledger
-        numbers = []
-        single = len(equations) == 1
-        if by_phase := self._swings.by_phase(leg, self.next):
-            self.next += 1
-            return (yield from by_phase)
+        numbers, single = list[int](), len(equations) == 1
+        if told := self._flights.at_state(leg, self._chain) or self._swings.by_phase(leg, self.next):
+            self.next += any(isinstance(b, Equation) and b.number == self.next for b in told)
+            return (yield from told)
         for e in equations:
             yield from aims_told(e, leg, self)
-            if told := [number for law, number in self.aims if law == e.source]:
-                numbers += told
+            if before := [number for law, number in self.aims if law == e.source] or self._flights.number(e):
+                numbers += before
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
                 return (yield Equation(self._chain(leg.results[0]), None, line(at(e.stop)), line(e.words)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from decimal import Decimal
+from itertools import takewhile
 from typing import Any
 
 import sympy as sp
@@ -14,7 +15,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.problem.scene import with_article
-from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Text, line
 from planar_cli.report.changes import changes
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.clean import is_clean
@@ -194,12 +195,21 @@ def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
     heading: Paragraph | None = None
     for block in blocks:
         if isinstance(block, Paragraph):
-            if block == heading:
+            if block == heading or _is_said(block, heading):
                 continue
             heading = block
         elif not isinstance(block, Equation | Result):
             heading = None
         yield block
+
+
+def _is_said(block: Paragraph, heading: Paragraph | None) -> bool:
+    """Does `At B:` stand under `At B, y = -3/4 x:`?"""
+    if heading is None or len(block.line) != 1 or not isinstance(block.line[0], Text):
+        return False
+    said = "".join(p.text for p in takewhile(lambda p: isinstance(p, Text), heading.line) if isinstance(p, Text))
+    place = block.line[0].text.removesuffix(":")
+    return place.startswith("At ") and said.startswith(f"{place},")
 
 
 def without_number(residual: sp.Expr) -> sp.Expr:

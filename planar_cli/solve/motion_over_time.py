@@ -19,6 +19,7 @@ from planar_cli.solve.between.assumptions import presumed
 from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.between.complete import completed
 from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.in_order import in_order
 from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
 from planar_cli.solve.between.methods import by_method, not_reached_by
@@ -159,7 +160,7 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     by_steps = followed if follows else None
     natural = course.natural(unknowns)
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps, natural)
-    wanted = _in_order(course, asked_letters(found.finds) & unknowns)
+    wanted = in_order(course, found.finds, asked_letters(found.finds) & unknowns)
     route = router.route(wanted)
     if method is not None:
         free = Router(equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
@@ -185,9 +186,3 @@ def _instants(course: RegimeSequence) -> tuple[InstantSolution, ...]:
             regime.general.solution.quiet = not regime.runs
     running = [r for r in regimes if r.runs] or regimes[:1]
     return tuple(r.general.solution for r in running if r.general.solution is not None)
-
-
-def _in_order(course: RegimeSequence, targets: set[sp.Symbol]) -> list[sp.Symbol]:
-    """Letters state by state, as a reader goes through the motion; what is sought comes first."""
-    place = {own: i for i, stop in enumerate(course.stops.values(), 1) for own in stop.letters.values()}
-    return sorted(targets, key=lambda s: (place.get(s, 0), s.name))

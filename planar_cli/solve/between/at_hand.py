@@ -46,25 +46,30 @@ def at_hand(
 
 
 def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) -> set[Known]:
-    """The laws of constant acceleration on which the targets rest."""
+    """The laws of constant acceleration on which the targets rest. One that is zero is at hand in a throw, where a
+    place over time rests on it; else no equation of it stands on the page, where energies or momentum tell why a
+    velocity stays.
+    """
     seen: set[sp.Symbol] = set()
-    found: set[Known] = set()
+    found: dict[Known, tuple[str, bool]] = {}
     waiting = list(targets)
     while waiting:
         own = best.get(x := waiting.pop())
         if x in seen or own is None:
             continue
         seen.add(x)
-        found |= {law for e in own.equations if (law := _law(e)) is not None}
+        for e in own.equations:
+            if (law := _law(e)) is not None and e.law is not None:
+                told = found.get(law, ("", False))[1]
+                found[law] = (e.law.coordinate.words.partition(" of ")[2], told or e.kind == "q(t)")
         waiting += own.needs
-    return found
+    thrown = {thing for law, (thing, _) in found.items() if law[1] != 0 and thing}
+    return {law for law, (thing, told) in found.items() if law[1] != 0 or (told and thing in thrown)}
 
 
 def _law(e: Equation) -> Known | None:
-    """None also of an acceleration that is zero: no equation of it stands on the page, where energies or momentum tell
-    why a velocity stays.
-    """
-    if e.law is None or not ((e.law.steady and e.law.f != 0) or is_harmonic(e)):
+    """None of a law without a constant acceleration."""
+    if e.law is None or not (e.law.steady or is_harmonic(e)):
         return None
     return e.law.coordinate.symbol, e.law.f if e.law.constant is None else e.law.constant[1]
 

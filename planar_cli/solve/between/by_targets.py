@@ -1,5 +1,6 @@
 """A time by the velocity that is asked for the same state: t = (v_0 - v)/g, not the root of a quadratic equation, and
-t = ∫ dv/a, not the place over time solved for t.
+t = ∫ dv/a, not the place over time solved for t. A place at a time by which another place is told anyway, as of a throw
+x = v_x t: y = v_y t - 1/2 g t², not v² = v_0² - 2 g y.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.plain import derivative
 from planar_cli.solve.between.derivation import Derivation, Edge
 
 Best = Mapping[sp.Symbol, Derivation]
@@ -25,6 +27,26 @@ def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]
             if more or e.kind not in ("v(t)", "t(v)") or tuple(unknowns) != (x,) or not needs & set(targets):
                 continue
             if e.residual.is_polynomial(x) and all(n in found for n in needs) and not _rests(needs, x, found):
+                found[x] = Derivation(equations, unknowns, needs, cost)
+                break
+    return _by_the_clock(found, edges, targets)
+
+
+def _by_the_clock(
+    found: dict[sp.Symbol, Derivation], edges: Sequence[Edge], targets: Collection[sp.Symbol]
+) -> dict[sp.Symbol, Derivation]:
+    """The derivations, where the place of a target that follows from squares of velocities has a time at hand."""
+    dated = {n for x in targets if x in found and found[x].equations[0].kind == "q(t)" for n in found[x].needs}
+    for x in targets:
+        own = found.get(x)
+        if own is None or len(own.equations) != 1 or own.equations[0].kind != "v(q)":
+            continue
+        for equations, unknowns, needs, cost in edges:
+            (e, *more) = equations
+            times = (needs - own.needs) & dated & set(targets)
+            if more or e.kind != "q(t)" or tuple(unknowns) != (x,) or not times or e.law is None or not e.law.steady:
+                continue
+            if all(n in found for n in needs) and not _rests(needs, x, found) and derivative(e.residual, x).is_number:
                 found[x] = Derivation(equations, unknowns, needs, cost)
                 break
     return found
