@@ -174,6 +174,35 @@ def test_one_mistake_is_named_several_are_not() -> None:
 
 
 @pytest.mark.parametrize(
+    ("wrong", "text", "figures", "is_named"),
+    [
+        (1.51585, "1.52 N", 3, True),
+        (1.51585, "1.516 N", 3, True),
+        (1.51585, "1.518 N", 3, False),
+        (0.136354, "0.136 N", 3, True),
+        (1.0049, "1.00 N", 3, True),
+        (1.0071, "1.00 N", 3, False),
+        # A number is as exact as it was typed, in the unit in which it was.
+        (1024.6, "1.02 kN", 3, True),
+        (9.9351e-3, "9.94 mN", 3, True),
+        (1.51585, "1.5 N", 3, False),
+        (1.51585, "1.5 N", 2, True),
+    ],
+)
+def test_mistakes_are_known_as_far_as_the_number_was_written_out(
+    wrong: float, text: str, figures: int, is_named: bool
+) -> None:
+    made = replace(NORMAL, mistakes=(Mistaken("friction-left-out", "without friction", (wrong,)),))
+    one = graded(made, text, Rules(figures=figures))
+    assert one.mistakes == (("friction-left-out",) if is_named else ())
+
+
+def test_a_mistake_is_rounded_in_the_unit_of_the_student() -> None:
+    made = replace(ANGLE, mistakes=(Mistaken("other-root", "the other root", (58.17,)),))
+    assert graded(made, "1.02 rad").mistakes == ("other-root",)
+
+
+@pytest.mark.parametrize(
     ("unit", "others"),
     [("m/s", {"km/h"}), ("ft/s", {"mi/h"}), ("in", {"feet"}), ("m", set()), ("rpm", {"rad/s"}), ("deg", {"radians"})],
 )

@@ -13,8 +13,8 @@ from planar_cli.records import record
 
 DECADES = 1.5
 """Wrong numbers lie so many decades below and above the right one, evenly by their logarithms."""
-FIGURES = (3, 4)
-"""As students write them, by turns."""
+MORE = (0, 1)
+"""Students write the figures that are asked for, or so many more, by turns."""
 
 
 @record
@@ -41,7 +41,8 @@ def false_matches(papers: Iterable[Paper], rules: Rules, each: int, seed: int) -
                     continue
                 for k in range(each):
                     number = _wrong(expected, rules, rng)
-                    text = f"{shown(number, FIGURES[k % 2])} {expected.unit if expected.unit != '1' else ''}".strip()
+                    figures = rules.figures + MORE[k % 2]
+                    text = f"{shown(number, figures)} {expected.unit if expected.unit != '1' else ''}".strip()
                     alone = Paper(paper.variant, (Task(task.problem, task.title, "", (), (expected,)),))
                     submission = Submission("", paper.variant, ((task.problem, expected.find, text),))
                     (one,) = grade(submission, {paper.variant: alone}, rules).graded

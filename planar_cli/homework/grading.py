@@ -196,7 +196,7 @@ def _of_numbers(
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
     one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer))
     if one.verdict == WRONG and value == WRONG:
-        one = named(one, expected, values, answer)
+        one = named(one, expected, values, answer, rules.figures)
     if notes:
         one = replace(one, message="; ".join(filter(None, (one.message, notes))))
     return one, values

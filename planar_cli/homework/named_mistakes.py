@@ -11,9 +11,9 @@ from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
 
 FEWEST = 3
-"""A number of fewer figures fits too many mistakes to tell of any."""
+"""A number of fewer figures fits too many mistakes to tell of any, unless the sheet asks for no more."""
 WIDEST = 2e-3
-"""However few figures were typed, a number that is further off, relatively, does not come from the mistake."""
+"""Relative: what rounded numbers in a formula change, and what is left of a zero beside another component."""
 LAST_PLACE = 0.6
 """Of a unit in the last place: rounded once, and a little for what was rounded before."""
 
@@ -21,12 +21,15 @@ AT_PLACES = 1e-7
 """Relative: what equations that are solved in numbers come to may be off by this."""
 
 
-def named(one: Graded, expected: Expected, values: Sequence[float], answer: Typed) -> Graded:
-    """The verdict with the mistakes that give this number: one is told to the student, several are only listed."""
+def named(one: Graded, expected: Expected, values: Sequence[float], answer: Typed, asked: int) -> Graded:
+    """The verdict with the mistakes that give this number, as far as it was written out: one is told to the student,
+    several are only listed. `asked`: significant figures that the sheet asks for.
+    """
     told = [f for f, v in zip(answer.figures, values, strict=False) if v]
-    if not told or min(told) < FEWEST:
+    if not told or min(told) < min(FEWEST, asked):
         return one
-    return _told(one, [m for m in expected.mistakes if _same(m.values, values, answer.figures)])
+    places = _last_places(values, answer)
+    return _told(one, [m for m in expected.mistakes if _same(m.values, values, places)])
 
 
 def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
@@ -56,18 +59,27 @@ def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
     return replace(one, mistakes=names, feedback=feedback)
 
 
-def _same(due: Sequence[float], values: Sequence[float], figures: Sequence[int]) -> bool:
-    if len(due) != len(values) or (len(values) == 1 and abs(due[0] - values[0]) > WIDEST * abs(values[0])):
+def _last_places(values: Sequence[float], answer: Typed) -> list[float]:
+    """A unit in the last place that was typed of each number, in the unit of the find; 0 of a zero."""
+    as_typed = math.hypot(*answer.values)
+    factor = 1.0 if answer.polar or not as_typed else math.hypot(*values) / as_typed
+    return [
+        factor * 10.0 ** (math.floor(math.log10(abs(v) / factor)) - f + 1) if v else 0.0
+        for v, f in zip(values, answer.figures, strict=False)
+    ]
+
+
+def _same(due: Sequence[float], values: Sequence[float], places: Sequence[float]) -> bool:
+    if len(due) != len(values):
         return False
     size = math.hypot(*values)
-    return bool(size) and all(_close(a, b, f, size) for a, b, f in zip(due, values, figures, strict=False))
+    return bool(size) and all(_close(a, b, p, size) for a, b, p in zip(due, values, places, strict=False))
 
 
-def _close(due: float, value: float, figures: int, size: float) -> bool:
+def _close(due: float, value: float, place: float, size: float) -> bool:
     """Is a number as typed that which is due? Beside another component a zero has no figures of its own."""
     if not math.isfinite(due):
         return False
     if not value:
         return abs(due) <= WIDEST * size
-    last = 10.0 ** (math.floor(math.log10(abs(value))) - figures + 1)
-    return abs(due - value) <= max(min(LAST_PLACE * last, WIDEST * abs(value)), 1e-6 * abs(value))
+    return abs(due - value) <= max(LAST_PLACE * place, 1e-6 * abs(value))

@@ -84,11 +84,13 @@ line that cannot be read costs that line alone.
     planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, or pass a wrong model?
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
 
-Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where
-it follows rightly from a wrong earlier value of the student, `carried` is printed for wrong, and `partly right` where a
+Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where it
+follows rightly from a wrong earlier value of the student, `carried` is printed for wrong, and `partly right` where a
 slip in unit, sign or figures leaves a part of the points. Of a vector the part that is asked is taken, and told. A
-wrong number or formula that just one typical mistake gives is told so; `planar explain` lists the mistakes, and the
-exports. Of several submissions of a student all are graded, and the last by the name of its file counts in the average.
+wrong number or formula that just one typical mistake gives, as far as the student wrote it out, is told so: 1.52 is
+also 1.5159. A number of two figures tells of no mistake, unless the sheet asks for no more. `planar explain` lists the
+mistakes, and the exports. Of several submissions of a student all are graded, and the last by the name of its file
+counts in the average.
 
 With `--student` nothing of the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts
 together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`).
