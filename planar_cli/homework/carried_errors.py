@@ -110,6 +110,14 @@ class _Ready:
             self._parts[case] = _Part(self.data.equations[case])
         return self._parts.get(case)
 
+    def input_units(self, find: str) -> Mapping[str, float]:
+        """What the base units of the inputs behind a find are in SI units."""
+        equations = self.data.equations.get(self.data.cases[find])
+        if equations is None or not self.data.us:
+            return {}
+        units = {name: equations.units[s] for name, s in equations.inputs.items() if s in equations.units}
+        return {name: in_base(unit, us=False) / in_base(unit, us=True) for name, unit in units.items()}
+
 
 class Carrier:
     """Carries own values through the problems of a set, by their names."""
@@ -156,10 +164,11 @@ def _at_places(
     right = {e.find: values_at(e.formula, places) for e in task.expected if e.kind == "formula" and e.places == places}
     values: list[float] = []
     names: tuple[str, ...] = ()
+    units = problem.input_units(expected.find)
     for k, place in enumerate(places):
         here = {n: (typed[k],) for n, typed in own.items() if n in right and len(typed) == len(places)}
         due = {n: numbers[k] for n, numbers in right.items()}
-        found = _carried(problem, (variant, k), dict(place), expected, due, here)
+        found = _carried(problem, (variant, k), {n: v / units.get(n, 1.0) for n, v in place}, expected, due, here)
         if found is None or len(found[0]) != 1:
             return None
         values.append(found[0][0])
@@ -176,7 +185,7 @@ def _carried(
     own: Mapping[str, tuple[float, ...]],
 ) -> Due | None:
     """The find with all own values that it rests on. `key`: of a variant, or of a place of it, with the numbers that
-    are `given` there; `due`: the right ones. Formulas have their values in base units, numbers in the units of finds.
+    are `given` there; `due`: the right ones. Formulas have their values in SI units, numbers in the units of finds.
     """
     data = problem.data
     case = data.cases[expected.find]
@@ -185,7 +194,8 @@ def _carried(
         return None
 
     def unit(find: str) -> float:
-        return 1.0 if expected.kind == "formula" else in_base(parse_unit(data.units[find]), data.us)
+        one = parse_unit(data.units[find])
+        return in_base(one, data.us) / (in_base(one, us=False) if expected.kind == "formula" else 1.0)
 
     inputs, right = part.start(key, given)
     inputs = dict(inputs)

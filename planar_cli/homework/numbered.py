@@ -13,7 +13,7 @@ import numpy as np
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import PlanarError
-from planar_cli.homework.given_letters import GRAVITY, given_numbers
+from planar_cli.homework.given_letters import GRAVITY, Given, given_numbers
 from planar_cli.homework.paper import Expected, Mistaken, Place
 from planar_cli.homework.typed_formula import values_at
 from planar_cli.homework.unreadable import Unreadable
@@ -23,9 +23,9 @@ from planar_cli.problem.nodes import Node, Scalar
 from planar_cli.problem.variations import with_first_values
 from planar_cli.records import record
 from planar_cli.replay.numbers import Numbers
-from planar_cli.replay.written import NotWritten
+from planar_cli.replay.opened import NotWritten
 from planar_cli.solve.instant.verify import Disagreement
-from planar_cli.units import PURE, parse_unit
+from planar_cli.units import PURE, Unit, parse_unit
 
 PLACES, NEEDED = 10, 6
 """So many places are tried; at so many the numbers must come to what the formulas come to."""
@@ -37,38 +37,72 @@ LEFT_OUT = ("given", "symbols", "assume", "answers", "variants", "tolerance")
 
 @record
 class Numbered:
-    """The problem with numbers, and the places: values of its letters in SI units."""
+    """The problem with numbers, and the places: values of its letters in SI units. `factors`: what one SI unit of a
+    name is in the base units of the problem.
+    """
 
     problem: WorkedProblem
     places: tuple[Mapping[str, float], ...]
+    factors: Mapping[str, float]
 
     def at(self, whole: WorkedProblem, values: Mapping[str, str]) -> list[dict[str, float]]:
         """The places of a variant of the `whole` problem, with the numbers that it gives."""
-        given = given_numbers(whole.problem, whole.problem, values)
-        known = {name: float(v) * in_base(unit, us=False) for name, (v, unit) in given.items()}
+        known = {name: float(v) * in_base(unit, us=False) for name, (v, unit) in _given(whole, values).items()}
         return [{**place, **known} for place in self.places]
 
 
 def numbered(problem: WorkedProblem) -> Numbered | None:
     """The same problem with numbers; None: it has no letters, or its equations do not tell its answers."""
-    if problem.problem.us or problem.problem.cases or not problem.problem.symbols:
-        return None
-    drawn = _drawn(problem.parts[0]) if problem.parts else {}
-    units = {GRAVITY[0]: GRAVITY[1], **{s.name: s.unit or "1" for s in problem.problem.symbols}}
-    if not drawn.keys() >= {s.name for s in problem.problem.symbols}:
-        return None
-    letters = {n: v for n, v in drawn.items() if n in units}
+    symbols = _symbols(problem)
+    drawn = [_drawn(part) for part in problem.parts]
+    # What is assumed of a case holds of the file too, but not the other way round.
+    for first in reversed(drawn if symbols else ()):
+        letters = {name: v for one in (*drawn, first) for name, v in one.items()}
+        if letters.keys() >= symbols.keys() and (found := _solved_with(problem, symbols, letters)) is not None:
+            return found
+    return None
+
+
+def _solved_with(problem: WorkedProblem, symbols: Mapping[str, str], drawn: Mapping[str, float]) -> Numbered | None:
+    """The problem with these numbers, which are in its base units. None: it is not solved with them."""
+    us = problem.problem.us
+    units = {GRAVITY[0]: "ft/s^2" if us else GRAVITY[1], **symbols}
+    letters = {n: v / in_base(parse_unit(units[n]), us) for n, v in drawn.items() if n in units}
     try:
         with_numbers = worked(problem.path, problem.name, _with_numbers(problem.node, letters, units))
     except (PlanarError, Disagreement):
         return None
-    if any(part.replay is None for part in with_numbers.parts):
+    if all(part.replay is None for part in with_numbers.parts):
         return None
-    return Numbered(with_numbers, tuple(_places(letters, units)))
+    us = with_numbers.problem.us
+    known = {name: unit for name, (_, unit) in _given(problem, {}).items()}
+    known |= {name: parse_unit(unit) for name, unit in units.items()}
+    factors = {name: 1 / in_si(unit, us) for name, unit in known.items()}
+    si = {n: v * in_base(parse_unit(units[n]), us=False) for n, v in letters.items()}
+    return Numbered(with_numbers, tuple(_places(si, units)), factors)
+
+
+def in_si(unit: Unit, us: bool) -> float:
+    """What the base unit of a problem, of the dimension of `unit`, is in SI units."""
+    return in_base(unit, us=False) / in_base(unit, us)
+
+
+def _symbols(problem: WorkedProblem) -> dict[str, str]:
+    """The letters of the file and of its cases, with their units."""
+    whole = problem.problem
+    return {s.name: s.unit or "1" for p in (*(c.problem for c in whole.cases), whole) for s in p.symbols}
+
+
+def _given(whole: WorkedProblem, values: Mapping[str, str]) -> Given:
+    """The numbers of the file and of its cases; where a case has another one, that of the file."""
+    given: Given = {}
+    for own in (*(c.problem for c in whole.problem.cases), whole.problem):
+        given |= given_numbers(own, whole.problem, values)
+    return given
 
 
 def _drawn(part: Part) -> dict[str, float]:
-    """The values with which the solution in letters was looked at: they are as the file assumes."""
+    """The values with which the solution in letters was looked at, in base units: they are as the file assumes."""
     solution = part.solution
     if solution.motion is not None:
         value = solution.motion.value
@@ -80,8 +114,28 @@ def _drawn(part: Part) -> dict[str, float]:
 
 
 def _with_numbers(node: Node, letters: Mapping[str, float], units: Mapping[str, str]) -> Node:
+    """The file with numbers for its letters and those of its cases. `letters`: numbers in `units`."""
     node = with_first_values(node)
     assert isinstance(node, MappingNode)
+    whole = _numbers_given(node, letters, units)
+    pairs = tuple((k, _cases(v, letters, units) if k.text == "cases" else v) for k, v in whole.pairs)
+    return MappingNode(pairs, node.mark)
+
+
+def _cases(node: Node, letters: Mapping[str, float], units: Mapping[str, str]) -> Node:
+    if not isinstance(node, MappingNode):
+        return node
+
+    def own(case: Node) -> Node:
+        symbols = case.get("symbols") if isinstance(case, MappingNode) else None
+        names = [key.text for key, _ in symbols.pairs] if isinstance(symbols, MappingNode) else []
+        return _numbers_given(case, {n: letters[n] for n in names}, units) if isinstance(case, MappingNode) else case
+
+    return MappingNode(tuple((key, own(case)) for key, case in node.pairs), node.mark)
+
+
+def _numbers_given(node: MappingNode, letters: Mapping[str, float], units: Mapping[str, str]) -> MappingNode:
+    """A file, or a case, in which the letters are given."""
     given = node.get("given")
     pairs = given.pairs if isinstance(given, MappingNode) else ()
     own = {key.text for key, _ in pairs}
@@ -89,9 +143,11 @@ def _with_numbers(node: Node, letters: Mapping[str, float], units: Mapping[str, 
     def scalar(text: str) -> Scalar:
         return Scalar(text, False, node.mark, node.mark)
 
-    numbers = {n: f"{v / in_base(parse_unit(units[n]), us=False):.6f}" for n, v in letters.items() if n not in own}
+    numbers = {n: f"{v:.6f}" for n, v in letters.items() if n not in own}
     more = tuple((scalar(n), scalar(f"{v} {units[n]}".removesuffix(" 1"))) for n, v in numbers.items())
     kept = tuple((k, v) for k, v in node.pairs if k.text not in LEFT_OUT)
+    if not (*pairs, *more):
+        return MappingNode(kept, node.mark)
     return MappingNode(((scalar("given"), MappingNode((*pairs, *more), node.mark)), *kept), node.mark)
 
 
@@ -121,27 +177,36 @@ def with_wrong_values(
     variants, as a file writes them.
     """
     every = [same.at(problem, v) for v in values]
-    columns = {n: np.array([place[n] for places in every for place in places]) for n in every[0][0]}
+    columns = {n: np.array([place[n] for places in every for place in places]) * same.factors[n] for n in every[0][0]}
     right = _asked(same.problem, columns, None)
     wrong = [(name, model, _asked(same.problem, columns, model)) for name, model in models_of(same.problem)]
     made = []
     for k, row in enumerate(expected):
-        kept = _where_same(row, every[k], right, k * PLACES)
-        if len(kept) < NEEDED:
-            made.append(row)
-            continue
-        places = tuple(tuple(sorted(every[k][i].items())) for i in kept)
-        at = [k * PLACES + i for i in kept]
-        made.append(tuple(_with_wrong(one, places, at, right, wrong) for one in row))
+        changed = list(row)
+        for finds in _of_each_case(problem):
+            kept = _where_same([row[i] for i in finds], every[k], right, k * PLACES)
+            if len(kept) >= NEEDED:
+                places = tuple(tuple(sorted(every[k][i].items())) for i in kept)
+                at = [k * PLACES + i for i in kept]
+                for i in finds:
+                    changed[i] = _with_wrong(row[i], places, at, right, wrong)
+        made.append(tuple(changed))
     return made
+
+
+def _of_each_case(problem: WorkedProblem) -> Iterator[list[int]]:
+    """The places of the finds of the file, and of each case."""
+    for case in dict.fromkeys(part.solution.case for part, _ in problem.finds):
+        yield [i for i, (part, _) in enumerate(problem.finds) if part.solution.case == case]
 
 
 def _asked(problem: WorkedProblem, columns: Mapping[str, Numbers], model: ModelOf | None) -> dict[str, Numbers]:
     """The finds that are one number, in SI units; none where a model cannot be carried out."""
+    us = problem.problem.us
     try:
         run = Carried(problem, columns, model)
         return {
-            one.name: np.broadcast_to(numbers[0], len(next(iter(columns.values()))))
+            one.name: np.broadcast_to(numbers[0], len(next(iter(columns.values())))) * in_si(one.unit, us)
             for part, one in problem.finds
             if part.replay is not None and one.name in part.replay.equations.asked
             for numbers in [run.runs[part.solution.case].asked(one.name)]

@@ -21,6 +21,8 @@ from planar_cli.units import PURE, Dimension, parse_unit
 
 DRAWS, NEEDED = 24, 6
 """So many places are drawn; at so many both formulas must have a value."""
+ENOUGH, MOST = 12, 4000
+"""A root may have a value at few places: more are drawn, up to `MOST`, until the right formula has one at `ENOUGH`."""
 SAME = 1e-9
 """Two formulas that are identical differ by rounding alone, in parts of the larger."""
 CLOSE = 1e-6
@@ -163,18 +165,19 @@ def same_formula(
 
     Unreadable: what was typed is no formula of these letters. In a class the same few are typed again and again.
     """
-    mine = parsed(typed)
+    mine, places = parsed(typed), _values(right, letters, known)
     met = 0
-    for values, b in _values(right, letters, known):
+    for values, b in places:
         a = evaluated(mine, _Numbers(values))
-        if not (math.isfinite(a) and math.isfinite(b)):
+        if not math.isfinite(a):
             continue
         met += 1
         if abs(a - b) > tolerance * max(abs(a), abs(b)):
             return False
-    if met < NEEDED:
+    if met < NEEDED and (met or not places):
         raise Unreadable("the formula has no value at most places")
-    return True
+    # One without any value where the right one has them is another one.
+    return bool(met)
 
 
 @lru_cache(MANY)
@@ -184,24 +187,30 @@ def values_at(typed: str, places: tuple[tuple[tuple[str, float], ...], ...]) -> 
     return tuple(evaluated(side, _Numbers(dict(place))) for place in places)
 
 
-def drawn_places(
-    letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...]
-) -> tuple[tuple[tuple[str, float], ...], ...]:
-    """Places at which formulas are compared: values of all letters, those that are `known` as they are."""
-    rng = random.Random(1)
-    return tuple(
-        tuple(({name: _drawn(unit, rng) for name, unit in letters} | dict(known)).items()) for _ in range(DRAWS)
-    )
+Letters = tuple[tuple[str, str], ...]
+Known = tuple[tuple[str, float], ...]
+
+
+def drawn_places(letters: Letters, known: Known, right: str) -> tuple[tuple[tuple[str, float], ...], ...]:
+    """Places at which formulas are compared with the right one: values of all letters, those that are `known` as they
+    are. It has a value at each of them.
+    """
+    return tuple(tuple(values.items()) for values, _ in _values(right, letters, known))
 
 
 @lru_cache(RIGHT)
-def _values(
-    right: str, letters: tuple[tuple[str, str], ...], known: tuple[tuple[str, float], ...]
-) -> tuple[tuple[dict[str, float], float], ...]:
+def _values(right: str, letters: Letters, known: Known) -> tuple[tuple[dict[str, float], float], ...]:
     """Values of the letters, and what a formula comes to with them."""
-    side = parsed(right)
-    drawn = [dict(place) for place in drawn_places(letters, known)]
-    return tuple((values, evaluated(side, _Numbers(values))) for values in drawn)
+    side, rng = parsed(right), random.Random(1)
+    found: list[tuple[dict[str, float], float]] = []
+    for tried in range(MOST):
+        if tried >= DRAWS and len(found) >= ENOUGH:
+            break
+        values = {name: _drawn(unit, rng) for name, unit in letters} | dict(known)
+        number = evaluated(side, _Numbers(values))
+        if math.isfinite(number):
+            found.append((values, number))
+    return tuple(found)
 
 
 @lru_cache(MANY)

@@ -33,7 +33,8 @@ from planar_cli.records import changing, record
 from planar_cli.registry import members
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.numbers import Numbers, Replay, Run
-from planar_cli.replay.written import NotWritten, equations_of, is_mode, is_number
+from planar_cli.replay.opened import NotWritten
+from planar_cli.replay.written import equations_of, is_mode
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
@@ -76,7 +77,7 @@ class WorkedProblem:
     @property
     def is_written(self) -> bool:
         """Do all answers follow from equations that can be carried out anew? Modes stay while the tests hold."""
-        return all(p.replay is not None and (is_number(f) or is_mode(f)) for p, f in self.finds)
+        return all(p.replay is not None and (f.name in p.replay.equations.asked or is_mode(f)) for p, f in self.finds)
 
     @property
     def finds(self) -> tuple[tuple[Part, Found], ...]:

@@ -62,7 +62,7 @@ def _letters_in(expected: Expected, text: str) -> list[str]:
 
 def _values(expected: Expected, text: str, nudged: str = "") -> tuple[float, ...]:
     """Of a formula at places of all letters, where one may be `nudged`; NaN where it has none."""
-    drawn = drawn_places((*expected.letters, *expected.others), expected.known)
+    drawn = drawn_places((*expected.letters, *expected.others), expected.known, expected.formula)
     return values_at(text, tuple(tuple((n, v * NUDGED if n == nudged else v) for n, v in place) for place in drawn))
 
 

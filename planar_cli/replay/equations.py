@@ -90,6 +90,17 @@ class Equations:
                 waiting.extend(self._behind(symbol, owner))
         return frozenset(found)
 
+    def loose(self, exprs: Iterable[sp.Expr]) -> frozenset[sp.Symbol]:
+        """That on which expressions rest and which nothing here gives."""
+        return self.rests_on(exprs) - set(self.inputs.values()) - set(self.unknowns) - self.defined.keys()
+
+    def without_loose(self) -> Equations:
+        """The same without steps and tests that rest on what nothing here gives."""
+        made = self
+        while (steps := [s for s in made.steps if not made.loose(s.residuals)]) != list(made.steps):
+            made = made.mapped(steps)
+        return replace(made, tests=tuple(t for t in made.tests if not made.loose((t.positive,))))
+
     def _behind(self, symbol: sp.Symbol, owner: Mapping[sp.Symbol, Step]) -> Iterator[sp.Expr]:
         if symbol in owner:
             yield from owner[symbol].residuals

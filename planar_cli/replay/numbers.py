@@ -11,7 +11,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from planar_cli.replay.equations import Equations, Step
-from planar_cli.replay.written import NotWritten, opened
+from planar_cli.replay.opened import NotWritten, opened
 
 Numbers = NDArray[np.float64]
 Rounding = Callable[[Numbers], Numbers]

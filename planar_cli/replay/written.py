@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TypeVar
 
+import numpy as np
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.facts import Test as Assumption
+from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps
 from planar_cli.replay.equations import Asked, Equations, Step, Test
+from planar_cli.replay.opened import NotWritten, of_block
 from planar_cli.solve.between.trace import MotionTrace, RouteStep
-from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
-
-class NotWritten(LookupError):
-    """The answers of a part do not all follow from equations on its page: a motion that is followed in numbers, a
-    curve, a formula that holds throughout.
-    """
+Told = TypeVar("Told")
+FAILURES = (NotWritten, ArithmeticError, TypeError, np.linalg.LinAlgError)
+"""What has no number, or not one."""
+SAME = 1e-6
+"""Relative: equations at a state give what was found there."""
 
 
 def equations_of(part: PartSolution) -> Equations:
@@ -56,6 +59,10 @@ class _Writer:
         self.tests: list[Test] = []
         self.valuations: list[Valuation] = []
         self.ledgers: list[Ledger] = []
+        self.numbers: dict[sp.Symbol, float] = {}
+        """Of symbols that no valuation knows."""
+        self.general: dict[sp.Symbol, sp.Symbol] = {}
+        """By a symbol that was made for a state, that of the general position."""
 
     def know(self, ledger: Ledger, value: Valuation) -> None:
         """What a ledger knows: numbers are inputs, formulas definitions."""
@@ -71,11 +78,19 @@ class _Writer:
                 self.defined.setdefault(symbol, sp.sympify(expr))
 
     def made(self) -> Equations:
-        """All that was gathered. NotWritten: something is known by its number alone."""
+        """All that was gathered, with those finds that follow from it. NotWritten: none does."""
+        made = self.gathered()
+        complete = {name: one for name, one in self.asked.items() if not self.loose(made, one)}
+        if not complete:
+            raise NotWritten("; ".join(self._told_loose(made)) or "no answer is a number of an instant or a state")
+        return replace(made, asked=complete)
+
+    def gathered(self) -> Equations:
+        """All that was gathered. NotWritten: an unknown has no number."""
         numbers: dict[sp.Symbol, float] = {}
         for symbol in (*self.inputs.values(), *(u for step in self.steps for u in step.unknowns)):
             numbers[symbol] = self._number(symbol)
-        made = Equations(
+        gathered = Equations(
             self.part.case,
             self.inputs,
             self.defined,
@@ -83,20 +98,35 @@ class _Writer:
             self.asked,
             tuple(self.tests),
             numbers,
-            {s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()},
-            {s: unit for ledger in self.ledgers for s, unit in ledger.units.items()},
-            {s: title for ledger in self.ledgers for s, title in ledger.titles.items()},
+            self._also_made({s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()}),
+            self._also_made({s: unit for ledger in self.ledgers for s, unit in ledger.units.items()}),
+            self._also_made({s: title for ledger in self.ledgers for s, title in ledger.titles.items()}),
         )
-        loose = made.rests_on(e for a in self.asked.values() for e in a.parts) - numbers.keys() - made.defined.keys()
-        if loose:
-            raise NotWritten(f"{', '.join(sorted(s.name for s in loose))}: known by a number alone")
-        return made
+        return gathered.without_loose()
+
+    def _also_made(self, known: dict[sp.Symbol, Told]) -> dict[sp.Symbol, Told]:
+        """What is known of symbols, also of those that were made for a state."""
+        return known | {own: known[general] for own, general in self.general.items() if general in known}
+
+    def loose(self, made: Equations, asked: Asked) -> frozenset[sp.Symbol]:
+        """That on which a find rests and which is known by its number alone."""
+        return made.loose(asked.parts)
+
+    def _told_loose(self, made: Equations) -> Iterable[str]:
+        for name, one in self.asked.items():
+            yield f"{name} rests on {', '.join(sorted(s.name for s in self.loose(made, one)))}, known by a number alone"
 
     def _number(self, symbol: sp.Symbol) -> float:
-        for value in self.valuations:
-            if (number := value.known(symbol)) is not None:
-                return float(number)
-        raise NotWritten(f"{symbol.name} has no number")
+        number = self._known(symbol)
+        if number is None:
+            raise NotWritten(f"{symbol.name} has no number")
+        return number
+
+    def _known(self, symbol: sp.Symbol) -> float | None:
+        """The number that a symbol has."""
+        if symbol in self.numbers:
+            return self.numbers[symbol]
+        return next((float(n) for v in self.valuations if (n := v.known(symbol)) is not None), None)
 
 
 class _Instants(_Writer):
@@ -108,9 +138,8 @@ class _Instants(_Writer):
         for found in self.part.found:
             if not is_number(found):
                 continue
-            if not found.asked:
-                raise NotWritten(f"{found.name} is not told by the unknowns of an instant")
-            self.asked[found.name] = Asked(tuple(map(sp.sympify, found.asked)), found.turn)
+            if found.asked:
+                self.asked[found.name] = Asked(tuple(map(sp.sympify, found.asked)), found.turn)
         return self.made()
 
     def _take(self, solution: InstantSolution) -> None:
@@ -127,7 +156,7 @@ class _Instants(_Writer):
         for stage in solution.stages:
             self.defined.update({line.symbol: line.expression for line in stage.lines})
             self.defined.update(dict.fromkeys(stage.zero, sp.S.Zero))
-            self.steps += [_of_block(block, self.defined) for block in stage.blocks if block.equations]
+            self.steps += [of_block(block, self.defined) for block in stage.blocks if block.equations]
         told = {u for step in self.steps for u in step.unknowns} | self.defined.keys() | set(self.inputs.values())
         for mode in solution.trial.system.modes.values():
             for test in mode.tests:
@@ -144,44 +173,13 @@ def _assumed(solution: InstantSolution, test: Assumption) -> sp.Expr | None:
     return sp.Add(*(c * symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
 
 
-def _of_block(block: SolvedBlock, defined: Mapping[sp.Symbol, sp.Expr]) -> Step:
-    unknowns = tuple(block.unknowns)
-    residuals = tuple(opened(w.residual, unknowns, defined) for w in block.equations)
-    if len(residuals) != len(unknowns):
-        raise NotWritten("a block has not as many equations as unknowns")
-    return Step(unknowns, residuals, tuple(w.law for w in block.equations), tuple(w.bodies for w in block.equations))
-
-
-def opened(expr: sp.Expr, unknowns: Iterable[sp.Symbol], defined: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """An expression with those names put in that hold one of the unknowns."""
-    wanted = set(unknowns)
-    for _ in range(40):
-        inside = {s: defined[s] for s in expr.free_symbols if s not in wanted and _holds(s, wanted, defined)}
-        if not inside:
-            return expr
-        expr = sp.sympify(expr.xreplace(inside))
-    raise NotWritten("names define each other")
-
-
-def _holds(symbol: sp.Symbol, wanted: set[sp.Symbol], defined: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    seen: set[sp.Symbol] = set()
-    waiting = [symbol]
-    while waiting:
-        expr = defined.get(waiting.pop())
-        for inner in (expr.free_symbols if expr is not None else set()) - seen:
-            if inner in wanted:
-                return True
-            seen.add(inner)
-            waiting.append(inner)
-    return False
-
-
 class _Motion(_Writer):
     """A motion from state to state."""
 
     def __init__(self, part: PartSolution, motion: MotionTrace) -> None:
         super().__init__(part)
         self.motion = motion
+        self.constant: list[Step] = []
 
     def equations(self) -> Equations:
         motion, route = self.motion, self.motion.route
@@ -192,38 +190,98 @@ class _Motion(_Writer):
         for named in (route.plain, route.formulas, motion.named):
             for symbol, expr in named.items():
                 self.defined.setdefault(symbol, sp.sympify(expr))
-        self.steps = [self._step(step) for step in route.steps]
-        for unknown in (u for step in self.steps for u in step.unknowns):
+        # What an integral without a closed form gives is known by its number.
+        self.steps = [made for step in route.steps if (made := _of_route(step)) is not None]
+        for unknown in (u for step in route.steps for u in step.unknowns):
             self.defined.pop(unknown, None)
         for span in motion.spans:
             if span.formula is not None:
                 self.defined[span.symbol] = span.formula
+        self._take_constants()
+        self._ask()
+        return self.made()
+
+    def _take_constants(self) -> None:
+        """Forces and accelerations that are constant, by the equations of which formulas of them were made."""
+        sought = {u for step in self.motion.route.steps for u in step.unknowns}
+        for regime in self.motion.regimes:
+            steps = constant_steps(regime.solution, self.motion, sought)
+            numbers = StateNumbers(self._known, self.defined)
+            for step in steps:
+                if sought.isdisjoint(step.unknowns) and self._gives_what_is_known(step, numbers):
+                    self.constant.append(step)
+                    sought.update(step.unknowns)
+        for unknown in (u for step in self.constant for u in step.unknowns):
+            self.defined.pop(unknown, None)
+        self.steps = [*self.constant, *self.steps]
+
+    def _gives_what_is_known(self, step: Step, numbers: StateNumbers) -> bool:
+        try:
+            numbers.solve(step)
+            for unknown in step.unknowns:
+                due = self._known(unknown)
+                if due is None or abs(numbers.of(unknown) - due) > SAME * abs(due):
+                    return False
+        except FAILURES:
+            return False
+        return True
+
+    def _ask(self) -> None:
+        """The finds in the symbols of states; one that is a force or an acceleration there, by the equations there."""
         by_name = {f.name: f for f in self.part.found}
-        for request in motion.requests:
+        for request in self.motion.requests:
             found = by_name.get(request.find.name)
-            if found is not None and is_number(found):
-                self.asked[found.name] = Asked(tuple(map(sp.sympify, request.parts)), found.turn)
-        _demand_all(self.part.found, self.asked)
-        made = self.made()
-        if made.rests_on(e for a in self.asked.values() for e in a.parts) & motion.guessed:
-            raise NotWritten("an answer is read off a motion that is followed in numbers")
-        return made
+            if found is None or not is_number(found):
+                continue
+            self.asked[found.name] = Asked(tuple(map(sp.sympify, request.parts)), found.turn)
+            if self.loose(self.gathered(), self.asked[found.name]):
+                self._ask_at_state(found)
 
-    def _step(self, step: RouteStep) -> Step:
-        residuals = tuple(sp.sympify(r.residual) for r in step.relations)
-        if len(residuals) != len(step.unknowns):
-            raise NotWritten("a step has not as many relations as unknowns")
-        if any(r.has(sp.Integral, sp.Derivative) for r in residuals):
-            raise NotWritten("an integral has no closed form")
-        others: dict[sp.Symbol, tuple[float, ...]] = {}
-        for result in step.results:
-            apart = [float(r.value) for r in result.roots]
-            others[result.unknown] = tuple(v for v in apart if abs(v - float(result.value)) > 1e-9 * (abs(v) or 1))
-        kinds = tuple(r.kind for r in step.relations)
-        return Step(tuple(step.unknowns), residuals, kinds, ((),) * len(kinds), others)
+    def _ask_at_state(self, found: Found) -> None:
+        """By the equations of the general position at its state, where they give what was found."""
+        constant = {u for step in self.constant for u in step.unknowns}
+        for regime in self.motion.regimes:
+            for state, finds in regime.asked.items():
+                if found.name in finds:
+                    at = at_state(regime.solution, self.motion, state, finds[found.name], constant)
+                    if self._takes(at, found):
+                        self.asked[found.name] = Asked(at.parts, found.turn)
+                        return
+
+    def _takes(self, at: AtState, found: Found) -> bool:
+        """Are these equations taken? They are where they give what was found."""
+        told = {*self.defined, *(u for step in self.steps for u in step.unknowns)}
+        steps = [step for step in at.steps if told.isdisjoint(step.unknowns)]
+        defined = {**at.defined, **self.defined}
+        numbers = StateNumbers(self._known, defined)
+        try:
+            for step in steps:
+                numbers.solve(step)
+            values = [numbers.of(e) for e in at.parts]
+        except FAILURES:
+            return False
+        due = [float(v) for v in found.values or ()]
+        size = max(map(abs, due), default=0.0)
+        if len(due) != len(values) or any(abs(v - d) > SAME * size for v, d in zip(values, due, strict=True)):
+            return False
+        self.steps += steps
+        self.defined = defined
+        self.numbers |= {u: numbers.found[u] for step in steps for u in step.unknowns}
+        self.general |= at.general
+        return True
+
+    def loose(self, made: Equations, asked: Asked) -> frozenset[sp.Symbol]:
+        """Also what following the motion in numbers alone has given."""
+        return super().loose(made, asked) | (made.rests_on(asked.parts) & self.motion.guessed)
 
 
-def _demand_all(found: Iterable[Found], asked: Mapping[str, Any]) -> None:
-    for one in found:
-        if one.name not in asked and is_number(one):
-            raise NotWritten(f"{one.name} is not asked of a state")
+def _of_route(step: RouteStep) -> Step | None:
+    residuals = tuple(sp.sympify(r.residual) for r in step.relations)
+    if len(residuals) != len(step.unknowns) or any(r.has(sp.Integral, sp.Derivative) for r in residuals):
+        return None
+    others: dict[sp.Symbol, tuple[float, ...]] = {}
+    for result in step.results:
+        apart = [float(r.value) for r in result.roots]
+        others[result.unknown] = tuple(v for v in apart if abs(v - float(result.value)) > 1e-9 * (abs(v) or 1))
+    kinds = tuple(r.kind for r in step.relations)
+    return Step(tuple(step.unknowns), residuals, kinds, ((),) * len(kinds), others)

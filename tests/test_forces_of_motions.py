@@ -1,0 +1,48 @@
+"""Forces and accelerations of a motion, at its states and throughout, take part in mistakes and in what is carried."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from conftest import ROOT
+
+from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_mistakes
+
+PROBLEMS = ROOT / "problems"
+
+
+def mistakes(worked: WorkedProblem) -> dict[str, dict[str, float]]:
+    """Of each find what the models of mistakes give, by their names."""
+    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    return {e.find: {m.name: m.values[0] for m in e.mistakes} for e in row}
+
+
+def test_a_constant_acceleration_is_told_by_its_forces() -> None:
+    # Two crates of 45 N drawn by 18 N over 4 m: v² = 2 a s, without friction a = 18 g/45.
+    worked = read_and_solve(str(PROBLEMS / "energy" / "exercise-3-30.yaml"), "p")
+    (part,) = worked.parts
+    assert part.replay is not None
+    assert set(part.replay.equations.asked) == {f.name for f in part.solution.found}
+    found = mistakes(worked)
+    assert found["v_2"]["friction-left-out"] == pytest.approx(math.sqrt(2 * 18 * 9.81 / 45 * 4))
+
+
+def test_a_force_at_a_state_has_the_equations_there() -> None:
+    # A thread from a hub: T = m (g - r α), where the moment of inertia about the point of contact gives α.
+    worked = read_and_solve(str(PROBLEMS / "energy" / "yo-yo.yaml"), "p")
+    part = worked.parts[0]
+    assert part.replay is not None
+    for find in ("v_2", "omega_2", "T_2", "share"):
+        due = [float(v) for f in part.solution.found if f.name == find for v in f.values or ()]
+        assert [float(n[0]) for n in part.replay.run({}).asked(find)] == pytest.approx(due, rel=1e-9)
+    assert "diameter-for-radius" in mistakes(worked)["T_2"]
+
+
+def test_what_is_known_by_a_number_alone_costs_no_other_find() -> None:
+    worked = read_and_solve(str(PROBLEMS / "motion" / "there-and-back.yaml"), "p")
+    (part,) = worked.parts
+    assert part.replay is not None
+    missing = [f.name for f in part.solution.found if f.name not in part.replay.equations.asked]
+    assert missing == ["distance"]
+    assert not worked.is_written
