@@ -33,6 +33,7 @@ from planar_cli.report.integrals import in_times, over_coordinates, plain_integr
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
+from planar_cli.report.links_in_line import in_line_blocks
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
 from planar_cli.report.motion_title import OVER_TIME, title_of
@@ -168,7 +169,8 @@ class MotionTelling:
         yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route))
         equations, ledger = leg.relations, self.found.ledger
         numbers, single = list[int](), len(equations) == 1
-        if told := self._flights.at_state(leg, self._chain) or self._swings.by_phase(leg, self.next):
+        in_line = in_line_blocks(leg, self.found, self.phrases, self.next, self._chain)
+        if told := in_line or self._flights.at_state(leg, self._chain) or self._swings.by_phase(leg, self.next):
             self.next += any(isinstance(b, Equation) and b.number == self.next for b in told)
             return (yield from told)
         for e in equations:

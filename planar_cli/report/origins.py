@@ -126,7 +126,8 @@ def kept(title: str) -> str:
         return KEPT[what].format(name)
     if what.startswith(PLACE) and what.endswith(ACROSS):
         point = what.removeprefix(PLACE).removesuffix(ACROSS)
-        return f"{point} stays on {'its line' if name == point else f'the line {name}'}"
+        own = name == point or re.fullmatch(rf"{point}_\d+", name)
+        return f"{point} stays on {'its line' if own else f'the line {name}'}"
     if what.startswith("place on "):
         first, _, second = what.removeprefix("place on ").partition(" and ")
         first, second = ("the ground" if body == "ground" else body for body in (first, second))

@@ -24,6 +24,7 @@ from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.linear_parts import energies_near, linear_parts
+from planar_cli.solve.between.links_in_line import by_lines
 from planar_cli.solve.between.modes_of_oscillation import modes_told
 from planar_cli.solve.between.near_rest import near_rest
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
@@ -108,7 +109,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_what_passes(by_what_is_asked(made))
+    return by_what_passes(by_what_is_asked(by_lines(made)))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:

@@ -14,6 +14,7 @@ from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.by_centres import by_centres
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.energies import centre_of
+from planar_cli.solve.between.links_in_line import line_of, says_in_line
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
@@ -39,6 +40,8 @@ def wanted_of(
     if regime is None:
         return None, None
     said = [sp.sympify(e) for e in course.said.get(id(regime), ())]
+    lines = _pairs_in_line(course, routes)
+    said = [e for e in said if not lines or not says_in_line(regime.closed(e), lines)]
     finds = {e for of_state in asked.values() for parts in of_state.values() for e in parts}
     known = unknowns_of(regime)
     names = _of_turnings(course, regime)
@@ -68,6 +71,13 @@ def wanted_of(
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
     return frozenset(names | every), frozenset(names | others)
+
+
+def _pairs_in_line(course: StatedMotion, routes: Sequence[Route]) -> list[tuple[sp.Symbol, sp.Symbol]]:
+    """The angles of links that lie in one line in a state: geometry tells it, and no equation of velocities."""
+    general = {own: letter for stop in course.stops.values() for letter, own in stop.letters.items()}
+    told = (line_of(step.derivation.equations, step.results) for way in routes for step in way.steps)
+    return list(dict.fromkeys((general[t.first], general[t.other]) for t in told if t is not None))
 
 
 def _of_places(routes: Sequence[Route]) -> bool:

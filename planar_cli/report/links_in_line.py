@@ -1,0 +1,125 @@
+"""The extreme position of a mechanism in words: the slider rests for a moment, so crank and rod lie in one line, folded
+on each other or stretched.
+
+At 1, v_B = 0: OA and AB lie in one line, folded:   θ_AB,1 = θ_OA,1 - π
+B stays on its line:                                (l - r) sin θ_OA,1 = e
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import PI
+from planar_cli.equation.plain import simplified
+from planar_cli.problem.scene import Rod
+from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Text, Value, line
+from planar_cli.report.origins import balanced, head
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.links_in_line import LinksInLine, links_in_line
+from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
+
+HALF_TURN = 180
+Chain = Callable[[Result, bool], tuple[Any, ...]]
+
+
+def in_line_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases, number: int, chain: Chain) -> list[Block]:
+    """A step that tells such a position, with one numbered equation; empty of another step. `chain`: the sides of a
+    result.
+    """
+    own = links_in_line(leg)
+    if own is None:
+        return []
+    result = next(r for r in leg.results if r.unknown == own.first)
+    before = found.route.steps[: found.route.steps.index(leg)] if leg in found.route.steps else ()
+    earlier = [(s, same) for s in before if (same := links_in_line(s)) is not None]
+    for step, same in earlier:
+        turns = simplified((own.formula - same.formula) / (2 * sp.pi))
+        if turns.is_Integer and own.folded == same.folded:
+            return _again(leg, own, (step, same, int(turns)), found, phrases, (number, chain(result, False)))
+    return list(_first(leg, own, found, phrases, number, (chain(result, False), not earlier)))
+
+
+def _first(
+    leg: RouteStep, own: LinksInLine, found: MotionTrace, phrases: Phrases, number: int, told: tuple[Any, bool]
+) -> Iterator[Block]:
+    e, loop = leg.relations
+    sides, explained = told
+    yield Paragraph(line(*_open(head(e, found.ledger.symbols)), ", ", *_why(own, e.words, found, explained), ":"))
+    yield Equation((phrases.math(own.other), phrases.math(own.first + own.half_turns * sp.pi)))
+    yield Paragraph(head(loop, found.ledger.symbols))
+    closed = loop.residual.xreplace({own.other: own.first + own.half_turns * sp.pi})
+    slope = simplified(sp.diff(closed, own.first) / sp.cos(own.first))
+    whole = slope * sp.sin(own.first) + simplified(closed.xreplace({own.first: sp.S.Zero}))
+    yield Equation(tuple(phrases.math(s) for s in balanced(loop, whole)), number)
+    yield Equation(sides, None, line(f"({number}):"), _not_the_other(own, found, phrases))
+
+
+def _again(
+    leg: RouteStep,
+    own: LinksInLine,
+    before: tuple[RouteStep, LinksInLine, int],
+    found: MotionTrace,
+    phrases: Phrases,
+    told: tuple[int, tuple[Any, ...]],
+) -> list[Block]:
+    """The same position so many turns after an earlier one."""
+    step, same, turns = before
+    way = f"{_way(own)} as at {step.relations[0].stop}, {'one turn' if turns == 1 else f'{turns} turns'} later:"
+    words = line(*_open(head(leg.relations[0], found.ledger.symbols)), f", {way}")
+    formula = phrases.math(same.first + 2 * turns * sp.pi)
+    return [Paragraph(words), Equation((told[1][0], formula, told[1][-1]), told[0])]
+
+
+def _way(own: LinksInLine) -> str:
+    return "folded" if own.folded else "stretched"
+
+
+def _open(words: Line) -> Line:
+    """A heading without its colon."""
+    *parts, last = words
+    return line(*parts, last.text.removesuffix(":")) if isinstance(last, Text) else line(*words)
+
+
+def _why(own: LinksInLine, words: str, found: MotionTrace, explained: bool) -> Line:
+    """Why two rods lie in one line where a velocity vanishes: the joint moves perpendicularly to both."""
+    names = _rods(own, found)
+    if names is None:
+        return line(f"the two links lie in one line, {_way(own)}")
+    one, other, joint, end = names
+    both = f"{one} and {other} lie in one line, {_way(own)}"
+    if not explained or not words.startswith("v("):
+        return line(both)
+    return line(f"{end} rests for a moment: {joint} then moves perpendicularly to {other} and to {one}, so that {both}")
+
+
+def _rods(own: LinksInLine, found: MotionTrace) -> tuple[str, str, str, str] | None:
+    """The two rods by their ends, their joint, and the other end of the second; None: they are no rods."""
+    bodies = {
+        c.symbol: c.body
+        for regime in found.regimes
+        if (displacement := regime.solution.instant.scene.displacement) is not None
+        for c in displacement.coordinates
+    }
+    shapes = {b.name: b.shape for b in found.problem.bodies}
+    one, other = (shapes.get(bodies.get(found.general[s], "")) for s in (own.first, own.other))
+    if not isinstance(one, Rod) or not isinstance(other, Rod) or one.end is None or other.end is None:
+        return None
+    ends = (one.start, one.end), (other.start, other.end)
+    joint = next((p for p in ends[0] if p in ends[1]), None)
+    if joint is None:
+        return None
+    end = next(p for p in ends[1] if p != joint)
+    return "".join(ends[0]), "".join(ends[1]), joint, end
+
+
+def _not_the_other(own: LinksInLine, found: MotionTrace, phrases: Phrases) -> Line:
+    """The sine has a second angle: there the second rod points to the other side."""
+    names = _rods(own, found)
+    if names is None or phrases.symbolic:
+        return ()
+    mirrored = -(found.value(own.first) * HALF_TURN / PI + HALF_TURN) % (2 * HALF_TURN) + 2 * HALF_TURN
+    side = "left" if found.value(sp.cos(own.other)) > 0 else "right"
+    return line("not ", Value(mirrored, "deg", phrases.figures), f", where {names[1]} would point to the {side}")
