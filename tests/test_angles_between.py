@@ -65,7 +65,7 @@ def test_right_angles_beside_degrees() -> None:
         ("body-shaper-time-ratio", "(7) in (6): cos θ_arm,back = 0"),
         ("body-shaper-time-ratio", "θ_crank,left = π/2 + θ_arm,left = 90° + 113.6° = 203.6°"),
         ("body-offset-slider-crank-strokes", "θ_crank,1 = π - arcsin(e/(l - r_c))"),
-        ("rod-through-a-swivelling-sleeve", "(2), (3) together: sin θ_AB,up = 0.4"),
+        ("rod-through-a-swivelling-sleeve", "(1), (2) together: sin θ_AB,up = 0.4"),
     ],
 )
 def test_pages(name: str, said: str) -> None:

@@ -134,8 +134,7 @@ class MotionTelling:
     def told_route(self, route: RouteTrace, only: Sequence[RouteStep] | None = None) -> Iterator[Block]:
         """What was not told yet of a route. `only`: these steps of it."""
         held = [leg for legs in held_by_periods(self.found).values() for leg in legs]
-        early = self.early
-        every = [leg for leg in needed_steps(route, self.wanted) if leg not in held and leg not in early]
+        every = [leg for leg in needed_steps(route, self.wanted) if leg not in held and leg not in self.early]
         legs = [leg for leg in every if only is None or leg in only]
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
@@ -148,7 +147,7 @@ class MotionTelling:
         for leg in derived:
             i = legs.index(leg)
             self._open = {x for later in every if later not in legs[:i] for x in later.unknowns}
-            yield from self._leg(*rooted(without_zeros(leg, route, [*early, *legs[:i]]), self.found))
+            yield from self._leg(*rooted(without_zeros(leg, route, [*self.early, *legs[:i]]), self.found))
         yield from self._integrated([] if first else followed)
 
     def _one(self, leg: RouteStep) -> Iterator[Block]:
