@@ -18,8 +18,7 @@ from planar_cli.problem.scene import Rod
 from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Text, Value, line
 from planar_cli.report.origins import balanced, head
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.links_in_line import LinksInLine, links_in_line
-from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
+from planar_cli.solve.between.trace import LinksInLine, MotionTrace, Result, RouteStep
 
 HALF_TURN = 180
 Chain = Callable[[Result, bool], tuple[Any, ...]]
@@ -29,12 +28,12 @@ def in_line_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases, number:
     """A step that tells such a position, with one numbered equation; empty of another step. `chain`: the sides of a
     result.
     """
-    own = links_in_line(leg)
+    own = leg.in_line
     if own is None:
         return []
     result = next(r for r in leg.results if r.unknown == own.first)
     before = found.route.steps[: found.route.steps.index(leg)] if leg in found.route.steps else ()
-    earlier = [(s, same) for s in before if (same := links_in_line(s)) is not None]
+    earlier = [(s, same) for s in before if (same := s.in_line) is not None]
     for step, same in earlier:
         turns = simplified((own.formula - same.formula) / (2 * sp.pi))
         if turns.is_Integer and own.folded == same.folded:

@@ -14,33 +14,12 @@ import sympy as sp
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.records import record
-from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep
+from planar_cli.solve.between.trace import LinksInLine, MotionTrace, Relation, Result
 from planar_cli.solve.regimes.equations import Equation
 
 
-@record
-class LinksInLine:
-    """Where two links lie in one line: the angle of the first, that of the other as so many half turns more."""
-
-    first: sp.Symbol
-    other: sp.Symbol
-    half_turns: int
-    formula: sp.Expr
-    """The first angle: n π ± arcsin of a ratio of lengths."""
-
-    @property
-    def folded(self) -> bool:
-        return self.half_turns % 2 == 1
-
-
-def links_in_line(step: RouteStep) -> LinksInLine | None:
-    """Of a step that tells two angles by sin(β - α) = 0 and one relation of lengths; None: it is no such step."""
-    return line_of(step.relations, step.results)
-
-
 def line_of(relations: Sequence[Relation | Equation], results: Sequence[Result]) -> LinksInLine | None:
-    """The same of its relations and results."""
+    """Of a step that tells two angles by sin(β - α) = 0 and one relation of lengths; None: it is no such step."""
     formulas = {r.unknown: r.formula for r in results if r.formula is not None}
     if len(relations) != 2 or len(formulas) != 2 or relations[0].kind != "given":
         return None
@@ -78,8 +57,8 @@ def by_lines(motion: MotionTrace) -> MotionTrace:
     """A motion in which places that are asked stand without the angles of such positions, where that is no longer."""
     waves: dict[sp.Expr, sp.Expr] = {}
     for step in motion.route.steps:
-        if (line := links_in_line(step)) is not None:
-            waves.update(_waves(line, motion.value))
+        if step.in_line is not None:
+            waves.update(_waves(step.in_line, motion.value))
     if not waves:
         return motion
     requests = tuple(replace(r, parts=tuple(_put(p, waves) for p in r.parts)) for r in motion.requests)

@@ -24,7 +24,7 @@ from planar_cli.solve.between.energies import energy_parts, impulse_integral
 from planar_cli.solve.between.extremes import Aim
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.linear_parts import energies_near, linear_parts
-from planar_cli.solve.between.links_in_line import by_lines
+from planar_cli.solve.between.links_in_line import by_lines, line_of
 from planar_cli.solve.between.modes_of_oscillation import modes_told
 from planar_cli.solve.between.near_rest import near_rest
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
@@ -215,7 +215,8 @@ class _Tracer:
     def _step(self, step: DerivedStep, plain: Mapping[sp.Symbol, sp.Expr]) -> RouteStep:
         d = step.derivation
         relations = tuple(self.vibrations.told(self._relation(e), plain) for e in d.equations)
-        return RouteStep(relations, d.unknowns, d.needs, self.vibrations.results(relations, step.results), step.datum)
+        results = self.vibrations.results(relations, step.results)
+        return RouteStep(relations, d.unknowns, d.needs, results, step.datum, line_of(relations, results))
 
     def _relation(self, e: Equation) -> Relation:
         aim = e.source if isinstance(e.source, Aim) else None

@@ -171,6 +171,21 @@ class Result:
 
 
 @record
+class LinksInLine:
+    """Where two links lie in one line: the angle of the first, that of the other as so many half turns more."""
+
+    first: sp.Symbol
+    other: sp.Symbol
+    half_turns: int
+    formula: sp.Expr
+    """The first angle: n π ± arcsin of a ratio of lengths."""
+
+    @property
+    def folded(self) -> bool:
+        return self.half_turns % 2 == 1
+
+
+@record
 class RouteStep:
     """Unknowns from relations in which all else is known."""
 
@@ -184,6 +199,8 @@ class RouteStep:
     """The lines that it gives."""
     is_datum: bool
     """Does it only say what is given?"""
+    in_line: LinksInLine | None = None
+    """Of an extreme position of a mechanism."""
 
 
 @record
