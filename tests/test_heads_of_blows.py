@@ -23,3 +23,16 @@ def test_what_a_blow_says(stem: str, said: str) -> None:
 def test_a_velocity_that_is_given_is_not_said_again() -> None:
     """v_Ax = 4 m/s stands under Given, of what moves along x alone."""
     assert "At 1, as given" not in page_of_file("carriages-that-collide")
+
+
+def test_a_contact_on_which_nothing_presses_has_no_impulse() -> None:
+    """The friction under a ball that a cue strikes is finite, and the blow short."""
+    said = "(the impulse of the weight, the normal force and the friction at C is negligible). ball: J → at S ="
+    assert said in page_of_file("billiard-ball")
+
+
+def test_a_law_is_told_with_the_solution_of_its_equations() -> None:
+    printed = page_of_file("billiard-ball")
+    assert "(5): α = -μ N_C R/I_G = -5 μ g/(2 R)" in printed
+    assert "For the angle of the ball" not in printed
+    assert "For y of P" not in page_of_file("pile-driven-into-soil-of-constant-resistance")

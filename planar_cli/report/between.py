@@ -20,7 +20,7 @@ from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, 
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
-from planar_cli.report.forces import drawn_bodies, force_rows
+from planar_cli.report.forces import force_rows
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
@@ -243,9 +243,9 @@ class BetweenTelling:
         if impact.since in self.told or solution is None:
             return
         self.told.add(impact.since)
-        scene, stage = solution.instant.scene, solution.stages[0]
-        rows = self._rows(impact, solution)
-        finite = self.finite.beside(impact.since, scene, drawn_bodies(solution, stage), rows) if self.finite else ()
+        scene = solution.instant.scene
+        rows, nil = self._rows(impact, solution)
+        finite = self.finite.beside(impact.since, solution, nil, rows) if self.finite else ()
         yield Paragraph(line(f"Just after {impact.since}: momentum before + impulses = momentum after", *finite, "."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
@@ -259,8 +259,8 @@ class BetweenTelling:
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
         yield from rows
 
-    def _rows(self, impact: Impact, solution: InstantSolution) -> list[Forces]:
-        """The diagrams of a blow."""
+    def _rows(self, impact: Impact, solution: InstantSolution) -> tuple[list[Forces], set[sp.Symbol]]:
+        """The diagrams of a blow, and the impulses that they do without."""
         scene, stage = solution.instant.scene, solution.stages[0]
         phrases = Phrases(scene.ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
         # A velocity that is zero after the blow and stands in no equation is not drawn.
@@ -270,7 +270,7 @@ class BetweenTelling:
         nil = {symbol for symbol, since in self.nil if since == impact.since} | nil_beside(solution, stage, self.used)
         rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
         nothing = (Text("0"),)
-        return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing)]
+        return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing)], nil
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

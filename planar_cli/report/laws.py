@@ -113,9 +113,23 @@ def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Bloc
     return found
 
 
+def is_law_heading(heading: Paragraph) -> bool:
+    """Does a law follow, which holds all the time?"""
+    return str(getattr(heading.line[0], "text", "")).startswith(FOR) and not _changes(heading)
+
+
 def _changes(heading: Any) -> bool:
     """Does a law hold from one state on, and not before?"""
     return str(getattr(heading.line[-1], "text", "")).endswith(" on:")
+
+
+def is_rate_of(letter: str, rate: str) -> bool:
+    """Is a_Gx or α_rod the second derivative x_G_ddot or theta_rod_ddot?"""
+    kind, *index = letter.split("_")
+    coordinate = rate.removesuffix("_ddot").split("_")
+    axis, *body = coordinate
+    along = sorted(index) in (sorted(coordinate), sorted(body)) or index == ["".join((*body, axis))]
+    return {"a": along, "alpha": index == coordinate[1:]}.get(kind, False) or rate == letter
 
 
 def _same_rate(law: Equation, result: Equation) -> bool:
@@ -125,12 +139,7 @@ def _same_rate(law: Equation, result: Equation) -> bool:
         return False
     assert isinstance(own, Math)
     assert isinstance(other, Math)
-    kind, *index = other.expr.name.split("_")
-    coordinate = own.expr.name.removesuffix("_ddot").split("_")
-    axis, *body = coordinate
-    along = sorted(index) in (sorted(coordinate), sorted(body)) or index == ["".join((*body, axis))]
-    same = {"a": along, "alpha": index == coordinate[1:]}.get(kind, False)
-    same = same or own.expr.name == other.expr.name
+    same = is_rate_of(other.expr.name, own.expr.name)
     return same and [str(s) for s in law.sides[1:]] == [str(s) for s in result.sides[1 : len(law.sides)]]
 
 

@@ -45,6 +45,7 @@ from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
+from planar_cli.report.laws_solved import with_laws_solved
 from planar_cli.report.likewise import told_likewise
 from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
@@ -181,6 +182,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
             moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), [*before.data, *blocks])
+            blocks, moving = with_laws_solved(blocks, moving, part.instants[-1].value, part.motion.varying)
         moving += grips_in_letters(part.motion, phrases) if why is None else ()
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)

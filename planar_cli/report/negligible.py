@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
+import sympy as sp
+
 from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads
@@ -11,11 +13,14 @@ from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.report.blocks import Forces, Line, Name, Text, line
+from planar_cli.solve.solution import InstantSolution
 
 UNCOUNTED = ("drag",)
 """Kinds of loads that have no plural."""
 FORCE = "force"
 """The kind of load that is called by its letter, as in the diagrams."""
+ROUGH = ("contact",)
+"""Kinds of joints whose friction grows with what presses."""
 NOT_LEVEL = "↑↓↖↗↘↙↺↻"
 """The arrows of what is not horizontal."""
 
@@ -27,11 +32,12 @@ class FiniteForces:
     problem: Problem
     states: tuple[str, ...]
 
-    def beside(self, since: str, scene: Scene, bodies: Collection[str], rows: Sequence[Forces]) -> Line:
-        """` (the impulse of the weights, the spring and R is negligible)` in the blow after a state on some bodies; ()
-        where no finite force acts on them then. `rows`: the diagrams of the blow; where all in them is horizontal,
-        weights are no matter.
+    def beside(self, since: str, struck: InstantSolution, nil: Collection[sp.Symbol], rows: Sequence[Forces]) -> Line:
+        """` (the impulse of the weights, the spring and R is negligible)` in the blow after a state; () where no finite
+        force acts then. `nil`: the impulses that are zero, as those of a contact on which nothing presses; `rows`: the
+        diagrams of the blow; where all in them is horizontal, weights are no matter.
         """
+        scene, bodies = struck.instant.scene, [row.body for row in rows]
         level = not any(arrow in _said(row) for row in rows for arrow in NOT_LEVEL)
         counts: dict[str, int] = {}
         letters: list[str] = []
@@ -47,6 +53,7 @@ class FiniteForces:
         letters += self._friction(since, bodies)
         named = [line(f"the {kind}{'s' if n > 1 and kind not in UNCOUNTED else ''}") for kind, n in counts.items()]
         named += [line(Name(letter)) for letter in dict.fromkeys(letters)]
+        named += _contacts(struck, nil, bodies)
         return line(" (the impulse of ", *_listed(named), " is negligible)") if named else ()
 
     def _acts(self, during: tuple[str, str] | None, since: str) -> bool:
@@ -63,6 +70,17 @@ class FiniteForces:
             touched = set(getattr(joint, "between", ())) & set(bodies)
             if isinstance(size, Letter) and touched and self._acts(joint.during, since):
                 yield size.name
+
+
+def _contacts(struck: InstantSolution, nil: Collection[sp.Symbol], bodies: Collection[str]) -> list[Line]:
+    """The forces of rough contacts that keep what they are in the blow: the normal force and the friction at C."""
+    system = struck.trial.system
+    assert system.reactions is not None
+    rough = {j.name for j in system.scene.problem.joints if j.kind in ROUGH and getattr(j, "mu", None) is not None}
+    own = (p for p, e in system.reactions.pushes if p.kind == "normal" and p.joint in rough and e in nil)
+    named = (p.place for p in own if any(a.body in bodies for a in p.actions))
+    places = dict.fromkeys(named)
+    return [force for p in places for force in (line("the normal force"), line("the friction at ", Name(p)))]
 
 
 def _said(row: Forces) -> str:
