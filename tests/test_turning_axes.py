@@ -9,7 +9,11 @@ import pytest
 from worked import page_of_file
 
 LINES = [
-    "At 2, in axes ξ, η that turn with frame: ξ = x_P,2 = 1.2 m η = 1/2 · 1.2² = 0.72 m",
+    "(4) ξ_2 = ξ_1 + u t_2 = 1 + 0.4 · 0.5 = 1.2 m",
+    "At 2, in axes ξ, η that turn with frame: η = ξ²/(2 p) = 1.2² / (2 · 1) = 0.72 m",
+    "Velocity, v = v_rel + ω × r, along ξ and η: v_rel = [ξ̇, η̇], ω × r = [-w η, w ξ]",
+    "v_P,frame = u √(p² + ξ²) / p",
+    "a = a_rel + 2 ω × v_rel - ω² r, along ξ and η: a_rel = [0, η̈], 2 ω × v_rel = [-2 w η̇, 2 w ξ̇]",
     "v_ξ = ξ̇ - η w = 0.4 - 0.72 · 3 = -1.76 m/s",
     "v_Px,2 = v_ξ cos θ_2 - v_η sin θ_2 = -1.76 cos 85.94° - 4.08 sin 85.94° = -4.194 m/s",
     "a_ξ = -w² ξ - 2 w η̇ = -3² · 1.2 - 2 · 3 · 0.48 = -13.68 m/s²",
@@ -35,3 +39,7 @@ def test_the_same_by_differences() -> None:
     second = [(a - 2 * b + c) / step**2 for a, b, c in zip(before, here, after, strict=True)]
     assert hypot(*second) == pytest.approx(14.23, abs=5e-3)
     assert (after[0] - before[0]) / (2 * step) == pytest.approx(-4.194, abs=5e-4)
+
+
+def test_one_letter_for_one_coordinate() -> None:
+    assert "x_P," not in page_of_file("body-bead-on-turning-parabola")

@@ -17,6 +17,7 @@ from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.apart import with_letters_apart
 from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.at_one_state import where_asked, where_told
+from planar_cli.report.axes_of_frames import with_axes_of_frames
 from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import (
     Block,
@@ -192,6 +193,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
     blocks = with_frames_apart(with_component_letters(blocks, part.found), part.found)
+    blocks = with_axes_of_frames(blocks, part.motion)
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):

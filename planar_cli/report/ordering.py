@@ -22,7 +22,7 @@ _GROUPS = (
     ("a", "v", "u"),
     ("L", "l", "R", "r", "d", "D", "h", "H", "b", "s", "x", "y", "w"),
     ("alpha", "omega", "Omega"),
-    ("theta", "phi", "psi", "Delta"),
+    ("theta", "phi", "psi", "Delta", "xi"),
     ("t", "tau", "dt"),
 )
 _RANKS = {name: rank for rank, names in reversed(list(enumerate(_GROUPS))) for name in names}

@@ -21,7 +21,8 @@ from planar_cli.equation.plain import simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Request
@@ -107,7 +108,7 @@ class TurningAxes:
         state: str,
     ) -> Iterator[Block]:
         """The components of one level in the turning axes."""
-        spin, own, math = turned.spin, letters[turned.place], self.phrases.math
+        spin, math = turned.spin, self.phrases.math
         curve, slope = turned.curve.xreplace(letters), sp.diff(turned.curve, turned.place).xreplace(letters)
         bend, speed = sp.diff(turned.curve, turned.place, 2).xreplace(letters), RATES[0]
         if level == 0:
@@ -115,22 +116,28 @@ class TurningAxes:
             yield Paragraph(
                 line(f"{lead}, in axes ", Name("xi"), ", ", Name("eta"), f" that turn with {turned.frame}:")
             )
-            yield Equation((math(XI), math(own), self._value(sizes[XI], LENGTH)))
-            yield Equation((math(ETA), *self._numbers(curve, {}), self._value(sizes[ETA], LENGTH)))
+            value = self._value(sizes[ETA], LENGTH)
+            yield Equation((math(ETA), *self._own(turned, turned.curve), *self._numbers(curve, {}), value))
         elif level == 1:
+            yield Paragraph(velocity_words(math(spin)))
             yield Equation((math(speed), math(turned.rate), self._value(sizes[speed], VELOCITY)))
-            yield self._rate(
-                RATES[1], line("(d", Name("eta"), "/d", Name("xi"), ") ", Name("xi_dot")), slope * speed, sizes, 1
-            )
+            words = line("(d", Name("eta"), "/d", Name("xi"), ") ", Name("xi_dot"))
+            yield self._rate(RATES[1], words, slope * speed, sizes, 1)
             yield self._line((math(V_XI),), speed - spin * ETA, sizes, VELOCITY)
             yield self._line((math(V_ETA),), RATES[1] + spin * XI, sizes, VELOCITY)
         else:
+            yield Paragraph(acceleration_words(math(spin), bend != 0))
             if bend != 0:
                 words = line("(d²", Name("eta"), "/d", Name("xi"), "²) ", math(speed**2))
                 yield self._rate(RATES[3], words, bend * speed**2, sizes, 2)
             curved = RATES[3] if bend != 0 else sp.S.Zero
             yield self._line((line(Name("a_xi")),), -2 * spin * RATES[1] - spin**2 * XI, sizes, ACCELERATION)
             yield self._line((line(Name("a_eta")),), curved + 2 * spin * speed - spin**2 * ETA, sizes, ACCELERATION)
+
+    def _own(self, turned: Turned, formula: sp.Expr) -> list[Any]:
+        """A formula of the curve in ξ, where its numbers hide no unit."""
+        clean = is_clean(self.phrases.ledger, formula, dimension=LENGTH)
+        return [self.phrases.math(formula.xreplace({turned.place: XI}))] if clean else []
 
     def _rate(self, rate: sp.Symbol, words: Any, formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], n: int) -> Equation:
         value = self._value(sizes[rate], DIMENSIONS[n])
@@ -155,6 +162,29 @@ class TurningAxes:
 
     def _value(self, number: Decimal, dimension: Dimension) -> Any:
         return self.phrases.of_dimension(number, dimension)
+
+
+def velocity_words(spin: Math) -> Line:
+    """v = v_rel + ω × r in components."""
+    xi, eta, xi_dot, eta_dot = (Name(n) for n in ("xi", "eta", "xi_dot", "eta_dot"))
+    relative = line(Name("v_rel"), " = [", xi_dot, ", ", eta_dot, "], ")
+    carried = line("ω × r = [-", spin, " ", eta, ", ", spin, " ", xi, "]")
+    return line("Velocity, v = ", Name("v_rel"), " + ω × r, along ", xi, " and ", eta, ": ", *relative, *carried)
+
+
+def acceleration_words(spin: Math, bent: bool) -> Line:
+    """a = a_rel + 2 ω × v_rel - ω² r in components. `bent`: the curve is no straight line."""
+    xi, eta, xi_dot, eta_dot = (Name(n) for n in ("xi", "eta", "xi_dot", "eta_dot"))
+    relative = line(Name("a_rel"), " = [0, ", Name("eta_ddot") if bent else "0", "], ")
+    coriolis = line("2 ω × ", Name("v_rel"), " = [-2 ", spin, " ", eta_dot, ", 2 ", spin, " ", xi_dot, "]")
+    law = line("Acceleration, a = ", Name("a_rel"), " + 2 ω × ", Name("v_rel"), " - ω² r, along ", xi, " and ", eta)
+    return line(*law, ": ", *relative, *coriolis)
+
+
+def coordinates_turned(found: MotionTrace) -> dict[sp.Symbol, str]:
+    """The coordinates along an axis of a turning body, with the points whose they are."""
+    turned = (t for r in found.requests if (t := _turned(found, r)) is not None)
+    return {t.place: t.point for t in turned}
 
 
 def in_turning_axes(found: MotionTrace) -> frozenset[str]:
