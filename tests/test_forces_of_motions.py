@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
+import sympy as sp
 from conftest import ROOT
 
 from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_mistakes
+from planar_cli.replay.equations import Asked, Equations, Step
+from planar_cli.replay.numbers import Replay
 
 PROBLEMS = ROOT / "problems"
 
@@ -46,3 +50,13 @@ def test_what_is_known_by_a_number_alone_costs_no_other_find() -> None:
     missing = [f.name for f in part.solution.found if f.name not in part.replay.equations.asked]
     assert missing == ["distance"]
     assert not worked.is_written
+
+
+def test_steps_that_need_each_other_are_solved_together() -> None:
+    x, y, z, a = sp.symbols("x y z a", real=True)
+    steps = (Step((z,), (z - x * y,)), Step((x,), (x - y / 2 - 1,)), Step((y,), (y - x / 2 - a,)))
+    asked = {"z": Asked((z,))}
+    whole = Equations("", {"a": a}, {}, steps, asked, (), {a: 1.0, x: 2.0, y: 2.0, z: 4.0}).in_order()
+    # x = y/2 + 1 and y = x/2 + 5/2 meet at (3, 4).
+    assert [s.unknowns for s in whole.steps] == [(x, y), (z,)]
+    assert Replay(whole).run({a: np.array([2.5])}).asked("z")[0] == pytest.approx(12.0)

@@ -101,9 +101,60 @@ class Equations:
             made = made.mapped(steps)
         return replace(made, tests=tuple(t for t in made.tests if not made.loose((t.positive,))))
 
+    def in_order(self) -> Equations:
+        """The same with every step behind those that it needs, and with steps that need each other in one."""
+        steps = list(self.steps)
+        needs = [self._needed_by(step) for step in steps]
+        ordered: list[Step] = []
+        left = list(range(len(steps)))
+        while left:
+            waits = {k: {j for j in left if j != k and needs[k] & set(steps[j].unknowns)} for k in left}
+            ready = next((k for k in left if not waits[k]), None)
+            together = [ready] if ready is not None else min((_round(k, waits) for k in left), key=len)
+            ordered.append(_merged([steps[k] for k in together]))
+            left = [k for k in left if k not in together]
+        return self.mapped(ordered)
+
+    def _needed_by(self, step: Step) -> frozenset[sp.Symbol]:
+        """The unknowns of other steps in its equations, also behind names that are defined."""
+        found: set[sp.Symbol] = set()
+        waiting = [r.free_symbols - set(step.unknowns) for r in step.residuals]
+        while waiting:
+            for symbol in waiting.pop() - found:
+                found.add(symbol)
+                if symbol in self.defined and symbol not in self.unknowns:
+                    waiting.append(self.defined[symbol].free_symbols)
+        return frozenset(found).intersection(self.unknowns) - set(step.unknowns)
+
     def _behind(self, symbol: sp.Symbol, owner: Mapping[sp.Symbol, Step]) -> Iterator[sp.Expr]:
         if symbol in owner:
             yield from owner[symbol].residuals
             yield from owner[symbol].unknowns
         elif symbol in self.defined:
             yield self.defined[symbol]
+
+
+def _round(first: int, waits: Mapping[int, set[int]]) -> list[int]:
+    """The steps that wait for each other with a first one, and those on which they wait."""
+    found, waiting = [first], [first]
+    while waiting:
+        for other in sorted(waits[waiting.pop()]):
+            if other not in found:
+                found.append(other)
+                waiting.append(other)
+    return sorted(found)
+
+
+def _merged(steps: list[Step]) -> Step:
+    if len(steps) == 1:
+        return steps[0]
+    others: dict[sp.Symbol, tuple[float, ...]] = {}
+    for step in steps:
+        others |= step.others
+    return Step(
+        tuple(u for s in steps for u in s.unknowns),
+        tuple(r for s in steps for r in s.residuals),
+        tuple(k for s in steps for k in s.kinds),
+        tuple(b for s in steps for b in s.bodies),
+        others,
+    )

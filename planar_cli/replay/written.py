@@ -102,7 +102,7 @@ class _Writer:
             self._also_made({s: unit for ledger in self.ledgers for s, unit in ledger.units.items()}),
             self._also_made({s: title for ledger in self.ledgers for s, title in ledger.titles.items()}),
         )
-        return gathered.without_loose()
+        return gathered.without_loose().in_order()
 
     def _also_made(self, known: dict[sp.Symbol, Told]) -> dict[sp.Symbol, Told]:
         """What is known of symbols, also of those that were made for a state."""
@@ -210,21 +210,29 @@ class _Motion(_Writer):
             for step in steps:
                 if sought.isdisjoint(step.unknowns) and self._gives_what_is_known(step, numbers):
                     self.constant.append(step)
+                    self.numbers |= {u: numbers.found[u] for u in step.unknowns}
                     sought.update(step.unknowns)
         for unknown in (u for step in self.constant for u in step.unknowns):
             self.defined.pop(unknown, None)
         self.steps = [*self.constant, *self.steps]
 
     def _gives_what_is_known(self, step: Step, numbers: StateNumbers) -> bool:
+        """Does a constant step rest on data and other constants alone, and give the numbers of the solution?"""
+        told = {*self.inputs.values(), *(u for s in self.constant for u in s.unknowns), *step.unknowns}
+        waiting, seen = [r.free_symbols for r in step.residuals], set[sp.Symbol]()
+        while waiting:
+            for symbol in waiting.pop() - told - seen:
+                seen.add(symbol)
+                if symbol not in self.defined:
+                    return False
+                waiting.append(self.defined[symbol].free_symbols)
+        known = {u: self._known(u) for u in step.unknowns}
         try:
             numbers.solve(step)
-            for unknown in step.unknowns:
-                due = self._known(unknown)
-                if due is None or abs(numbers.of(unknown) - due) > SAME * abs(due):
-                    return False
+            pairs = [(numbers.of(u), due) for u, due in known.items() if due is not None]
         except FAILURES:
             return False
-        return True
+        return all(abs(number - due) <= SAME * abs(due) for number, due in pairs)
 
     def _ask(self) -> None:
         """The finds in the symbols of states; one that is a force or an acceleration there, by the equations there."""
