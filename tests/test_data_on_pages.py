@@ -10,7 +10,6 @@ from worked import page_of_file
     ("stem", "line"),
     [
         ("ex-1-11", "launch: v_y,launch = 10 sin 45° = 7.071 m/s"),
-        ("ex-1-15", "start: v_Ax,start = 50 cos 30° = 43.30 m/s"),
         ("sandbag-into-a-cart", "1: v_bag,y,1 = 6 sin(-40°) = -3.857 m/s"),
         ("exercise-4-32", "At 1, as given: ω_1 = 15 rpm = 1.571 rad/s"),
         ("slider-crank-offset", "(1) given: ω_crank = 240 rpm = 25.13 rad/s"),

@@ -52,9 +52,3 @@ def test_the_size_and_angle_of_a_vector_in_letters_have_lines() -> None:
     assert "|r_A2_from_A| = 1/2 r √((√3 - 1)² + (1 + √3)²) = √2 r" in page
     assert "direction of r_A2_from_A = arctan(2 + √3) = 75°" in page
     assert "|r_B2_from_B|" not in page
-
-
-def test_products_are_written_out_before_they_cancel() -> None:
-    assert "multiplied out: D² + 2500 t_meet² - 50 D t_meet = 2500 t_meet² hence: D² = 50 D t_meet" in page_of_file(
-        "ex-1-15"
-    )

@@ -28,8 +28,6 @@ def test_the_time_comes_first(stem: str, lines: str) -> None:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-1-15", "in (7), (8): 50 t_meet cos β = x_A,start + v_Ax,start t_meet"),
-    ("ex-1-15", "so that: t_meet = D/(50 m/s)"),
     ("two-angles-to-a-target", "(3), (4) in (5), (6): x_hit = v_0 t_hit cos β"),
     ("ship-interception", "together: β = 73.43° t_meet = 3281 s"),
 ])  # fmt: skip

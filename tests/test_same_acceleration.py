@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
@@ -51,10 +52,27 @@ def test_other_accelerations_have_places_over_time(tmp_path: Path) -> None:
 def test_balls_that_meet_in_the_air() -> None:
     page = page_of_file("ex-1-15")
     assert "Relative motion: with the same acceleration the relative velocity is constant." in page
-    assert "their relative velocity is constant, up to x_A = x_B and y_A = y_B:" in page
-    assert "(7) 0 = x_A,start + (v_Ax,start - v_Bx,start) t_meet" in page
+    assert "A and B fall freely, with the same acceleration, so that their relative velocity is constant" in page
+    assert "They meet if it points along BA:" in page
+    assert "across BA: v_B sin(150° - β) = v_A sin(150° - 30°)" in page
+    assert "β = 150° - 60° = 90° not 30°: they would stay as far apart as at first" in page
+    assert "along BA: D = (v_B cos(150° - β) - v_A cos(150° - 30°)) t_meet" in page
+    assert "t_meet = D/(v_B cos 60° - v_A cos 120°) = D/(50 m/s)" in page
     assert "1/2 g t_meet²" not in page
-    assert "STEP 2 Motion over time" in page
+    assert "ΣF" not in page
+
+
+def test_components_where_an_angle_is_no_number_of_degrees(tmp_path: Path) -> None:
+    text = (ROOT / "problems" / "textbook" / "ex-1-15.yaml").read_text(encoding="utf-8").split("answers:")[0]
+    known = "    - v(A).mag = 50 m/s\n    - v(A).angle = 30 deg\n"
+    assert known in text
+    file = tmp_path / "balls.yaml"
+    file.write_text(text.replace(known, "    - v(A).x = 40 m/s\n    - v(A).y = 30 m/s\n"))
+    solution, _ = solve_and_compare(read(str(file)), None)
+    page = re.sub(r"\s+", " ", Terminal(200).render(narrate(solution)))
+    assert "(3) 0 = x_A,start + (v_Ax,start - v_Bx,start) t_meet" in page
+    assert "(1), (2) in (3), (4): 50 t_meet cos β = x_A,start + v_Ax,start t_meet" in page
+    assert "multiplied out: D² + 30 D t_meet + 2500 t_meet² - 40 √3 D t_meet = 2500 t_meet²" in page
 
 
 def test_a_ball_that_is_let_go_meets_one_that_is_thrown_up() -> None:

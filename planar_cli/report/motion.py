@@ -33,7 +33,6 @@ from planar_cli.report.integrals import in_times, over_coordinates, plain_integr
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
-from planar_cli.report.links_in_line import in_line_blocks
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
 from planar_cli.report.motion_title import OVER_TIME, title_of
@@ -54,8 +53,9 @@ from planar_cli.report.origins import (
     told_once,
     turning_blocks,
 )
+from planar_cli.report.own_ways import told_by_itself, told_elsewhere
 from planar_cli.report.passing import passing_blocks
-from planar_cli.report.periods_given import held_by_periods, swings
+from planar_cli.report.periods_given import swings
 from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
@@ -133,7 +133,7 @@ class MotionTelling:
 
     def told_route(self, route: RouteTrace, only: Sequence[RouteStep] | None = None) -> Iterator[Block]:
         """What was not told yet of a route. `only`: these steps of it."""
-        held = [leg for legs in held_by_periods(self.found).values() for leg in legs]
+        held = told_elsewhere(self.found)
         every = [leg for leg in needed_steps(route, self.wanted) if leg not in held and leg not in self.early]
         legs = [leg for leg in every if only is None or leg in only]
         given = [leg for leg in legs if leg.is_datum]
@@ -168,9 +168,9 @@ class MotionTelling:
         yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route))
         equations, ledger = leg.relations, self.found.ledger
         numbers, single = list[int](), len(equations) == 1
-        in_line = in_line_blocks(leg, self.found, self.phrases, self.next, self._chain)
-        if told := in_line or self._flights.at_state(leg, self._chain) or self._swings.by_phase(leg, self.next):
-            self.next += any(isinstance(b, Equation) and b.number == self.next for b in told)
+        special = told_by_itself(leg, self.found, self.phrases, self.next, self._chain)
+        if told := special or self._flights.at_state(leg, self._chain) or self._swings.by_phase(leg, self.next):
+            self.next += sum(isinstance(b, Equation) and (b.number or 0) >= self.next for b in told)
             return (yield from told)
         for e in equations:
             yield from aims_told(e, leg, self)

@@ -20,6 +20,7 @@ from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.law import Law
+from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
@@ -58,7 +59,7 @@ def wanted_of(
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        for law in e.source.laws if isinstance(e.source, Together) else () if e.law is None else (e.law,):
+        for law in _laws(e):
             if law.v in own and (law.f != 0 or _has_other(law, laws)):
                 names |= _rates(regime, regime.free if law.speed is None else (law.speed,))
                 names |= set() if law.constant is None else {law.constant[0].name}
@@ -84,6 +85,13 @@ def _of_places(routes: Sequence[Route]) -> bool:
     """Does what is asked of an equilibrium rest on where it is alone: on no sum of forces?"""
     used = [e for way in routes for step in way.steps for e in step.derivation.equations]
     return bool(used) and all(e.kind in ("drawn", "given") for e in used)
+
+
+def _laws(e: Equation) -> tuple[Law, ...]:
+    """The laws that an equation rests on and that balances of forces have to tell."""
+    if isinstance(e.source, Together):
+        return () if e.source.falling else e.source.laws
+    return () if e.law is None else (e.law,)
 
 
 def _carried(regime: Regime, blow: Blow, w: Written) -> set[str]:

@@ -22,6 +22,8 @@ class Together:
     """Two coordinates with the same constant acceleration."""
 
     laws: tuple[Law, Law]
+    falling: bool
+    """Does the weight alone act, so that no balance of forces is needed to know it?"""
 
 
 @record
@@ -45,6 +47,7 @@ def meeting_equations(
     """One for each statement about a state that says how far apart two such coordinates are there."""
     own = {stop.letters[law.coordinate.symbol]: law for law in laws.laws if _is_constant(law, regime)}
     found = list(_meetings(demands, own, set(stop.letters.values())))
+    falling = _is_falling(regime)
     elapsed = stop.letters[regime.time] - since.letters[regime.time]
     for m in found:
         before = since.letters[m.one.coordinate.symbol] - since.letters[m.other.coordinate.symbol]
@@ -52,10 +55,10 @@ def meeting_equations(
         yield Equation(
             m.apart - before - apart * elapsed,
             RELATIVE,
-            _words([x for x in found if x.names == m.names]),
+            _words([x for x in found if x.names == m.names], falling),
             stop.name,
             since.name,
-            source=Together((m.one, m.other)),
+            source=Together((m.one, m.other), falling),
             surcharge=m.one.effort,
         )
 
@@ -79,6 +82,13 @@ def _is_constant(law: Law, regime: Regime) -> bool:
     return law.order == 2 and law.speed is not None and not letters(_rate(law)) & set(regime.letters)
 
 
+def _is_falling(regime: Regime) -> bool:
+    """Are all bodies particles in free flight, which fall alike?"""
+    problem = regime.general.instant.scene.problem
+    apart = not (problem.joints or problem.loads or problem.motion)
+    return apart and problem.plane == "vertical" and all(body.is_particle for body in problem.bodies)
+
+
 def _rate(law: Law) -> sp.Expr:
     return law.f if law.constant is None else law.f.xreplace(dict([law.constant]))
 
@@ -88,9 +98,10 @@ def _speed(law: Law, stop: Stop) -> sp.Expr:
     return law.factor * stop.letters[law.speed]
 
 
-def _words(meetings: Sequence[_Meeting]) -> str:
+def _words(meetings: Sequence[_Meeting], falling: bool) -> str:
     one, other = meetings[0].names
     still = all(_rate(m.one) == 0 for m in meetings)
     why = "no acceleration" if still else "the same acceleration"
     met = " and ".join(m.demand.text for m in meetings)
-    return f"{one} and {other} have {why}, so that their relative velocity is constant, up to {met}"
+    verb = "fall freely, with" if falling and not still else "have"
+    return f"{one} and {other} {verb} {why}, so that their relative velocity is constant, up to {met}"
