@@ -10,7 +10,7 @@ from worked import page_of_file
     ("stem", "vector", "size"),
     [
         ("ex-1-09", "v_B = ω × r_B/O", "|v_B| = R ω = 0.6 · 0.3333 = 0.2 m/s"),
-        ("ex-4-07", "v⃗_G,rod = v⃗_O + ω_rod × r⃗_G,rod/O", "|v_G,rod| = √(0.5² + (-0.5)²) = 0.7071 m/s"),
+        ("four-bar", "v_C = v_B + ω_BC × r_C/B", "|v_C| = √(1.156² + 0.1535²) = 1.166 m/s"),
     ],
 )
 def test_a_size_has_bars(stem: str, vector: str, size: str) -> None:

@@ -39,7 +39,7 @@ def test_no_coordinate_that_the_page_does_not_tell() -> None:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-4-07", ["r⃗_E/O = [-√2 l/2, √2 l/2]", "v_O = √2/2 l ω_rod"]),
+    ("ex-4-07", ["IO = √2 l/2", "IG = l/2"]),
     ("pendulum-tension", ["S_hanger = m (√3 g/2 + v_P²/l)", "a_Pt = -g/2"]),
     ("plate-on-parallel-links", ["a_Ct = g/2"]),
 ])  # fmt: skip
@@ -58,7 +58,7 @@ def test_motions_alone_tell_no_forces() -> None:
     """Nothing says what drives a disk whose speed is given, and with it how a rod presses on the wall."""
     told = _page("ex-4-07")
     assert "N_E" not in told
-    assert "v_O/IO = 1/0.21213 = 4.714 rad/s, v_E/IE = 1/0.21213 = 4.714 rad/s" in told
+    assert "ω_rod = v_O/IO = 1/0.21213 = 4.714 rad/s" in told
 
 
 def test_the_vector_comes_before_the_component_that_is_given() -> None:

@@ -90,7 +90,6 @@ def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() 
     ("name", "words"),
     [
         ("kinematics/four-bar", "ω_BC does not enter (unit vector [-0.8947, -0.4466]): (2) 0.3783 ω_DC"),
-        ("kinematics/instantaneous-centre", "no component across it (unit vector [-0.5, 0.8660]): (2) 0.1670 ω"),
     ],
 )
 def test_a_component_in_numbers_has_its_direction(name: str, words: str) -> None:

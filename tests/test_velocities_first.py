@@ -1,4 +1,6 @@
-"""Velocities that are asked stand before the accelerations; a fixed line says which component is zero."""
+"""Velocities that are asked stand before the accelerations; a fixed line says which component is zero; velocities alone
+are told by the instantaneous centre.
+"""
 
 from __future__ import annotations
 
@@ -43,3 +45,25 @@ def test_a_place_and_its_one_open_coordinate_are_one_line() -> None:
     page = page_of_file("wheel-that-pushes-a-rod")
     assert "B is l from A and at y = 0, on the right: x_B = R + √(l² - R²) = 0.4 + √(1.2² - 0.4²) = 1.531 m" in page
     assert "x of B" not in page
+
+
+def test_where_velocities_alone_are_sought_the_instantaneous_centre_is_the_road() -> None:
+    page = page_of_file("ex-4-07")
+    assert "Principle The instantaneous centre I of a body: v_P = IP ω" in page
+    assert "E moves along the wall; the normals at O and E cross at I, the instantaneous centre of rod:" in page
+    assert "IO = √2 l/2 = √2 · 0.3 / 2 = 0.2121 m I = [0, 0.3121] m" in page
+    assert "ω_rod = v_O/IO = 1/0.21213 = 4.714 rad/s" in page
+    assert "IG = l/2 = 0.3/2 = 0.15 m v_G,rod = IG ω_rod = 0.15 · 4.714 = 0.7071 m/s" in page
+    assert "Check along OE" in page
+
+
+def test_the_centre_of_oblique_directions_and_what_is_asked_by_it() -> None:
+    page = page_of_file("instantaneous-centre")
+    assert "IA = |r_B/A · e|/sin 60° = |0.5 · 0.8660 - 1.2 · 0.5|/sin 60° = 0.1928 m" in page
+    assert "ω = v_A/IA = -0.8/0.1928 = -4.149 rad/s" in page
+    assert "centre = I = [-0.1928, 1.2] m" in page
+    assert "v_M = IM |ω| = 0.7457 · 4.149 = 3.094 m/s" in page
+
+
+def test_with_accelerations_the_relative_velocity_is_the_road() -> None:
+    assert "cross at I" not in page_of_file("slider-crank-offset")

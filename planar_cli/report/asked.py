@@ -23,6 +23,7 @@ from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.axes_asked import along_radius, axis_of, dimension_of, noted, rational, without, without_vector
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
+from planar_cli.report.by_centre import asked_by_centre
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import components_told, sliding_told, turned_with
 from planar_cli.report.curvature import radius_asked
@@ -89,7 +90,9 @@ class AskedTelling:
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
                 yield from closed_letter(answer, self.instant, self.phrases)
                 continue
-            if isinstance(what, Quantity) and what.word == "KE" and (told := kinetic_energy(answer, what, self)):
+            if isinstance(what, Quantity) and (centred := asked_by_centre(answer, what, self.vectors)):
+                yield from centred
+            elif isinstance(what, Quantity) and what.word == "KE" and (told := kinetic_energy(answer, what, self)):
                 yield from told
             elif isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)

@@ -14,7 +14,8 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import ALL
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
-from planar_cli.report.given_vectors import size_of
+from planar_cli.report.by_centre import speed_about
+from planar_cli.report.given_vectors import GIVEN, size_of
 from planar_cli.report.inertias import alike_together, inertia_line
 from planar_cli.report.sums import added
 from planar_cli.report.vectors import VectorTelling, index_of
@@ -84,11 +85,18 @@ def _of_body(name: str, telling: Telling) -> tuple[list[Block], list[_Energy]] |
     blocks: list[Block] = []
     parts, sizes = [], {}
     if x or y:
-        told = list(telling.absolute(name, "v"))
-        own = index_of(centre_of(scene, name))
-        if not told:
-            return None
-        blocks = [*told, *_size(own, (x, y), telling)]
+        place = centre_of(scene, name)
+        own = index_of(place)
+        if (centre := telling.vectors.centres.get(name)) is not None:
+            blocks = [*speed_about(centre, body.center, place, line(Name(f"v_{own}")), telling.vectors)]
+        else:
+            told = list(telling.absolute(name, "v"))
+            if not told:
+                return None
+            # A speed that the file calls so is under Given.
+            known = f"v_{own}" in scene.ledger.symbols
+            told = [b for b in told if not (known and isinstance(b, Equation) and b.note == line(GIVEN))]
+            blocks = [*told, *_size(own, (x, y), telling)]
         speed = sp.Symbol(f"v_{own}", positive=True)
         sizes[speed] = (x * x + y * y).sqrt()
         parts.append(sp.Mul(HALF, body.mass, speed**2, evaluate=False))

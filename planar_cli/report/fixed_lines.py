@@ -29,20 +29,28 @@ def along_fixed(j: Joining, own: Name, level: str, system: System, phrases: Phra
 
 def _along_straight(j: Joining, own: Name, system: System, phrases: Phrases) -> Line:
     """In which direction it moves, and which component it has not."""
-    assert j.path is not None
-    nil = phrases.value.is_zero
-    across = "x" if nil(j.path.tangent.x) else "y" if nil(j.path.tangent.y) else ""
-    surface = _surface(j, system)
-    if surface:
-        way = f"moves along {with_article(surface.replace('_', ' '))}"
-    elif across and system.scene.problem.plane != "horizontal":
-        way = f"moves {'vertically' if across == 'x' else 'horizontally'}"
-    else:
-        way = f"moves parallel to {'y' if across == 'x' else 'x'}" if across else "moves along a straight line"
+    way, across = way_along(j, system, phrases), _across(j, phrases)
     if not across:
         return line(f"{j.place} {way}, so that ", own, " has no component across it")
     comma = "," if len(own.name) > SHORT + 2 else ""
     return line(f"{j.place} {way}, so that ", Name(f"{own.name}{comma}{across}"), " = 0")
+
+
+def way_along(j: Joining, system: System, phrases: Phrases) -> str:
+    """moves along the wall, horizontally, along a straight line."""
+    across, surface = _across(j, phrases), _surface(j, system)
+    if surface:
+        return f"moves along {with_article(surface.replace('_', ' '))}"
+    if across and system.scene.problem.plane != "horizontal":
+        return f"moves {'vertically' if across == 'x' else 'horizontally'}"
+    return f"moves parallel to {'y' if across == 'x' else 'x'}" if across else "moves along a straight line"
+
+
+def _across(j: Joining, phrases: Phrases) -> str:
+    """The axis across its line; "": this is oblique."""
+    assert j.path is not None
+    nil = phrases.value.is_zero
+    return "x" if nil(j.path.tangent.x) else "y" if nil(j.path.tangent.y) else ""
 
 
 def touches_at_rest(edge: Edge, system: System) -> Line:

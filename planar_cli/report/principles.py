@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
+from planar_cli.report.by_centre import ABOUT_CENTRE
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
 from planar_cli.solve.law import RELATIVE as ALIKE
@@ -34,13 +35,15 @@ DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in eq
 @record
 class Printed:
     """Formulas of kinematics that a page prints. `names`: in its equations; `levels`: v, a of the points of bodies that
-    turn; `coriolis`: 2 ω × v_rel; `in_turn`: what is asked as the derivative of what stands before it.
+    turn; `coriolis`: 2 ω × v_rel; `in_turn`: what is asked as the derivative of what stands before it; `centre`: an
+    instantaneous centre.
     """
 
     names: frozenset[str]
     levels: frozenset[str]
     coriolis: bool
     in_turn: bool
+    centre: bool
 
 
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
@@ -66,7 +69,7 @@ def _last(uses: Uses) -> Iterator[str]:
 def _printed(page: Sequence[Block]) -> Printed:
     names: set[str] = set()
     levels: set[str] = set()
-    coriolis = in_turn = False
+    coriolis = in_turn = centre = False
     for block in page:
         own = list(pieces_of(block))
         heads = [p.name for p in own if isinstance(p, Name)]
@@ -74,13 +77,14 @@ def _printed(page: Sequence[Block]) -> Printed:
         if not isinstance(block, Equation):
             # a_P = a_P′ + a_rel + 2 ω × v_rel, said before its component; the last term only of a body that turns.
             coriolis |= RELATIVE in heads and DOUBLED in texts
+            centre |= any(ABOUT_CENTRE in text for text in texts)
             continue
         names |= set(heads)
         in_turn |= "/dt" in texts
         if CROSS in texts:
             levels |= {h[0] for h in heads[:1] if h[:2] in ("v_", "a_")}
             coriolis |= DOUBLED in texts
-    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names, in_turn)
+    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names, in_turn, centre)
 
 
 def _laws(uses: Uses, page: Printed) -> Iterator[str]:
@@ -170,7 +174,9 @@ def _relative(uses: Uses, page: Printed) -> Iterator[str]:
 
 def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
     """How the velocities of the points of bodies hang together."""
-    if page.levels and (not uses.coriolis or "e_r" in page.names):
+    if page.centre:
+        yield "The instantaneous centre I of a body: v_P = IP ω, perpendicular to IP."
+    elif page.levels and (not uses.coriolis or "e_r" in page.names):
         told = {"v": "v_B = v_A + ω × r_B/A", "a": "a_B = a_A + α × r_B/A - ω² r_B/A"}
         yield f"Rigid bodies: {', '.join(told[v] for v in 'va' if v in page.levels)}."
     elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:

@@ -14,6 +14,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.by_centre import centre_told
 from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
@@ -280,9 +281,10 @@ class Telling:
         if rope := rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero):
             self.solving.merged.add((id(stage.algebra), w.number))
             return rope
-        if groove := groove_told(w, stage, self.vectors, number):
+        found = centre_told(w, self.stages, self.vectors, number)
+        if found := found or groove_told(w, stage, self.vectors, number):
             self.solving.merged.add((id(stage.algebra), w.number))
-            return groove
+            return found
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
         length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:

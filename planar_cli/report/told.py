@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Protocol
+from typing import Any, Protocol
 
 import sympy as sp
 
@@ -31,7 +31,8 @@ class Across:
 class Told(Protocol):
     """A telling of vector equations. `given`: unknowns that the file gives as numbers; `late`: those that only the
     equations of accelerations and forces tell, speeds among them; `valued`: what has its value on
-    the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components.
+    the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components; `centres`: the
+    instantaneous centres of bodies by which their velocities are told.
     """
 
     given: set[sp.Symbol]
@@ -39,6 +40,7 @@ class Told(Protocol):
     zero: frozenset[sp.Symbol]
     components: Across | None
     valued: set[str]
+    centres: dict[str, Any]
     phrases: Phrases
     system: System
 

@@ -66,6 +66,7 @@ class VectorTelling:
         self.valued: set[str] = set()
         """Points whose vector has its components where it was told first."""
         self.components: Across | None = None
+        self.centres: dict[str, Any] = {}
         self.of_wheels: Callable[[str, Vec, str], Iterator[Block]] | None = None
         """Tells the acceleration of a point of a wheel in letters."""
         self._told: set[str] = set()

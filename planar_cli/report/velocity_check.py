@@ -24,13 +24,15 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
+from planar_cli.report.by_centre import bodies_by_centre
+from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.units import LENGTH, RATE, VELOCITY, Dimension
+from planar_cli.units import LENGTH, PURE, RATE, VELOCITY, Dimension
 
 SMALL = Decimal("1e-9")
 """In parts of what it is compared with: what is smaller is zero."""
@@ -111,12 +113,13 @@ def velocity_check(instant: InstantSolution, phrases: Phrases) -> Line:
     if phrases.symbolic or instant.trial.system.motion is None:
         return ()
     try:
-        scene = _Scene(instant, phrases)
+        scene, centred = _Scene(instant, phrases), bodies_by_centre(instant, phrases)
         for body, model in scene.system.scene.bodies.items():
             if body in scene.pins or not model.rigid or scene.spin(body) == 0:
                 continue
             for one, other in combinations(scene.points(body), 2):
-                told = _centre(scene, body, one, other) or _across(scene, one, other, scene.spin(body))
+                told = _along(scene, one, other) if body in centred else _centre(scene, body, one, other)
+                told = told or _across(scene, one, other, scene.spin(body))
                 if told:
                     return told
         return next((told for j in scene.joinings if (told := _polar(scene, j))), ())
@@ -146,6 +149,26 @@ def _centre(scene: _Scene, body: str, one: _Point, other: _Point) -> Line:
         return ()
     place = scene.phrases.vector(centre.x, centre.y, LENGTH)
     return line(f"instantaneous centre of {body}: I = ", *place, "; ", *told)
+
+
+def _along(scene: _Scene, one: _Point, other: _Point) -> Line:
+    """The components of both velocities along the line of the points, which keep their distance."""
+    reach = other.at - one.at
+    length = _size(reach)
+    if not length:
+        return ()
+    way = reach * (1 / length)
+    told: list[str | Inline | Line] = []
+    for point in (one, other):
+        v = [scene.phrases.of_dimension(x, VELOCITY).number for x in (point.velocity.x, point.velocity.y)]
+        parts: list[Term] = [(1, ((x, 1), (e, 1))) for x, e in zip(v, (way.x, way.y), strict=True) if x and e]
+        along = scene.phrases.of_dimension(point.velocity.dot(way), VELOCITY)
+        own = Name(f"v_{index_of(point.name)}")
+        told += [", " if told else "", own, " · e = ", sum_of_products(parts, scene.phrases.figures), " = ", along]
+    if not agree([one.velocity.dot(way)], [other.velocity.dot(way)]) or not one.velocity.dot(way):
+        return ()
+    line_of = _distance(index_of(one.name), index_of(other.name))
+    return line("along ", line_of, ", e = ", *scene.phrases.vector(way.x, way.y, PURE), ": ", *told)
 
 
 def _across(scene: _Scene, one: _Point, other: _Point, spin: Decimal) -> Line:
