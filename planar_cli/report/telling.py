@@ -278,13 +278,11 @@ class Telling:
         moving |= frozenset(self.system.tree.acceleration_unknowns())
         if not self._at_limit(w) and (told := self.data.of_letter(w, moving, number)) is not None:
             return [told]
-        if rope := rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero):
+        whole = rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero)
+        whole = whole or centre_told(w, self.stages, self.vectors, number)
+        if whole := whole or groove_told(w, stage, self.vectors, number):
             self.solving.merged.add((id(stage.algebra), w.number))
-            return rope
-        found = centre_told(w, self.stages, self.vectors, number)
-        if found := found or groove_told(w, stage, self.vectors, number):
-            self.solving.merged.add((id(stage.algebra), w.number))
-            return found
+            return whole
         length = length_told(w, self.system, self.phrases, stage.level != "velocity")
         length = length or (() if self._at_limit(w) else self.data.given(w, turned(w)))
         if (end := named_end(w, stage, self.system)) is not None:
