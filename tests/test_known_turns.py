@@ -88,3 +88,29 @@ def test_a_mass_centre_that_swings_down_counts_downward(stem: str) -> None:
     page = _page(stem)
     assert "= m a_G ↓ at G" in page
     assert "↓ ΣF_y: m g - " in page
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("rigid-bodies/wheel-with-its-mass-centre-off-the-middle", [
+        "ω_wheel = 3 rad/s clockwise",
+        "ω and α are counted clockwise, the way in which the wheel turns.",
+        "given: ω = 3 rad/s",
+        "a_O = R α ↘",
+        "F ↖ at C (assumed)",
+        "F = m (e ω² + g sin β - R α)",
+        "Answer α = 15.60 rad/s² clockwise F = 2.621 N up the slope",
+    ]),
+    ("systems/wheel-pulled-uphill", [
+        "α is counted clockwise, the way in which the wheel rolls along a_G.",
+        "The cord keeps its length, a_B = a_G, with (1): (2) a_B = R α",
+        "m_B a_B ↓",
+        "↓ ΣF_y: m_B g - T = m_B a_B",
+        "↻ ΣM_C: T R - m g R sin β = m a_G R + I_wheel α",
+        "a_G = R α = 0.3 · 5.474 = 1.642 m/s²",
+    ]),
+    ("systems/gear-pair", ["At C gear_A and gear_B have the same tangential acceleration: (1) r_A α_A = -r_B α_B"]),
+])  # fmt: skip
+def test_what_is_asked_or_stated_counts_in_its_sense(stem: str, lines: list[str]) -> None:
+    """A wheel rolls as its centre is asked, `cw` counts clockwise, friction is drawn as asked, a falling weight falls."""
+    page = _page(stem)
+    assert [x for x in lines if x not in page] == []

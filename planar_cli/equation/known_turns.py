@@ -16,9 +16,11 @@ from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
+from planar_cli.equation.told_turns import rolling_as_asked
 from planar_cli.problem.expression import AtRest, Quantity, Relation
 from planar_cli.problem.facts import Joining, Mode
 from planar_cli.problem.scene import GROUND, Round
+from planar_cli.problem.stated_clockwise import states_clockwise
 from planar_cli.problem.walk import walk
 
 STEADY = ("force", "torque", "weight")
@@ -36,6 +38,11 @@ def with_known_turns(
     if scene.displacement is not None:
         builder.clockwise = scene.displacement.clockwise
         return builder
+    builder.clockwise = frozenset(scene.bodies) if states_clockwise(scene.problem) else frozenset()
+    asked = rolling_as_asked(scene, statements, modes)
+    if asked:
+        builder.clockwise = frozenset(wheel for wheel, sense in asked.items() if sense < 0)
+        builder.known_senses = frozenset(scene.bodies)
     pivot = _pivot(scene, [found for _, found in modes]) if _starts(scene, statements) else None
     if pivot is None:
         return builder

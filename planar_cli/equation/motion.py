@@ -23,6 +23,7 @@ from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.problem.facts import Joining, Path, Row
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.led_by_ground import led_by_ground
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
@@ -48,7 +49,7 @@ class Edge:
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
     acceleration unknowns. A free body has `slide` along x and `rise` along y; one that the file
     places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent. `turn`: -1
-    where `spin` and `spin_rate` count clockwise.
+    where `spin` and `spin_rate` count clockwise; `upward`: -1 where `rise` and `rise_rate` count downward.
     """
 
     body: str
@@ -64,6 +65,7 @@ class Edge:
     particle: bool = False
     components: Components | None = None
     turn: int = 1
+    upward: int = 1
 
 
 @record
@@ -107,6 +109,8 @@ class TreeBuilder:
         self.components, self.heading = components or {}, heading
         self.clockwise: frozenset[str] = frozenset()
         """Bodies whose angular velocities count clockwise where they hang on the tree."""
+        self.sinking: frozenset[str] = frozenset()
+        """Particles that nothing carries and whose velocities and accelerations along y count downward."""
         self.known_senses: frozenset[str] = frozenset()
         """Bodies that are known to begin to turn in the sense in which their angular velocities count."""
         self._made: dict[tuple[str, str], sp.Symbol] = {}
@@ -122,7 +126,7 @@ class TreeBuilder:
             choice = self._choose(left, placed) if hang else None
             if choice is None:
                 body = next(b for b in self._by_ties(left) if b not in placed)
-                edges.append(self._free(body))
+                edges.append(self._free(body, -1 if hang and body in self.sinking else 1))
             else:
                 joining, body = choice
                 left.remove(joining)
@@ -151,7 +155,7 @@ class TreeBuilder:
         for rank, joining in enumerate(left):
             for body, parent in ((joining.mover, joining.base), (joining.base, joining.mover)):
                 if parent in placed and body not in placed:
-                    later = parent != GROUND and joining.rolling is not None and _led(left, body)
+                    later = parent != GROUND and joining.rolling is not None and led_by_ground(left, body)
                     cost = (later, self._freedom(joining, body), rank)
                     if best is None or cost < best[0]:
                         best = (cost, joining, body)
@@ -186,16 +190,17 @@ class TreeBuilder:
         words = f"angular velocity of {body}", f"angular acceleration of {body}"
         return self._pair("" if alone else body, *words, turns=True)
 
-    def _free(self, body: str) -> Edge:
+    def _free(self, body: str, upward: int) -> Edge:
         name = self.center_name(body) or body
         (v_x, a_x), (v_y, a_y) = (
-            self._pair(
-                component(name, axis), f"velocity of {name} along {axis}", f"acceleration of {name} along {axis}"
+            self._pair(index, *(f"{what} of {name} along {axis}" for what in ("velocity", "acceleration")))
+            for axis, index in (
+                ("x", component(name, "x")),
+                ("y", component(name, "y")) if upward > 0 else ("-y", name),
             )
-            for axis in ("x", "y")
         )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
-        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y)
+        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, upward=upward)
 
     def _hung(self, body: str, joining: Joining, taken: Container[sp.Symbol | None]) -> Edge:
         """A body that hangs on what is placed. `taken`: speeds of others, which may slide at the same place."""
@@ -226,11 +231,6 @@ class TreeBuilder:
         fixed = self.heading is not None and joining.base == GROUND and body == joining.mover
         back = fixed and self.heading is not None and self.heading(body, path) < 0
         return replace(joining, path=Path(-path.tangent, -path.curvature)) if back else joining
-
-
-def _led(joinings: Iterable[Joining], body: str) -> bool:
-    """Does the ground lead a point of a body, which turns about it, along a path?"""
-    return any({j.mover, j.base} == {body, GROUND} and j.path is not None and j.turns for j in joinings)
 
 
 def component(name: str, axis: str) -> str:
@@ -281,8 +281,10 @@ class Motion:
             self.accelerations[edge.body] = Twist(at, self._settled(own.vector(own.accelerations)), ZERO)
             return
         if edge.joining is None:
-            self.velocities[edge.body] = Twist(at, Vec(self._v(edge.slide), self._v(edge.rise)), self._spin(edge))
-            self.accelerations[edge.body] = Twist(at, Vec(edge.slide_rate, edge.rise_rate), _spin_rate(edge))
+            velocity = Vec(self._v(edge.slide), self._v(edge.rise) * edge.upward)
+            self.velocities[edge.body] = Twist(at, velocity, self._spin(edge))
+            acceleration = Vec(edge.slide_rate, (edge.rise_rate or ZERO) * edge.upward)
+            self.accelerations[edge.body] = Twist(at, acceleration, _spin_rate(edge))
             return
         point, sign = edge.joining.point, -1 if edge.backward else 1
         parent_spin, parent_rate = self.velocities[edge.parent].angular, self.accelerations[edge.parent].angular

@@ -12,6 +12,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, with_article
+from planar_cli.problem.stated_clockwise import states_clockwise
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -78,13 +79,24 @@ def counted(system: System, phrases: Phrases) -> Iterator[Block]:
     """What is said of it, once."""
     for e in system.tree.edges:
         if e.turn < 0 and e.spin_rate is not None:
-            yield Paragraph(clockwise(phrases.math(e.spin_rate), e))
+            yield Paragraph(_clockwise(phrases, e, system))
         if e.slide_rate is not None and (way := _way(e)):
             yield Paragraph(line(phrases.math(e.slide_rate), f" is counted {way}."))
 
 
+def _clockwise(phrases: Phrases, edge: Edge, system: System) -> Line:
+    """That a rotation counts clockwise, and why: the file states or asks it so, or the loads tell it."""
+    letter, body = phrases.math(edge.spin_rate), with_article(edge.body)
+    if states_clockwise(system.scene.problem):
+        return line(phrases.math(edge.spin), " and ", letter, f" are counted clockwise, the way in which {body} turns.")
+    if len(system.scene.bodies) > 1:
+        centre = Name(f"a_{system.scene.center_name(edge.body)}")
+        return line(letter, f" is counted clockwise, the way in which {body} rolls along ", centre, ".")
+    return clockwise(letter, edge)
+
+
 def clockwise(letter: Math, edge: Edge) -> Line:
-    """That a rotation counts clockwise, and why: all loads turn the body that way about the point that holds it."""
+    """That a rotation counts clockwise, as all loads turn the body that way about the point that holds it."""
     assert edge.joining is not None
     why = f" is counted clockwise, the way in which the loads turn {with_article(edge.body)} about "
     return line(letter, why, Name(edge.joining.place.replace("_", ",")), ".")

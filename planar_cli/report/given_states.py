@@ -17,6 +17,7 @@ from planar_cli.problem.expression import (
     Number,
     Quantity,
     Relation,
+    Scaled,
     Side,
     Statement,
     Word,
@@ -24,6 +25,7 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.parser import parse_statement
 from planar_cli.problem.said_here import said_here
 from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.stated_clockwise import is_clockwise, states_clockwise
 from planar_cli.problem.turning_planes import goes_round
 from planar_cli.problem.walk import walk, written_alike
 from planar_cli.report import blocks
@@ -64,13 +66,16 @@ def _row(statements: Sequence[Statement], problem: Problem, figures: int, first:
     datum.
     """
     row, bounded = [], set[int]()
+    clockwise = states_clockwise(problem)
     statements = list(dict.fromkeys(_as_written(s, state) for s in statements))
     for i, statement in enumerate(statements):
         if i in bounded or (first and isinstance(statement, Relation) and _begins_the_clock(statement)):
             continue
         upper = _upper_bound(statement, statements[i + 1 :])
         if upper is None or not isinstance(statement, Relation):
-            row.append(_with_own_masses(_told(statement, problem, figures), problem))
+            told = _told(_as_it_turns(statement) if clockwise else statement, problem, figures)
+            turns = clockwise and told != _told(statement, problem, figures)
+            row.append(line(*_with_own_masses(told, problem), *([" clockwise"] if turns else [])))
             continue
         bounded.add(i + 1 + statements[i + 1 :].index(upper))
         low = line(_right(statement, figures), f" {sign_of(REVERSED[statement.operator])} ")
@@ -176,6 +181,13 @@ def laws_given(problem: Problem, figures: int) -> Iterator[Line]:
     for law in problem.motion:
         span = f" from {law.during[0]} to {law.during[1]}" if law.during is not None else ""
         yield line(_with_own_masses(_told(_as_written(law.statement, ""), problem, figures), problem), span)
+
+
+def _as_it_turns(statement: Statement) -> Statement:
+    """A rotation that is stated clockwise, in that sense."""
+    if not isinstance(statement, Relation) or not isinstance(statement.right, Number | Scaled):
+        return statement
+    return replace(statement, right=replace(statement.right, sense=1)) if is_clockwise(statement.right) else statement
 
 
 def _begins_the_clock(relation: Relation) -> bool:

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.equation.led import turns_about_a_fixed_point
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, Name, line
@@ -23,6 +25,14 @@ def rolls_on_ground(j: Joining, own: Name, level: str, side: Line) -> Line:
     if level == "velocity":
         return line(f"{j.mover} rolls: at {j.place} ", own, " = 0; ", side)
     return line(f"{j.mover} rolls: ", own, " has no component along the contact")
+
+
+def on_fixed_axles(j: Joining, w: Written, level: str, system: System) -> Line:
+    """`At C gear_A and gear_B have the same tangential acceleration`; "" where not both turn about fixed points."""
+    turning = all(turns_about_a_fixed_point(system, body) for body in (j.mover, j.base))
+    if level == "velocity" or j.rolling is None or w.words != CONTACT or not turning:
+        return ()
+    return line(f"At {j.place} {j.mover} and {j.base} have the same tangential acceleration:")
 
 
 def rolls_on_body(j: Joining, w: Written, level: str, side: Line, spin: sp.Expr, phrases: Phrases) -> Line:

@@ -72,7 +72,7 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     own = Name(f"a_{at.replace('_', '')}")
     arrow = phrases.arrow(normal.x, normal.y)
     yield Equation((line(own), line(phrases.math(size), f" {arrow}")), None, line(f"{body} rolls without slipping:"))
-    turned = line(phrases.math(alpha), " × ", name, " - ", phrases.math(omega**2), " ", name)
+    turned = line(phrases.math(as_vector(alpha, system)), " × ", name, " - ", phrases.math(omega**2), " ", name)
     yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
 
 
@@ -102,14 +102,15 @@ def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], ph
     size, away = _size(arm.x, arm.y), system.scene.center(body) - at
     if size is None or any(longer(p, LONGEST) for p in (away.x, away.y)):
         return
-    way = arm.turned()
+    way, letter = arm.turned(), as_vector(alpha, system)
+    way = -way if letter != alpha else way
     own, other = Name(f"a_{name}"), centre_of(system.scene, body)
     lead, why = line(f"{body} rolls without slipping:"), line(Name(name), " moves along a straight line")
-    yield Equation((line(own), line(phrases.math(size * alpha), f" {phrases.arrow(way.x, way.y)}")), None, lead, why)
+    yield Equation((line(own), line(phrases.math(size * letter), f" {phrases.arrow(way.x, way.y)}")), None, lead, why)
     if all(phrases.value.vanishes(p) for p in (away.x, away.y)):
         return
     between = Name(f"r_{other}/{name}")
-    turned = line(phrases.math(alpha), " × ", between, " - ", phrases.math(omega**2), " ", between)
+    turned = line(phrases.math(letter), " × ", between, " - ", phrases.math(omega**2), " ", between)
     note = line(between, " = [", phrases.math(away.x), ", ", phrases.math(away.y), "]")
     yield Equation((line(Name(f"a_{other}")), line(own, " + ", *turned)), None, note=note)
 

@@ -90,7 +90,8 @@ def _places(system: System) -> dict[sp.Symbol, sp.Expr]:
         name = system.scene.center_name(e.body) or e.body
         own = {axis: sp.Symbol(system.scene.ledger.apart(f"{axis}_{name}"), real=True) for axis in "xy"}
         if e.joining is None and e.components is None:
-            pairs = ((e.slide, own["x"]), (e.slide_rate, own["x"]), (e.rise, own["y"]), (e.rise_rate, own["y"]))
+            up = own["y"] * e.upward
+            pairs = ((e.slide, own["x"]), (e.slide_rate, own["x"]), (e.rise, up), (e.rise_rate, up))
             found |= {s: place for s, place in pairs if s is not None}
         path = e.joining.path if e.joining is not None and e.parent == GROUND else None
         if path is not None and path.curvature == 0 and 0 in (path.tangent.x, path.tangent.y):

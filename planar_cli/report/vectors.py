@@ -27,7 +27,7 @@ from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
 from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
 from planar_cli.report.projected import known_sides, projected, unit_of
-from planar_cli.report.rolled_contacts import rolls_on_body, rolls_on_ground
+from planar_cli.report.rolled_contacts import on_fixed_axles, rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
 from planar_cli.report.ties import swings, tie_words
 from planar_cli.report.told import Across
@@ -94,6 +94,8 @@ class VectorTelling:
             own = Name(f"{level[0]}_{index_of(joining.place)}")
             words = tie_words(joining, level, self._called(joining), own, self.system, self.phrases)
             return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
+        if meshing := on_fixed_axles(joining, w, level, self.system):
+            return [Paragraph(meshing)]
         reach, known = self._reach(joining, level), projected(self, joining, w, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
@@ -117,8 +119,7 @@ class VectorTelling:
 
     def swings(self, w: Written) -> bool:
         """Is it the acceleration along a tie whose ends differ by what was told before?"""
-        j = self._closure(w)
-        return j is not None and swings(j, self.system)
+        return (j := self._closure(w)) is not None and swings(j, self.system)
 
     def _closure(self, w: Written) -> Joining | None:
         if w.source != "closure":
@@ -147,8 +148,7 @@ class VectorTelling:
             spin = self._symbol(j.base, "velocity")
             relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel")] if spin != 0 else []
         touching = next((p.place for p in self.system.pushes if p.joint == j.joint and p.place not in ("", place)), "")
-        if touching and not self._is_of_file(touching, j.joint):
-            touching = "the point of contact"
+        touching = touching if not touching or self._is_of_file(touching, j.joint) else "the point of contact"
         slides = f"{touching} slides along {j.base}, {place} moves at a fixed distance from it: " if touching else ""
         return line(slides or f"{place} slides along {j.base}: ", *relative, "; ", *self._across(j, v))
 

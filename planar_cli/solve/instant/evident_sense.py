@@ -21,7 +21,7 @@ def in_its_sense(
 ) -> tuple[Vec, sp.Expr]:
     """An axis and what the component along it is called, both turned round where the body goes against the axis."""
     axis, component = part
-    known = body in system.builder.known_senses and not _is_asked(system)
+    known = body in system.builder.known_senses and not _is_asked(system, body)
     if known and not component.is_Add and component.could_extract_minus_sign():
         return -axis, called(body, -component, "")
     return axis, called(body, component, "")
@@ -37,6 +37,21 @@ def with_the_motion(
     return -axis if ways and all(way == -axis for way in ways) else axis
 
 
-def _is_asked(system: System) -> bool:
+def as_told(one: sp.Expr, other: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
+    """Two terms that make nought together, as the sides of an equation: a letter is left of what it is, a_B = R α."""
+    one_is_letter = one.is_Symbol or (-one).is_Symbol
+    return ([other], -one) if other.is_Symbol and not one_is_letter else ([one], -other)
+
+
+def counts_clockwise(term: sp.Expr, system: System) -> bool:
+    """Is it a rotation counterclockwise, of a body whose rotation counts clockwise?"""
+    return any(e.turn < 0 and -term in (e.spin, e.spin_rate) for e in system.tree.edges)
+
+
+def _is_asked(system: System, body: str) -> bool:
+    """Is the acceleration of a body, or of its mass centre, asked?"""
     sides = [f.found.what for f in system.scene.problem.find]
-    return any(isinstance(node, Quantity) and node.word == "a" for side in sides for node in walk(side))
+    own = {(body,), (system.scene.center_name(body),)}
+    return any(
+        isinstance(node, Quantity) and node.word == "a" and node.things in own for side in sides for node in walk(side)
+    )

@@ -24,6 +24,7 @@ from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.words import listed, names_of
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.instant.conditions import conditions, conditions_beside
+from planar_cli.solve.instant.drawn_senses import as_one_letter
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
@@ -272,7 +273,8 @@ class Finisher:
             return ()
         found = vector_or_jet(what, quantities, quantities.evaluator)
         parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
-        return tuple(self._known(p.value, find) for p in parts)
+        pushes = self.system.symbols.values()
+        return tuple(as_one_letter(self._known(p.value, find), pushes) for p in parts)
 
     @staticmethod
     def _known(value: sp.Expr | None, find: Find) -> sp.Expr:

@@ -31,7 +31,7 @@ def drawn_against_the_slip(
     if not names or found.seeker is None:
         return found
     before = instant.turned
-    instant.turned = frozenset(names)
+    instant.turned = before ^ frozenset(names)
     seeker = Seeker(instant, found.trial.choice)
     turned = {seeker.system.symbols[name]: -seeker.system.symbols[name] for name in names}
     wanted = [c.residual.xreplace(turned) for c in found.limits if isinstance(c.residual, sp.Expr)]

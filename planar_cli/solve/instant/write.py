@@ -22,7 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
-from planar_cli.solve.instant.evident_sense import in_its_sense, with_the_motion
+from planar_cli.solve.instant.evident_sense import as_told, counts_clockwise, in_its_sense, with_the_motion
 from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
@@ -229,8 +229,7 @@ class Writer:
         """With short coefficients, without unknowns of which it is free."""
         form = self.numbers.form(expr)
         terms = [self.short(c) * x for x, c in form.terms.items() if not self.numbers.value.is_zero(c)]
-        constant = form.constant
-        return sp.Add(*terms, sp.S.Zero if self.vanishes(constant) else self.shortened(constant))
+        return sp.Add(*terms, sp.S.Zero if self.vanishes(form.constant) else self.shortened(form.constant))
 
     def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         d = with_the_motion(self.system, choice.vector, bodies, self.acceleration)
@@ -381,9 +380,10 @@ class Writer:
         left = [self.short(made(c)) * x for x, c in form.terms.items()]
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
-            left, right = [left[0]], -left[1]
-        if not left:
-            left, right = self._apart(residual)
+            left, right = as_told(*left)
+        left, right = (left, right) if left else self._apart(residual)
+        if len(left) == 1 and counts_clockwise(left[0], self.system):
+            left, right = [-left[0]], -right
         datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
         written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum

@@ -1,0 +1,52 @@
+"""In which sense a wheel counts that rolls the way in which the acceleration of its centre is asked: up a slope."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.system import Statements
+from planar_cli.problem.expression import Part, PointPair, Quantity
+from planar_cli.problem.facts import Joining, Mode
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+
+def rolling_as_asked(
+    scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
+) -> dict[str, int]:
+    """The sense, 1 counterclockwise and -1 clockwise, in which the only body that turns among others rolls from rest on
+    the ground, where the finds ask for the acceleration of its centre, all the same way.
+    """
+    turning = [b for b in scene.bodies if scene.rigid(b)]
+    if len(scene.bodies) == 1 or len(turning) != 1 or scene.problem.states or None not in statements.rest:
+        return {}
+    found: dict[str, set[int]] = {}
+    for joining in (j for _, ways in modes if len(ways) == 1 for j in ways[0].facts.joinings):
+        wheel = joining.mover if joining.base == GROUND else joining.base
+        if joining.rolling is None or GROUND not in (joining.mover, joining.base) or wheel == GROUND:
+            continue
+        for way in _asked_ways(scene, wheel):
+            found.setdefault(wheel, set()).add(_sense(scene, joining, wheel, way))
+    return {wheel: sense for wheel, senses in found.items() if len(senses) == 1 for sense in senses if sense}
+
+
+def _asked_ways(scene: Scene, wheel: str) -> Iterable[Vec]:
+    """The directions along which the acceleration of its centre is asked."""
+    for find in scene.problem.find:
+        what = find.found.what
+        if isinstance(what, Quantity) and what.word == "a" and what.things in ((wheel,), (scene.center_name(wheel),)):
+            yield from (way for part in what.parts if (way := _direction(scene, part)) is not None)
+
+
+def _direction(scene: Scene, part: Part) -> Vec | None:
+    axes = {"x": Vec(1, 0), "y": Vec(0, 1)}
+    if part.kind == "along" and part.direction is not None and not isinstance(part.direction, PointPair):
+        return scene.direction(part.direction)
+    return axes.get(part.kind)
+
+
+def _sense(scene: Scene, joining: Joining, wheel: str, way: Vec) -> int:
+    """In which sense a wheel turns that rolls that way."""
+    return scene.sign((scene.center(wheel) - joining.point).turned().dot(way))

@@ -1,0 +1,98 @@
+"""Senses in which forces and accelerations count: as they are asked; where nobody asks, those in which they act.
+
+A weight that goes down on a cord counts downward, m g - T = m a. A joint counts friction along its surface one way for
+all loads. Where F is asked up the slope it is drawn up the slope, so that the answer is F and not the opposite of what
+stands in the diagram; friction that only the tests of a contact need is drawn against the slip that it hinders, so that
+it comes out positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.plain import trigonometric
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.worked import unknowns_of
+
+
+def in_evident_sense(instant: Instant, trial: Trial, asked: Iterable[sp.Expr]) -> Trial:
+    """The same choice of modes with its friction and its falling particle counted so. `asked`: what the finds ask, in
+    the unknowns of the trial.
+
+    Friction that slips is known by its law; that of a sense which rests on letters stays as its joint has it.
+    """
+    asked = [sp.sympify(e) for e in asked]
+    names, sinking = _against(trial, asked), _sinking(instant, trial, asked)
+    if not (names or sinking):
+        return trial
+    before = instant.turned, instant.builder.sinking
+    instant.turned, instant.builder.sinking = before[0] ^ names, sinking
+    found = instant.try_choice(trial.choice, instant.scene.valuations)
+    if found.objection == trial.objection:
+        return found
+    instant.turned, instant.builder.sinking = before
+    return trial
+
+
+def _against(trial: Trial, asked: list[sp.Expr]) -> frozenset[str]:
+    """The names of the frictions that count against what is asked, or that are negative and not asked."""
+    system = trial.system
+    told = {law.push for law in system.laws}
+    frictions = [p.name for p in system.pushes if p.kind == "friction" and p.name not in told]
+    if not frictions:
+        return frozenset()
+    held = set().union(*(e.free_symbols for e in asked))
+    numbers = [unknowns_of(system, outcome) for outcome in trial.outcomes]
+    found = set[str]()
+    for name in frictions:
+        symbol = system.symbols[name]
+        factors = [_factor(e, symbol, trial) for e in asked if symbol in e.free_symbols]
+        opposed = bool(factors) and all(f is not None and f < 0 for f in factors)
+        backward = symbol not in held and bool(numbers) and all(n.get(symbol, 0) < 0 for n in numbers)
+        if opposed or backward:
+            found.add(name)
+    return frozenset(found)
+
+
+def _sinking(instant: Instant, trial: Trial, asked: list[sp.Expr]) -> frozenset[str]:
+    """The one particle that nothing carries, where it starts from rest straight downward and nobody asks how fast."""
+    if not instant.at_rest or instant.scene.displacement is not None:
+        return frozenset()
+    free = [e for e in trial.system.tree.edges if e.rise_rate is not None]
+    if len(free) != 1 or trial.system.scene.rigid(free[0].body):
+        return frozenset()
+    along, up = free[0].slide_rate, free[0].rise_rate
+    numbers = [unknowns_of(trial.system, outcome) for outcome in trial.outcomes]
+    falls = bool(numbers) and all(n.get(along) == 0 and n.get(up, 0) < 0 for n in numbers)
+    held = set().union(*(e.free_symbols for e in asked))
+    return frozenset((free[0].body,)) if falls and not held & {along, up} else frozenset()
+
+
+def _factor(asked: sp.Expr, symbol: sp.Symbol, trial: Trial) -> Decimal | None:
+    """The number by which what is asked is this friction alone; None: it is more than that."""
+    try:
+        form = linear_form(asked, {symbol})
+    except Nonlinear:
+        return None
+    value = trial.outcomes[0].value
+    alone = asked.free_symbols & set(trial.system.symbols.values()) == {symbol}
+    return value.known(form.terms[symbol]) if alone and value.known(form.constant) == 0 else None
+
+
+def as_one_letter(asked: sp.Expr, letters: Iterable[sp.Symbol]) -> sp.Expr:
+    """What is asked as the force that it is, F for F cos² β + F sin² β; else as it stands."""
+    own = sp.sympify(asked).free_symbols & set(letters)
+    if len(own) != 1 or asked.is_Symbol:
+        return asked
+    (symbol,) = own
+    try:
+        form = linear_form(asked, {symbol})
+    except Nonlinear:
+        return asked
+    factor = trigonometric(expanded(form.terms[symbol])) if symbol in form.terms else sp.S.Zero
+    return factor * symbol if factor in (1, -1) and form.constant == 0 else asked
