@@ -111,6 +111,6 @@ def test_a_mass_centre_that_swings_down_counts_downward(stem: str) -> None:
     ("systems/gear-pair", ["At C gear_A and gear_B have the same tangential acceleration: (1) r_A α_A = -r_B α_B"]),
 ])  # fmt: skip
 def test_what_is_asked_or_stated_counts_in_its_sense(stem: str, lines: list[str]) -> None:
-    """A wheel rolls as its centre is asked, `cw` counts clockwise, friction is drawn as asked, a falling weight falls."""
+    """A wheel rolls as its centre is asked, `cw` counts clockwise, a falling weight falls."""
     page = _page(stem)
     assert [x for x in lines if x not in page] == []

@@ -47,9 +47,9 @@ class Edge:
     """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
 
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
-    acceleration unknowns. A free body has `slide` along x and `rise` along y; one that the file
-    places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent. `turn`: -1
-    where `spin` and `spin_rate` count clockwise; `upward`: -1 where `rise` and `rise_rate` count downward.
+    acceleration unknowns. A free body has `slide` along x and `rise` along y; one that
+    the file places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent.
+    `turn`: -1 where `spin` and `spin_rate` count clockwise; `upward`: -1 where `rise` and `rise_rate` count downward.
     """
 
     body: str
@@ -194,10 +194,7 @@ class TreeBuilder:
         name = self.center_name(body) or body
         (v_x, a_x), (v_y, a_y) = (
             self._pair(index, *(f"{what} of {name} along {axis}" for what in ("velocity", "acceleration")))
-            for axis, index in (
-                ("x", component(name, "x")),
-                ("y", component(name, "y")) if upward > 0 else ("-y", name),
-            )
+            for axis, index in (("x", component(name, "x")), ("y", component(name, "y") if upward > 0 else name))
         )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
         return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, upward=upward)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_cli.problem.expression import Number, Quantity, Relation, Scaled, Side, Statement
+from planar_cli.problem.expression import Number, Quantity, Relation, Scaled, Side
 from planar_cli.problem.scene import Problem
 
 TURNS = ("omega", "alpha")
@@ -22,6 +22,6 @@ def is_clockwise(side: Side) -> bool:
     return isinstance(side, Number | Scaled) and side.sense < 0
 
 
-def _is_of_rotation(relation: Statement) -> bool:
-    turning = isinstance(relation, Relation) and isinstance(relation.left, Quantity)
-    return turning and relation.left.word in TURNS and len(relation.left.things) == 1
+def _is_of_rotation(relation: Relation) -> bool:
+    left = relation.left
+    return isinstance(left, Quantity) and left.word in TURNS and len(left.things) == 1
