@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import pickle
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
@@ -31,10 +30,9 @@ from planar_cli.homework.worked_problem import (
 )
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
-from planar_cli.problem.placeholders import PLACEHOLDER
+from planar_cli.problem.placeholders import PLACEHOLDER, put_in, told
 from planar_cli.problem.variations import with_first_values
 from planar_cli.solve.solved_problem import Solution
-from planar_cli.units import pretty_unit
 
 Formulas = Callable[[Solution, Mapping[str, sp.Rational]], dict[str, str]]
 """Tells the answers in letters, by their finds, with numbers put in for some letters."""
@@ -165,24 +163,12 @@ def _with_points(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Exp
 
 def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tuple[Expected, ...]) -> Task:
     values = {**_written_values(solved), **dict(draw.values)}
-    text = _said(solved.problem.text, values)
+    text = put_in(solved.problem.text, values)
     said, varied = set(PLACEHOLDER.findall(solved.problem.text)), {name for name, _ in draw.values}
     given = tuple(
         f"{printed(name)} = {told(value)}" for name, value in values.items() if name in varied or name not in said
     )
     return Task(problem.name, solved.problem.title or problem.name, text, (*given, *gravity_told(solved)), expected)
-
-
-def _said(text: str, values: Mapping[str, str]) -> str:
-    """A text with its values put in; of `{n}m` a factor of one is left out."""
-
-    def put_in(found: re.Match[str]) -> str:
-        if found[1] not in values:
-            return found[0]
-        value = told(values[found[1]])
-        return "" if value == "1" and text[found.end() : found.end() + 1].isalpha() else value
-
-    return PLACEHOLDER.sub(put_in, text)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:
@@ -191,13 +177,6 @@ def _written_values(solved: WorkedProblem) -> dict[str, str]:
     given = node.get("given") if isinstance(node, MappingNode) else None
     pairs = given.pairs if isinstance(given, MappingNode) else ()
     return {key.text: value.text for key, value in pairs if isinstance(value, Scalar)}
-
-
-def told(value: str) -> str:
-    """A value of a file in print: `2.5 m/s^2` with its unit as on a page."""
-    number, _, unit = value.partition(" ")
-    pretty = pretty_unit(unit) if unit and re.fullmatch(r"[A-Za-z0-9*/^()-]+", unit) else unit
-    return f"{number}{pretty}" if pretty == "°" else f"{number} {pretty}".strip()
 
 
 # --- the whole set ---------------------------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ from planar_cli.homework.mathml import MathML
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework
-from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.problem.show import harmless, paragraphs_of, spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.units import pretty_unit
 
@@ -69,16 +69,18 @@ def sheet(homework: Homework, one: Handed) -> str:
     """A sheet in Markdown."""
     paper = homework.papers[one.variant]
     lines = [f"# {plain(one.title(homework))}", ""]
-    if homework.text:
-        lines += [plain(homework.text), ""]
+    lines += _paragraphs(homework.text)
     for number, task in enumerate(paper.tasks, 1):
         lines += [f"## {number}. {plain(task.title)}", ""]
-        if task.text:
-            lines += [plain(task.text), ""]
+        lines += _paragraphs(task.text)
         if task.given:
             lines += [f"Given: {', '.join(map(plain, task.given))}", ""]
         lines += [f"- **{plain(e.find)}**{plain(_asked(e))}{_points(e)}" for e in task.expected] + [""]
     return "\n".join([*lines, *_how_to_hand_in(homework, one)])
+
+
+def _paragraphs(text: str) -> list[str]:
+    return [line for paragraph in paragraphs_of(text) for line in (plain(paragraph), "")]
 
 
 def _how_to_hand_in(homework: Homework, one: Handed) -> Iterable[str]:

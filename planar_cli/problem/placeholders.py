@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping as Dict
 
 from planar_cli.problem import reading
 from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.reading import Report
+from planar_cli.units import pretty_unit
 
 PLACEHOLDER = re.compile(r"\{([A-Za-z][A-Za-z0-9_]*)\}")
 
@@ -24,3 +26,22 @@ def check_placeholders(node: Node, report: Report) -> None:
             mark = text.mark.shifted(match.start() + 1) if in_one_line else text.mark
             hint = reading.did_you_mean(match[1], names, "there are ") or "give it a value under `given` first"
             report.add(mark, "PL344", f"{match[0]} in `text`: '{match[1]}' is no given name", hint)
+
+
+def put_in(text: str, values: Dict[str, str]) -> str:
+    """A text with its values put in, which are told as a file writes them; of `{n}m` a factor of one is left out."""
+
+    def value_of(found: re.Match[str]) -> str:
+        if found[1] not in values:
+            return found[0]
+        value = told(values[found[1]])
+        return "" if value == "1" and text[found.end() : found.end() + 1].isalpha() else value
+
+    return PLACEHOLDER.sub(value_of, text)
+
+
+def told(value: str) -> str:
+    """A value of a file in print: `2.5 m/s^2` with its unit as on a page."""
+    number, _, unit = value.partition(" ")
+    pretty = pretty_unit(unit) if unit and re.fullmatch(r"[A-Za-z0-9*/^()-]+", unit) else unit
+    return f"{number}{pretty}" if pretty == "°" else f"{number} {pretty}".strip()

@@ -44,7 +44,13 @@ def given(whole: Fields) -> tuple[Symbol, ...]:
     if node is None:
         return ()
     return tuple(
-        Symbol(key.text, _value(key, value, whole), None, key.mark)
+        Symbol(
+            key.text,
+            _value(key, value, whole),
+            None,
+            key.mark,
+            written=value.text if isinstance(value, Scalar) else "",
+        )
         for key, value in reading.pairs(node, "given", whole.report, "given: {m: 50 kg}")
         if _is_name(key, whole)
     )

@@ -29,6 +29,8 @@ class Symbol:
     mark: Mark
     distance: bool = False
     """Is it a distance, which is never negative?"""
+    written: str = ""
+    """The value as the file writes it."""
 
 
 @record
@@ -341,9 +343,7 @@ class Case:
 
 @record
 class Problem:
-    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: it is in US customary units;
-    all formulas are in ft, slug, s then.
-    """
+    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: in US units; formulas in ft, slug, s."""
 
     file: str
     title: str

@@ -46,6 +46,11 @@ def harmless(text: str, kept: str = "\n") -> str:
     return text.translate({ord(c): _visible_character(c) for c in steering})
 
 
+def paragraphs_of(text: str) -> list[str]:
+    """The paragraphs of a text, each as one line; an empty line of a folded text, `>-`, reads as one line feed."""
+    return [" ".join(p.split()) for p in re.split(r"[\r\n]+", text) if p.strip()]
+
+
 def spreadsheet_cell(text: str) -> str:
     """A cell of words that no spreadsheet takes for a formula."""
     return FORMULA.sub(r"\g<0>'", harmless(text, kept=""))

@@ -26,8 +26,6 @@ from planar_cli.report.blocks import (
     Equation,
     Heading,
     Note,
-    Paragraph,
-    line,
 )
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
@@ -64,6 +62,7 @@ from planar_cli.report.sizes import with_signs
 from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.special_case import special_case
+from planar_cli.report.stated_text import stated_text
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.stretches import only_after, stretches
 from planar_cli.report.telling import Telling
@@ -105,7 +104,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     """
     blocks: list[Block] = []
     problem = solution.problem
-    texts = [Paragraph(line(problem.text))] if voice.audience == "lesson" and problem.text else []
+    texts = stated_text(problem) if voice.audience == "lesson" else []
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()

@@ -9,6 +9,8 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from planar_cli.problem.show import paragraphs_of
+
 LONGEST_NAME = 64
 _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]")
 # Formulas begin with these; braces hold the placeholders of templates and the boxes of cloze questions.
@@ -45,8 +47,8 @@ def html(text: str) -> str:
 
 
 def paragraphs(text: str) -> str:
-    """Plain text as HTML paragraphs; empty lines part them."""
-    return "".join(f"<p>{html(' '.join(p.split()))}</p>" for p in re.split(r"\n\s*\n", clean(text)) if p.strip())
+    """Plain text as HTML paragraphs."""
+    return "".join(f"<p>{html(p)}</p>" for p in paragraphs_of(clean(text)))
 
 
 def bullets(lines: Iterable[str]) -> str:

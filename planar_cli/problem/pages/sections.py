@@ -1,6 +1,7 @@
 """The keys at the top of a problem file.
 
-  title, text        words; `text` is what the student reads
+  title, text        words; `text` is what the student reads: under `text: >-` an empty line begins a new paragraph, and
+                     `{m}` stands for the value of the given name m
   source, note       words: where the problem comes from; how the answers were found
   plane              `vertical` (weight acts, -y) or `horizontal`; required where weight or a motion with mass matters
   given              known, with a number: a value, or an expression of names

@@ -1,0 +1,14 @@
+"""The text of a problem, as its reader has it: paragraph by paragraph, with the values of the given names in it."""
+
+from __future__ import annotations
+
+from planar_cli.problem.placeholders import put_in
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.show import paragraphs_of
+from planar_cli.report.blocks import Block, Paragraph, line
+
+
+def stated_text(problem: Problem) -> list[Block]:
+    """The paragraphs; none of a file without a text."""
+    values = {s.name: s.written for s in problem.given if s.written}
+    return [Paragraph(line(p)) for p in paragraphs_of(put_in(problem.text, values))]

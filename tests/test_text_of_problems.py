@@ -1,0 +1,58 @@
+"""The text of a problem wherever it is printed: paragraphs stay apart, and names in braces have their values."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.cli import run
+from planar_cli.formats.markdown import Markdown
+from planar_cli.homework.exports._text import paragraphs
+from planar_cli.problem.show import paragraphs_of
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import Voice, narrate
+from planar_cli.solve.run import solve_problem
+
+TWO = """\
+title: Stone
+plane: vertical
+text: >-
+  A stone of mass {m} falls
+  from {h}.
+
+  Find its speed.
+given: {m: {from: 2 kg, to: 4 kg, step: 1 kg}, h: 3.5 m}
+bodies: {stone: {particle: [0, h], mass: m}}
+states: {1: [at rest], 2: [y(stone) = 0]}
+find: {v: v(stone).mag @ 2}
+"""
+PARAGRAPHS = ["A stone of mass 2 kg falls from 3.5 m.", "Find its speed."]
+
+
+@pytest.mark.parametrize("form", ["markdown", "html"])
+def test_paragraphs_stay_apart_on_sheets(form: str, tmp_path: Path) -> None:
+    (tmp_path / "stone.yaml").write_text(TWO)
+    (tmp_path / "set.yaml").write_text("text: |\n  Hand in.\n\n  By Friday.\nproblems: [stone.yaml]\n")
+    assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", form]) == 0
+    (sheet,) = (tmp_path / "out").glob("sheet*")
+    text = sheet.read_text()
+    assert "x0a" not in text
+    between = "\n\n" if form == "markdown" else "</p>\n<p>"
+    assert between.join(PARAGRAPHS) in text
+    assert between.join(("Hand in.", "By Friday.")) in text
+
+
+def test_a_lesson_has_the_text_with_its_values() -> None:
+    problem, wrong = load_text(TWO)
+    assert not wrong
+    assert problem is not None
+    page = Markdown().render(narrate(solve_problem(problem), Voice(audience="lesson")))
+    assert "\n\n".join(PARAGRAPHS) in page
+
+
+@pytest.mark.parametrize("text", ["a b\nc", "a\nb\n\n\nc", "a\r\n \r\nb", " a\n"])
+def test_no_word_of_a_text_is_lost(text: str) -> None:
+    told = paragraphs_of(text)
+    assert " ".join(told).split() == text.split()
+    assert paragraphs(text) == "".join(f"<p>{p}</p>" for p in told)
