@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import pytest
 from answered import first, solve
+from sympy import Expr, Symbol, asin, pi
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.report.trigonometric_numbers import right_angles
 from planar_cli.solve.run import solve_problem
 
+THETA, LENGTH = Symbol("theta", positive=True), Symbol("s", positive=True)
 ROD = """
 title: Rod swinging about a point off its centre
 plane: vertical
@@ -72,3 +75,35 @@ def test_small_oscillations_are_told_in_their_order() -> None:
     assert "δ̈ + 12 g d δ / (12 d² + l²) = 0" in told
     assert "T_0 = 2 π/ω_0 = π √((12 d² + l²) / (3 g d))" in told
     assert told.count("T_0 =") == 2
+
+
+BAR = """
+title: Bar let go from an angle with the downward vertical
+plane: vertical
+given: {L: 1.2 m, phi: 70 deg}
+points: {O: [0, 0], P: {from: O, distance: L, angle: -90 deg - phi}}
+bodies: {bar: {rod: [O, P], mass: 4 kg}}
+joints: [{pin: {at: O, between: [ground, bar]}}]
+states: {1: [at rest], 2: [x(P) = 0]}
+find: {omega: omega(bar) @ 2}
+"""
+
+
+def test_degrees_and_radians_do_not_stand_in_one_sum() -> None:
+    assert "= -(π/2 + φ) = -90° - 70° = -160°\n" in page(BAR)
+
+
+@pytest.mark.parametrize(
+    ("formula", "told", "texts"),
+    [
+        (pi / 2 - THETA, {THETA: "20°"}, {"90°"}),
+        (-(pi + THETA), {THETA: "20°"}, {"180°"}),
+        (pi - asin(LENGTH), {LENGTH: "0.4"}, {"180°"}),
+        (pi / 2 + LENGTH, {LENGTH: "0.4"}, set()),
+        (pi / 2 + THETA + LENGTH, {THETA: "20°", LENGTH: "0.4"}, set()),
+    ],
+)
+def test_multiples_of_pi_are_in_degrees_beside_degrees_alone(
+    formula: Expr, told: dict[Symbol, str], texts: set[str]
+) -> None:
+    assert set(right_angles(formula, told)[1].values()) == texts

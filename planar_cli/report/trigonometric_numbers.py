@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import sympy as sp
-from sympy.functions.elementary.trigonometric import TrigonometricFunction
+from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
 from planar_cli.equation.ledger import Ledger
 
@@ -29,11 +29,16 @@ def turned_angles(expr: sp.Expr, ledger: Ledger) -> tuple[sp.Expr, dict[sp.Symbo
     return (expr.xreplace(found) if found else expr), own
 
 
-def right_angles(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, str]]:
-    """Multiples of π in a sum of angles that are told in degrees, by symbols with their texts: 203.6° - 90°."""
+def right_angles(expr: sp.Expr, told: Mapping[sp.Symbol, str]) -> tuple[sp.Expr, dict[sp.Symbol, str]]:
+    """Multiples of π in a sum of angles by symbols with their texts: 203.6° - 90°. None, where `told` has a number in
+    other units than degrees: both do not stand in one sum.
+    """
     texts: dict[sp.Symbol, str] = {}
     terms = []
-    for term in sp.Add.make_args(expr):
+    beside = expr.xreplace(dict.fromkeys(expr.atoms(InverseTrigonometricFunction), sp.S.Zero)).free_symbols
+    if not all(told.get(s, "").endswith("°") for s in beside):
+        return expr, texts
+    for term in sp.Add.make_args(sp.expand_mul(expr)):
         degrees = abs(term) * 180 / sp.pi
         own = sp.Symbol(f"{degrees} degrees", positive=True)
         if term.is_number and degrees.is_Integer:

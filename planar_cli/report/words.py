@@ -135,7 +135,7 @@ class Phrases:
         if found is None:
             return []
         if isinstance(value, Value) and value.unit == "deg" and found.values is not None:
-            told, texts = right_angles(found.expr)
+            told, texts = right_angles(found.expr, found.values)
             found = Math(told, {**found.values, **texts})
         same = isinstance(value, Value) and plain(found.expr, found.values) in _texts(value)
         return [] if same else [found]
@@ -232,7 +232,7 @@ def told_unit(unit: Unit, energy: bool) -> str:
 def is_angle(expr: sp.Expr, degrees: Collection[sp.Symbol]) -> bool:
     """Is it a sum of angles that may all stand in degrees?"""
     kinds = (*degrees, InverseTrigonometricFunction)
-    terms = (term.as_independent(*kinds, as_Add=False) for term in sp.Add.make_args(expr))
+    terms = (term.as_independent(*kinds, as_Add=False) for term in sp.Add.make_args(sp.expand_mul(expr)))
     return all(
         factor.is_number and (angle in degrees or isinstance(angle, InverseTrigonometricFunction) or angle == 1)
         for factor, angle in terms
