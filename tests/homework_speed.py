@@ -20,7 +20,8 @@ from planar_cli.homework.homework import made_ready
 from planar_cli.homework.set_file import read_set
 from planar_cli.homework.submissions import contents, submission_files, submissions
 from planar_cli.homework.variants import columns, variants_of
-from planar_cli.homework.worked_problem import base_expected, read_and_solve, with_mistakes
+from planar_cli.homework.what_mistakes_give import with_mistakes
+from planar_cli.homework.worked_problem import base_expected, read_and_solve
 
 SET = Path(__file__).parent / "homework" / "set.yaml"
 AGAIN = 3

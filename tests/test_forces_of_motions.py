@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 from conftest import ROOT
 
-from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_mistakes
+from planar_cli.homework.what_mistakes_give import with_mistakes
+from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 

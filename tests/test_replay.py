@@ -6,7 +6,8 @@ import pytest
 from conftest import ROOT
 
 from planar_cli.homework.variants import CHECKED, variants_of
-from planar_cli.homework.worked_problem import base_expected, models_of, read_and_solve, with_mistakes, with_numbers
+from planar_cli.homework.what_mistakes_give import with_mistakes
+from planar_cli.homework.worked_problem import base_expected, models_of, read_and_solve, with_numbers
 from planar_cli.replay.numbers import Replay
 
 SET = ROOT / "tests" / "homework"
@@ -83,5 +84,12 @@ def test_every_mistake_of_the_shelf_is_made_somewhere() -> None:
         made |= {name for name, _ in models_of(worked)}
         for one in with_mistakes(worked, [base_expected(worked)], {}):
             made |= {m.name for e in one for m in e.mistakes}
-    rare = {"static-for-kinetic", "other-root", "unit-not-converted", "moment-left-out", "parallel-axis-left-out"}
+    rare = {
+        "given-not-converted",
+        "static-for-kinetic",
+        "other-root",
+        "unit-not-converted",
+        "moment-left-out",
+        "parallel-axis-left-out",
+    }
     assert set(members("homework.mistakes")) - made <= rare

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
+from planar_cli.homework.own_vectors import own_inputs, with_own
 from planar_cli.homework.paper import Expected, Task
 from planar_cli.homework.typed_formula import values_at
 from planar_cli.homework.worked_problem import WorkedProblem
@@ -103,12 +104,20 @@ class _Ready:
 
     def __init__(self, data: Carriable) -> None:
         self.data = data
-        self._parts: dict[str, _Part] = {}
+        self._parts: dict[tuple[str, tuple[str, ...]], _Part] = {}
 
-    def part(self, case: str) -> _Part | None:
-        if case not in self._parts and case in self.data.equations:
-            self._parts[case] = _Part(self.data.equations[case])
-        return self._parts.get(case)
+    def part(self, case: str, vectors: tuple[str, ...] = ()) -> _Part | None:
+        """The equations of a case, with letters for the components of some finds."""
+        if (case, vectors) not in self._parts and case in self.data.equations:
+            plain = _Part(self.data.equations[case]) if not vectors else self.part(case)
+            assert plain is not None
+            self._parts[case, vectors] = _Part(with_own(plain.replay, vectors)) if vectors else plain
+        return self._parts.get((case, vectors))
+
+    def asks(self, case: str, find: str) -> bool:
+        """Does a find follow from the equations of a case?"""
+        equations = self.data.equations.get(case)
+        return self.data.cases[find] == case and equations is not None and find in equations.asked
 
     def input_units(self, find: str) -> Mapping[str, float]:
         """What the base units of the inputs behind a find are in SI units."""
@@ -147,7 +156,7 @@ class CarriedHere:
             if expected.kind == "formula":
                 return _at_places(problem, self.variant, expected, task, own)
             numbers = problem.data.values.get(self.variant, {})
-            right = {e.find: e.values[0] for e in task.expected if len(e.values) == 1}
+            right = {e.find: e.values for e in task.expected if e.values}
             return _carried(problem, (self.variant, -1), numbers, expected, right, own)
         except NoNumber:
             return None
@@ -167,7 +176,7 @@ def _at_places(
     units = problem.input_units(expected.find)
     for k, place in enumerate(places):
         here = {n: (typed[k],) for n, typed in own.items() if n in right and len(typed) == len(places)}
-        due = {n: numbers[k] for n, numbers in right.items()}
+        due = {n: (numbers[k],) for n, numbers in right.items()}
         found = _carried(problem, (variant, k), {n: v / units.get(n, 1.0) for n, v in place}, expected, due, here)
         if found is None or len(found[0]) != 1:
             return None
@@ -181,15 +190,16 @@ def _carried(
     key: tuple[int, int],
     given: Mapping[str, float],
     expected: Expected,
-    due: Mapping[str, float],
+    due: Mapping[str, tuple[float, ...]],
     own: Mapping[str, tuple[float, ...]],
 ) -> Due | None:
     """The find with all own values that it rests on. `key`: of a variant, or of a place of it, with the numbers that
     are `given` there; `due`: the right ones. Formulas have their values in SI units, numbers in the units of finds.
     """
-    data = problem.data
-    case = data.cases[expected.find]
-    part = problem.part(case)
+    data, case = problem.data, problem.data.cases[expected.find]
+    own = {n: typed for n, typed in own.items() if n in due and _is_sane(typed, due[n])}
+    vectors = tuple(n for n, typed in own.items() if len(typed) == 2 and problem.asks(case, n))
+    part = problem.part(case, vectors)
     if part is None or expected.find not in part.equations.asked:
         return None
 
@@ -197,24 +207,22 @@ def _carried(
         one = parse_unit(data.units[find])
         return in_base(one, data.us) / (in_base(one, us=False) if expected.kind == "formula" else 1.0)
 
-    inputs, right = part.start(key, given)
+    def in_base_units(find: str, numbers: tuple[float, ...]) -> tuple[float, ...]:
+        return tuple(n * unit(find) for n in numbers)
+
+    known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
+    inputs, right = part.start(key, {**given, **known})
     inputs = dict(inputs)
     fixed: Values = {}
     names: list[str] = []
     behind = part.behind(expected.find)
     for name, typed in own.items():
-        if len(typed) != 1 or name not in due or not _is_sane(typed[0], due[name]):
+        put_in, held = _as_input(part, data, case, name, in_base_units(name, typed), right)
+        if behind.isdisjoint((*put_in, *held)):
             continue
-        number = typed[0] * unit(name)
-        link = part.equations.inputs.get(f"{data.cases[name]}.{name}")
-        if link is not None and link in behind:
-            inputs[link] = number
-            names.append(name)
-        elif data.cases[name] == case and (unknown := part.unknown_of(name, number, right)) is not None:
-            symbol, value = unknown
-            if symbol in behind:
-                fixed[symbol] = value
-                names.append(name)
+        inputs |= put_in
+        fixed |= held
+        names.append(name)
     if not names:
         return None
     values = part.single.run(inputs, fixed, right)
@@ -224,9 +232,26 @@ def _carried(
     return (numbers, tuple(names)) if fit else None
 
 
-def _is_sane(value: float, due: float) -> bool:
+def _as_input(
+    part: _Part, data: Carriable, case: str, name: str, numbers: tuple[float, ...], right: Values
+) -> tuple[Values, Values]:
+    """An own value as inputs of the equations, or as unknowns that are held fast."""
+    if len(numbers) == 2:
+        asked = part.equations.asked.get(name)
+        parts = asked.parts if asked is not None and data.cases[name] == case else ()
+        held = {p: n for p, n in zip(parts, numbers, strict=False) if p.is_Symbol}
+        return dict(own_inputs(part.equations, name, numbers)), held
+    link = part.equations.inputs.get(f"{data.cases[name]}.{name}")
+    if link is not None:
+        return {link: numbers[0]}, {}
+    unknown = part.unknown_of(name, numbers[0], right) if data.cases[name] == case else None
+    return {}, dict((unknown,)) if unknown is not None else {}
+
+
+def _is_sane(values: tuple[float, ...], due: tuple[float, ...]) -> bool:
     """Zero, or a value of quite another size, may make anything come out."""
-    return bool(value) and bool(due) and 1 / FAR < abs(value / due) < FAR
+    size, right = math.hypot(*values), math.hypot(*due)
+    return len(values) == len(due) and bool(size) and bool(right) and 1 / FAR < size / right < FAR
 
 
 def unpickled(carrying: Mapping[str, bytes]) -> dict[str, Carriable]:

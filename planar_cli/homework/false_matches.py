@@ -5,9 +5,10 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable
 
-from planar_cli.homework.grading import grade, within
+from planar_cli.homework.grading import grade
 from planar_cli.homework.paper import Expected, Paper, Submission, Task
 from planar_cli.homework.rules import Rules
+from planar_cli.homework.tolerances import within
 from planar_cli.homework.worked_problem import shown
 from planar_cli.records import record
 

@@ -6,13 +6,13 @@ Nothing here needs the solver: a paper holds the numbers that are right, and tho
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.homework import typed
 from planar_cli.homework.asked_part import asked_part
+from planar_cli.homework.carried_verdicts import Carry, carried_on
 from planar_cli.homework.named_mistakes import named, named_formula
-from planar_cli.homework.needed import needed
 from planar_cli.homework.paper import (
     MISSING,
     RIGHT,
@@ -26,19 +26,13 @@ from planar_cli.homework.paper import (
     Task,
 )
 from planar_cli.homework.rules import Rules
+from planar_cli.homework.tolerances import within
 from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.units import PURE, Unit, describe, parse_unit
 
-FLOOR = 1e-3
-"""Share of tolerance times scale that is allowed on top: a true zero has no relative error."""
-SLACK = 0.51
-"""Of a unit in the last place that is asked for: half of it, and a little for what was rounded twice."""
 LONGEST_SHOWN = 80
 SIGN = "the sign or sense is not right"
-
-Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
-"""What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
 
 
 class Remembered:
@@ -78,14 +72,19 @@ def grade(
     graded: list[Graded] = []
     for task in paper.tasks:
         own: dict[str, tuple[float, ...]] = {}
+        right: dict[str, tuple[float, ...]] = {}
         for expected in task.expected:
             text = answers.pop((task.problem, expected.find), None)
             one, values = known.graded(paper.variant, task, expected, text, rules)
             if one.verdict == WRONG and carry is not None and own and values is not None:
-                one = _carried(task, expected, one, values, own, rules, carry)
+                one = carried_on(task, expected, one, values, own, rules, carry)
+                if not one.carried and right:
+                    one = carried_on(task, expected, one, values, own | right, rules, carry, tuple(own))
             if values is not None and one.verdict == WRONG:
                 # What only follows from another stands first: it is the first to be found needless.
                 own = {expected.find: values, **own} if one.carried else {**own, expected.find: values}
+            elif values is not None and one.verdict == RIGHT:
+                right[expected.find] = values
             graded.append(one)
     if submission.wrong and not submission.answers:
         # Nothing of it could be read, or it was given up: that is not to leave all blank.
@@ -267,36 +266,6 @@ def _sense_verdict(expected: Expected, answer: Typed) -> tuple[str, tuple[str, .
     return "", ()
 
 
-def within(expected: Expected, values: Sequence[float], rules: Rules) -> bool:
-    """Is it right within the tolerance? A vector is judged by the size of what it is off."""
-    due = expected.values
-    if len(values) != len(due):
-        return False
-    if expected.kind == "list":
-        return all(_close(a, b, expected, rules) for a, b in zip(sorted(values), sorted(due), strict=True))
-    if expected.kind == "vector":
-        size = math.hypot(*due)
-        off = math.hypot(*(a - b for a, b in zip(values, due, strict=True)))
-        return off <= _allowed(size, expected, rules)
-    return _close(values[0], due[0], expected, rules)
-
-
-def _close(value: float, due: float, expected: Expected, rules: Rules) -> bool:
-    off = abs(value - due)
-    if expected.direction:
-        turn = 2 * math.pi / (float(parse_unit(expected.unit).factor) * math.pi ** parse_unit(expected.unit).pi_power)
-        off = abs(math.remainder(value - due, turn))
-    return off <= _allowed(abs(due), expected, rules)
-
-
-def _allowed(size: float, expected: Expected, rules: Rules) -> float:
-    relative = expected.tolerance if rules.tolerance is None else rules.tolerance
-    if rules.mode == "sigfig":
-        places = rules.figures - 1 - (math.floor(math.log10(size)) if size else 0)
-        return SLACK * 10.0**-places
-    return relative * size + FLOOR * relative * expected.scale
-
-
 def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> str:
     """Were as many figures typed as are asked for? 3.00 may be typed as 3: a value that is exact loses nothing."""
     coarse = [
@@ -341,55 +310,3 @@ def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN) -> Graded:
     if said and one.unit != RIGHT and one.sign == RIGHT:
         message = f"the number is right; {message}"
     return replace(one, verdict=RIGHT if fine else WRONG, score=credit * one.max_score, message=message)
-
-
-# --- errors carried forward ------------------------------------------------------------------------------------------
-
-
-def _carried(
-    task: Task,
-    expected: Expected,
-    one: Graded,
-    values: tuple[float, ...],
-    own: Mapping[str, tuple[float, ...]],
-    rules: Rules,
-    carry: Carry,
-) -> Graded:
-    """The verdict where the find follows rightly from wrong values of earlier ones."""
-    found = carry(task, expected, own)
-    if found is None:
-        return one
-    due, names = found
-    formula = expected.kind == "formula"
-    is_right, follows = _right_and_follows(expected, due, values, rules)
-    notes = [] if formula else one.message.split("; ")[1:]
-    if not follows and any(typed.SAID_TWICE in note for note in notes):
-        # -3 rad/s cw can mean the opposite of clockwise too: own earlier values decide.
-        is_right, follows = _right_and_follows(expected, due, tuple(-v for v in values), rules)
-        notes = [note for note in notes if typed.SAID_TWICE not in note]
-    if is_right or not follows or (one.unit != RIGHT and not formula):
-        # Where the earlier value changes nothing, nothing is carried.
-        return one
-    left = needed(names, due, lambda own: carry(task, expected, own), own)
-    names = tuple(e.find for e in task.expected if e.find in left)
-    earlier = " and ".join(f"your {n}" for n in names)
-    which = "which is not right" if len(names) == 1 else "which are not right"
-    return replace(
-        one,
-        score=rules.carried * one.max_score,
-        carried=names,
-        mistakes=(),
-        feedback="",
-        message="; ".join((f"this follows rightly from {earlier}, {which}", *notes)),
-    )
-
-
-def _right_and_follows(
-    expected: Expected, due: tuple[float, ...], values: tuple[float, ...], rules: Rules
-) -> tuple[bool, bool]:
-    """Is what is due with own earlier values the right answer all the same, and is it what was typed?"""
-    if expected.kind == "formula":
-        from planar_cli.homework.wrong_formula import fits_at_places, same_at_places
-
-        return fits_at_places(expected, due), same_at_places(due, values)
-    return within(expected, due, rules), within(replace(expected, values=due), values, rules)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from planar_cli.homework.grading import Carry, Remembered, grade
+from planar_cli.homework.carried_verdicts import Carry
+from planar_cli.homework.grading import Remembered, grade
 from planar_cli.homework.paper import Expected, Paper, Result, Submission, Task
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules

@@ -21,12 +21,12 @@ from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.set_file import HomeworkSet, SetProblem
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import Variants, columns, variants_of
+from planar_cli.homework.what_mistakes_give import with_mistakes
 from planar_cli.homework.worked_problem import (
     WorkedProblem,
     base_expected,
     base_numbers,
     read_and_solve,
-    with_mistakes,
 )
 from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar

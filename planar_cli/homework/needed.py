@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+ROUNDED = 1e-3
+"""Relative: what was typed is rounded, so that a value that follows from another differs a little from it."""
+
 
 def needed(
     names: tuple[str, ...],
@@ -19,6 +22,6 @@ def needed(
     for name in names:
         rest = [n for n in left if n != name]
         found = carried({n: own[n] for n in rest}) if rest else None
-        if found is not None and all(math.isclose(a, b, rel_tol=1e-9) for a, b in zip(found[0], due, strict=True)):
+        if found is not None and all(math.isclose(a, b, rel_tol=ROUNDED) for a, b in zip(found[0], due, strict=True)):
             left = rest
     return tuple(left)

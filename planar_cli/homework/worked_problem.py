@@ -5,7 +5,7 @@ and what typical mistakes give; all from its equations, which are solved once.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal
@@ -21,7 +21,7 @@ from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words, is_energy
 from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
-from planar_cli.homework.paper import Expected, Mistaken
+from planar_cli.homework.paper import Expected
 from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.nodes import Node, read_file
@@ -47,8 +47,6 @@ MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
 """Quantities of which a part along an axis is told to the right or left, upward or downward."""
 COUNTERCLOCKWISE = "counterclockwise", "clockwise"
 ALONG = {"x": ("to the right", "to the left"), "y": ("upward", "downward")}
-NOTHING = 1e-6
-"""A number below this part of the right one is what is left of zero, and no mistake that somebody makes."""
 APART = 3.0
 """A mistake tells something where it is off by so many tolerances."""
 
@@ -349,51 +347,3 @@ def ledger_of(part: Part) -> Any:
 def _unit_text(ledger: Any, symbol: sp.Symbol) -> str:
     unit = ledger.units.get(symbol) if ledger is not None else None
     return unit.text if unit is not None else "1"
-
-
-def with_mistakes(
-    problem: WorkedProblem, expected: Iterable[Sequence[Expected]], values: Mapping[str, Numbers]
-) -> list[tuple[Expected, ...]]:
-    """The finds of each variant with what every mistake gives there. `values`: as of `Carried`."""
-    papers = [list(one) for one in expected]
-    found: list[list[list[Mistaken]]] = [[[] for _ in one] for one in papers]
-    index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
-    for name, model in models_of(problem):
-        try:
-            run = Carried(problem, values, model)
-            for part, one in problem.finds:
-                if part.replay is None or one.name not in part.replay.equations.asked:
-                    continue
-                numbers = run.asked(part, one)
-                for k, paper in enumerate(papers):
-                    mistaken = tuple(float(n[k if n.size > 1 else 0]) for n in numbers)
-                    _add(found[k][index[one.name]], paper[index[one.name]], name, model.model.feedback, mistaken)
-        except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
-            # A model that cannot be carried out tells of no mistake.
-            continue
-    for name, kind in members("homework.mistakes").items():
-        mistake: Mistake = kind()
-        for k, paper in enumerate(papers):
-            for i, one_expected in enumerate(paper):
-                if one_expected.kind in ("number", "vector"):
-                    for feedback, slip in mistake.slips(one_expected):
-                        _add(found[k][i], one_expected, name, feedback, slip)
-    return [
-        tuple(replace(e, mistakes=(*e.mistakes, *m)) for e, m in zip(paper, mistakes, strict=True))
-        for paper, mistakes in zip(papers, found, strict=True)
-    ]
-
-
-def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
-    """A mistake, where it gives a number that is clearly another one than the right one."""
-    if len(values) != len(right.values) or not all(map(math.isfinite, values)):
-        return
-    size = math.hypot(*right.values)
-    least = APART * right.tolerance * size
-    if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
-        return
-    if not any(values) or math.hypot(*values) <= NOTHING * size:
-        return
-    mistaken = Mistaken(name, feedback, values)
-    if mistaken not in found:
-        found.append(mistaken)

@@ -19,6 +19,8 @@ ROUNDS, STRIDES = 60, 6
 """Steps of Newton's method; stretches in which inputs go from those of the solution to others."""
 CLOSE = 1e-13
 """A change by less, in parts of an unknown, is the last."""
+FOUND, TINY = 1e-6, 1e-9
+"""A search whose last change was more than this part of an unknown (and of a tiny number) has found nothing."""
 
 
 def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol], numbers: str = "numpy") -> Callable[..., list[Any]]:
@@ -62,7 +64,8 @@ class Solver:
             found = found - step
             if np.all(~np.isfinite(step) | (np.abs(step) <= CLOSE * np.maximum(np.abs(found), 1e-30))):
                 break
-        return found
+        lost = False if self.linear else np.abs(step) > FOUND * np.maximum(np.abs(found), TINY)
+        return np.where(lost, np.nan, found)
 
 
 def _solved(slopes: Numbers, residuals: Numbers) -> Numbers:

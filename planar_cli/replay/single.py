@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from planar_cli.replay.numbers import CLOSE, ROUNDS, Replay, Solver, compiled
+from planar_cli.replay.numbers import CLOSE, FOUND, ROUNDS, TINY, Replay, Solver, compiled
 
 Values = dict[sp.Symbol, float]
 FAILURES = (ArithmeticError, ValueError, TypeError)
@@ -56,6 +56,9 @@ class Single:
             found = [x - d for x, d in zip(found, step, strict=True)]
             if all(abs(d) <= CLOSE * max(abs(x), 1e-30) for x, d in zip(found, step, strict=True)):
                 break
+        else:
+            if not solver.linear and any(abs(d) > FOUND * max(abs(x), TINY) for x, d in zip(found, step, strict=True)):
+                raise NoNumber("no solution is found")
         if not all(map(math.isfinite, found)):
             raise NoNumber("no finite solution")
         return found

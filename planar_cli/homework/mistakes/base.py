@@ -15,6 +15,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from planar_cli.homework.paper import Expected
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.expression import Binary, Name, Negate
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
@@ -108,12 +109,55 @@ def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:
 
 
 def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Model]:
-    """The equations without a part of the accelerations, where they have it; what was left out is zero on the page."""
+    """The equations without a part of the accelerations, where they have it; what was left out is zero on the page.
+    Where several things turn or move, also without that of each of them alone.
+    """
     symbol = equations.inputs.get(mark)
     if symbol is None:
         return
     # In a blow velocities change as accelerations do in a motion; nobody leaves a part of them out there.
     equations = with_put_in(equations, {symbol: sp.S.One}, lambda kind: kind == "blow") or equations
-    finds = (e for a in equations.asked.values() for e in a.parts)
-    if symbol in equations.rests_on(finds):
-        yield Model(feedback, equations, {symbol: sp.S.Zero})
+    finds = [e for a in equations.asked.values() for e in a.parts]
+    if symbol not in equations.rests_on(finds):
+        return
+    yield Model(feedback, equations, {symbol: sp.S.Zero})
+    rates = {r for e in _formulas(equations) for r in _rates(equations, e, symbol)}
+    if len(rates) < 2:
+        return
+    for rate in sorted(rates, key=lambda s: s.name):
+        yield Model(f"{feedback} with {printed(rate.name.partition('__')[0])}", _without_rate(equations, symbol, rate))
+
+
+def _formulas(equations: Equations) -> Iterator[sp.Expr]:
+    yield from (r for step in equations.steps for r in step.residuals)
+    yield from equations.defined.values()
+    yield from (e for asked in equations.asked.values() for e in asked.parts)
+
+
+def _rates(equations: Equations, expr: sp.Expr, mark: sp.Symbol) -> set[sp.Symbol]:
+    """The rates, such as ω of ω² r, with which the marked part of an expression is made."""
+    if mark not in expr.free_symbols:
+        return set()
+    marked = sp.diff(expr, mark)
+    return {s for s in marked.free_symbols if _is_rate(equations, s)}
+
+
+def _is_rate(equations: Equations, symbol: sp.Symbol) -> bool:
+    unit = equations.units.get(symbol)
+    return unit is not None and unit.dimension.time in (-1, -2)
+
+
+def _without_rate(equations: Equations, mark: sp.Symbol, rate: sp.Symbol) -> Equations:
+    """The equations without the marked terms that have one rate in them."""
+
+    def change(expr: sp.Expr) -> sp.Expr:
+        if mark not in expr.free_symbols or rate not in expr.free_symbols:
+            return expr
+        return terms_without(expr, lambda term: {mark, rate} <= term.free_symbols)
+
+    return replace(
+        equations,
+        steps=tuple(replace(s, residuals=tuple(map(change, s.residuals))) for s in equations.steps),
+        defined={s: change(e) for s, e in equations.defined.items()},
+        asked={n: replace(a, parts=tuple(map(change, a.parts))) for n, a in equations.asked.items()},
+    )

@@ -1,0 +1,69 @@
+"""What follows rightly from wrong earlier values of the student's own: its verdict and its score."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from planar_cli.homework import typed
+from planar_cli.homework.needed import needed
+from planar_cli.homework.paper import RIGHT, Expected, Graded, Task
+from planar_cli.homework.rules import Rules
+from planar_cli.homework.tolerances import within
+
+Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
+"""What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
+
+
+def carried_on(
+    task: Task,
+    expected: Expected,
+    one: Graded,
+    values: tuple[float, ...],
+    own: Mapping[str, tuple[float, ...]],
+    rules: Rules,
+    carry: Carry,
+    wrong: tuple[str, ...] = (),
+) -> Graded:
+    """The verdict where the find follows rightly from wrong values of earlier ones. `wrong`: which of the own values
+    are, where right ones are put in beside them.
+    """
+    found = carry(task, expected, own)
+    if found is None:
+        return one
+    due, names = found
+    formula = expected.kind == "formula"
+    is_right, follows = _right_and_follows(expected, due, values, rules)
+    notes = [] if formula else one.message.split("; ")[1:]
+    if not follows and any(typed.SAID_TWICE in note for note in notes):
+        # -3 rad/s cw can mean the opposite of clockwise too: own earlier values decide.
+        is_right, follows = _right_and_follows(expected, due, tuple(-v for v in values), rules)
+        notes = [note for note in notes if typed.SAID_TWICE not in note]
+    if is_right or not follows or (one.unit != RIGHT and not formula):
+        # Where the earlier value changes nothing, nothing is carried.
+        return one
+    left = needed(names, due, lambda own: carry(task, expected, own), own)
+    names = tuple(e.find for e in task.expected if e.find in left and e.find in (wrong or own))
+    if not names:
+        return one
+    earlier = " and ".join(f"your {n}" for n in names)
+    which = "which is not right" if len(names) == 1 else "which are not right"
+    return replace(
+        one,
+        score=rules.carried * one.max_score,
+        carried=names,
+        mistakes=(),
+        feedback="",
+        message="; ".join((f"this follows rightly from {earlier}, {which}", *notes)),
+    )
+
+
+def _right_and_follows(
+    expected: Expected, due: tuple[float, ...], values: tuple[float, ...], rules: Rules
+) -> tuple[bool, bool]:
+    """Is what is due with own earlier values the right answer all the same, and is it what was typed?"""
+    if expected.kind == "formula":
+        from planar_cli.homework.wrong_formula import fits_at_places, same_at_places
+
+        return fits_at_places(expected, due), same_at_places(due, values)
+    return within(expected, due, rules), within(replace(expected, values=due), values, rules)

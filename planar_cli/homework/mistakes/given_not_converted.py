@@ -1,0 +1,49 @@
+"""A given value is put in with its number, though its unit is another one: 120 rev/min as 120 rad/s."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import ClassVar, final
+
+import sympy as sp
+
+from planar_cli.base_units import factor_to_base, in_base
+from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.printed_names import printed
+from planar_cli.problem.scene import Problem
+from planar_cli.replay.equations import Equations
+from planar_cli.units import PURE, Unit, pretty_unit
+
+
+@final
+class GivenNotConverted(Mistake):
+    """A given value is put in without conversion of its unit.
+
+    In the equations
+        Data in rev/min, km/h, inches and the like have their numbers as ones of rad/s, m/s or feet; all data of one
+        such unit together. Units that are a power of ten apart, as mm, are not taken so.
+    """
+
+    kind: ClassVar[str] = "given-not-converted"
+
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        found: dict[str, dict[str, sp.Symbol]] = {}
+        for name, symbol in equations.inputs.items():
+            unit = equations.units.get(symbol)
+            if unit is not None and not _is_base(unit, problem.us):
+                found.setdefault(unit.text, {})[name] = symbol
+        for names in found.values():
+            unit = equations.units[next(iter(names.values()))]
+            told = " and ".join(filter(None, (", ".join(map(printed, [*names][:-1])), printed([*names][-1]))))
+            verb = "was" if len(names) == 1 else "were"
+            feedback = f"{told} {verb} put in with the number of {pretty_unit(unit.text)}, without conversion"
+            yield Model(feedback, equations, {s: s / in_base(unit, problem.us) for s in names.values()})
+
+
+def _is_base(unit: Unit, us: bool) -> bool:
+    """Is nothing to be converted, or a power of ten? Of an angle in degrees another mistake tells."""
+    if unit.dimension == PURE:
+        return True
+    factor = factor_to_base(unit, us)
+    return not unit.pi_power and re.fullmatch("10*", str(factor.numerator * factor.denominator)) is not None

@@ -1,0 +1,77 @@
+"""What typical mistakes give in each variant of a problem: its equations carried out with one thing changed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from planar_cli.errors import PlanarError
+from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.paper import Expected, Mistaken
+from planar_cli.homework.worked_problem import APART, Carried, WorkedProblem, models_of
+from planar_cli.registry import members
+from planar_cli.replay.numbers import Numbers
+from planar_cli.replay.opened import NotWritten
+
+NOTHING = 1e-6
+"""A number below this part of the right one is what is left of zero, and no mistake that somebody makes."""
+SAME = 1e-6
+"""Relative: two mistakes that give the same number."""
+
+
+def with_mistakes(
+    problem: WorkedProblem, expected: Iterable[Sequence[Expected]], values: Mapping[str, Numbers]
+) -> list[tuple[Expected, ...]]:
+    """The finds of each variant with what every mistake gives there. `values`: as of `Carried`."""
+    papers = [list(one) for one in expected]
+    found: list[list[list[Mistaken]]] = [[[] for _ in one] for one in papers]
+    index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
+    for name, model in models_of(problem):
+        try:
+            run = Carried(problem, values, model)
+            for part, one in problem.finds:
+                if part.replay is None or one.name not in part.replay.equations.asked:
+                    continue
+                numbers = run.asked(part, one)
+                for k, paper in enumerate(papers):
+                    mistaken = tuple(float(n[k if n.size > 1 else 0]) for n in numbers)
+                    _add(found[k][index[one.name]], paper[index[one.name]], name, model.model.feedback, mistaken)
+        except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
+            # A model that cannot be carried out tells of no mistake.
+            continue
+    for name, kind in members("homework.mistakes").items():
+        mistake: Mistake = kind()
+        for k, paper in enumerate(papers):
+            for i, one_expected in enumerate(paper):
+                if one_expected.kind in ("number", "vector"):
+                    # What a step of the solution gives is more to the point than a slip at its end.
+                    before = [m.values for m in found[k][i]]
+                    for feedback, slip in mistake.slips(one_expected):
+                        if not any(_is_same(slip, other) for other in before):
+                            _add(found[k][i], one_expected, name, feedback, slip)
+    return [
+        tuple(replace(e, mistakes=(*e.mistakes, *m)) for e, m in zip(paper, mistakes, strict=True))
+        for paper, mistakes in zip(papers, found, strict=True)
+    ]
+
+
+def _is_same(one: Sequence[float], other: Sequence[float]) -> bool:
+    return len(one) == len(other) and math.dist(one, other) <= SAME * math.hypot(*one)
+
+
+def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
+    """A mistake, where it gives a number that is clearly another one than the right one."""
+    if len(values) != len(right.values) or not all(map(math.isfinite, values)):
+        return
+    size = math.hypot(*right.values)
+    least = APART * right.tolerance * size
+    if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
+        return
+    if not any(values) or math.hypot(*values) <= NOTHING * size:
+        return
+    mistaken = Mistaken(name, feedback, values)
+    if mistaken not in found:
+        found.append(mistaken)
