@@ -13,7 +13,7 @@ from worked import page_of_file
     # All momenta are horizontal: the weights are no matter.
     ("carriages-that-collide", "momentum before + impulses = momentum after. A: m_A v_A,1 →, J ←"),
     # The wall that rubs and the guide press on nothing, and the friction has a known sense.
-    ("pile-driven-into-soil-of-constant-resistance", "pile: J_N,ram ↓ = m_2 v_P,3 ↑"),
+    ("pile-driven-into-soil-of-constant-resistance", "pile: J ↓ = m_2 v_P,3 ↑"),
     ("pile-driven-into-soil-of-constant-resistance", "pile: m_2 g ↓, R ↑, N_ram ↓ = m_2 a_P ↑"),
 ])  # fmt: skip
 def test_what_a_blow_says(stem: str, said: str) -> None:

@@ -8,7 +8,7 @@ from worked import page_of_file
 def test_impulses_over_a_time_are_drawn_before_their_equations() -> None:
     page = page_of_file("ex-4-18")
     assert "From 1 to 2, from rest: impulses = momenta at 2 (J: impulse of a reaction)" in page
-    assert "rear: M t_2 ↻, J_OAx,2 → at O_A, J_OAy,2 ↑ at O_A, J_N,A,2 ↑ at A, J_F,A,2 → at A" in page
+    assert "rear: M t_2 ↻, J_OAx → at O_A, J_OAy ↑ at O_A, J_N,A ↑ at A, J_F,A → at A" in page
     assert "= I_r ω_rear,2 ↺" in page
     assert page.count("= m v_G,2 → at G") == 1
 

@@ -80,7 +80,7 @@ def test_a_blow_names_its_bodies_and_components() -> None:
     assert "DA, momentum across the line of J_N,hit:" in found
     assert "in the blow from" not in found
     assert "J = J_N,hit = 8.323 N·s" in found
-    assert "v_Bx,1 = -w = -1 m/s" in found
+    assert "DB: m_DB w ← at B" in found
 
 
 def test_what_a_blow_leaves_is_told_in_velocities() -> None:

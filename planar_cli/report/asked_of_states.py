@@ -144,8 +144,9 @@ class AskedTelling:
 
     @property
     def _zeros(self) -> dict[sp.Symbol, sp.Expr]:
-        """Letters of states that are zero."""
-        return {s: f for s, f in self.found.route.formulas.items() if f == 0}
+        """Letters of states that are zero, or the opposite of a letter of the file."""
+        opposite = {s: f for s, f in self.found.route.plain.items() if (-f).is_Symbol}
+        return {**opposite, **{s: f for s, f in self.found.route.formulas.items() if f == 0}}
 
     def _of_changes(self, part: sp.Expr) -> sp.Expr:
         """What is lost or gained, without the terms of letters that only keep their values from state to state."""

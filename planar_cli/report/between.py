@@ -21,6 +21,7 @@ from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
+from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
@@ -269,6 +270,7 @@ class BetweenTelling:
         stage = replace(stage, zero=(*stage.zero, *idle))
         nil = {symbol for symbol, since in self.nil if since == impact.since} | nil_beside(solution, stage, self.used)
         rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
+        rows = [by_given_letters(row, self.plain) for row in rows]
         nothing = (Text("0"),)
         return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing)], nil
 
@@ -318,7 +320,7 @@ class BetweenTelling:
         """Of which bodies an equation of a blow is, and what it balances; `kept`: as no impulse changes it."""
         group = ", ".join(e.bodies)
         if e.law == "relation":
-            words = no_rebound(e, self._put(e.left - e.right)) or e.lead or e.words
+            words = no_rebound(e) or e.lead or e.words
             return line(f"{words[:1].upper()}{words[1:]}")
         if e.law == "moment":
             return self._about(e, group, () if kept else passing(e, self.used))

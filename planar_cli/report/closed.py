@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.problem.scene import Problem
@@ -25,6 +26,7 @@ LONGEST, SHORT, PLAIN = 40, 8, 24
 """A longer formula stands in the answer alone; of a page of numbers, beside the line that gives the answer; the largest
 number in such a one.
 """
+TWICE = 2
 
 
 def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
@@ -136,6 +138,9 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         # A letter of a state may have the name of a datum in print.
         return False
     more = formula.free_symbols - closed.free_symbols
+    if operations(closed) > TWICE * operations(formula):
+        # Made of few results, it says more by these.
+        return False
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
 
 

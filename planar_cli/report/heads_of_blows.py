@@ -22,10 +22,10 @@ MOST = 2
 """Of more impulses through one point the diagrams speak."""
 
 
-def no_rebound(e: ImpactEquation, residual: sp.Expr) -> str:
-    """What a restitution that is zero says; "" of any other. `residual`: of its equation, with what is known put in."""
+def no_rebound(e: ImpactEquation) -> str:
+    """What a restitution that is zero says; "" of any other."""
     found = RESTITUTION.fullmatch(e.lead or e.words)
-    if found is None or any(s.name.endswith(f"__{e.impact.since}") for s in residual.free_symbols):
+    if found is None or any(s.name.endswith(f"__{e.impact.since}") for s in (e.left - e.right).free_symbols):
         return ""
     return f"No rebound (e = 0): {found[1]} have one velocity along the common normal"
 

@@ -41,6 +41,7 @@ from planar_cli.report.effects import effect_notes
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.frames_apart import with_frames_apart
 from planar_cli.report.idle_lines import without_idle_lines
+from planar_cli.report.impulse_names import with_short_impulses
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
@@ -150,7 +151,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    named = with_loads_by_letter(with_one_name(with_only_body((*opening, *blocks), problem)), problem)
+    named = with_short_impulses(with_one_name(with_only_body((*opening, *blocks), problem)))
+    named = with_loads_by_letter(named, problem)
     page = told_likewise(with_letters_apart(named, problem), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 

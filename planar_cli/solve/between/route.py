@@ -97,7 +97,7 @@ class Router:
         return letters(self.residual(equation)) & self.unknowns
 
     def _plain(self, equations: Sequence[Equation]) -> dict[sp.Symbol, sp.Expr]:
-        """Data that need no line: zeros, names of the file, times from which time is counted; and what stays so."""
+        """Data that need no line: zeros, names of the file or their opposites, starting times; and what stays so."""
         found: dict[sp.Symbol, sp.Expr] = {}
         changed = True
         while changed:
@@ -114,7 +114,7 @@ class Router:
                 if x in letters(rate) or rate == 0:
                     continue
                 datum = simplified(-residual.subs(x, 0) / rate)
-                if datum == 0 or (datum.is_Symbol and e.kind in DATA and not e.told):
+                if datum == 0 or ((datum.is_Symbol or (-datum).is_Symbol) and e.kind in DATA and not e.told):
                     found[x] = datum
                     found = {k: v.xreplace({x: datum}) for k, v in found.items()}
                     changed = True

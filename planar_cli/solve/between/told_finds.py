@@ -16,6 +16,7 @@ from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.derivation import at_right_angles
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.trace import Request
+from planar_cli.solve.between.velocities_beside import is_worth_a_letter, velocities_inside
 from planar_cli.solve.regimes.constant_rates import LastingLetters
 from planar_cli.solve.regimes.timeline import KeptLetters, Reader, Stop
 from planar_cli.units import Unit
@@ -61,7 +62,11 @@ class FindTeller:
         kept = self._kept(asked)
         found = Request(asked.find, self._parts(asked, kept), asked.unit)
         places = self._places(asked)
-        if len({(id(reader.regime), stop.name) for reader, stop, _ in places}) != 1 or self.course.symbolic:
+        if self.course.symbolic:
+            return found
+        if told := self._by_velocities(asked, kept):
+            return told
+        if len({(id(reader.regime), stop.name) for reader, stop, _ in places}) != 1:
             return found
         regime = id(places[0][0].regime)
         constant = kept.get(regime) or self.course.rates.names.get(regime, {})
@@ -77,6 +82,28 @@ class FindTeller:
             known = self.value.extended(self.numbers)
             self.numbers[own] = Decimal(0) if known.is_zero(formula) else known(formula)
         return replace(found, parts=parts, beside=lines)
+
+    def _by_velocities(self, asked: AskedFind, kept: KeptLetters) -> Request | None:
+        """A find by the velocities of points of which it is made up; None: these are letters anyway."""
+        lines: dict[sp.Symbol, sp.Expr] = {}
+        put: dict[sp.Symbol, sp.Expr] = {}
+        for symbol, name, state in velocities_inside(asked):
+            (formula,) = self._parts(replace(asked, raw=(symbol,)), kept)
+            if not is_worth_a_letter(formula):
+                continue
+            own = self._velocity(name, state)
+            lines[own], put[symbol], self.numbers[own] = formula, own, self.value(formula)
+        if not lines:
+            return None
+        parts = self._parts(replace(asked, raw=(asked.raw[0].xreplace(put),)), kept)
+        return Request(asked.find, parts, asked.unit, tuple(lines.items()))
+
+    def _velocity(self, name: str, state: str) -> sp.Symbol:
+        """The letter of a component of the velocity of a point."""
+        key = sp.Symbol(name, real=True), state
+        if key not in self._made:
+            self._made[key] = self.course.ledger.fresh(f"{name}__{state}", "m/s", role=Role(Kind.STATE, None, state))
+        return self._made[key]
 
     @staticmethod
     def _used(parts: Iterable[sp.Expr], formulas: Mapping[sp.Symbol, sp.Expr]) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
