@@ -20,6 +20,7 @@ from planar_cli.records import record
 from planar_cli.report.at_its_state import at_its_state
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
+from planar_cli.report.by_ends import by_ends
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.equilibrium_places import by_places, equilibrium_places
@@ -219,7 +220,9 @@ class AskedTelling:
             shown = shown[1:]  # the file calls it as the page does
         before = at_its_state(asked.find.name, formula, self.found) if span is None and not part.axis else None
         sides: list[Any] = [name, *([] if before is None else [phrases.math(before)]), *shown, *values]
-        if span is not None and (quoted := self._told_before(span)):
+        if span is not None and values and (ends := by_ends(span, self.found, phrases, values[0])):
+            yield Equation((name, *ends, *values))
+        elif span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))
         elif span is None:
             yield Equation(tuple(sides))

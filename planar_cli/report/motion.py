@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
-from planar_cli.report.angles_found import by_function, by_tangent, by_trial
+from planar_cli.report.angles_found import by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
@@ -56,6 +56,7 @@ from planar_cli.report.origins import (
 from planar_cli.report.own_ways import told_by_itself, told_elsewhere
 from planar_cli.report.passing import passing_blocks
 from planar_cli.report.periods_given import swings
+from planar_cli.report.phases import by_the_tangent, function_first
 from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
@@ -208,9 +209,10 @@ class MotionTelling:
             plain = (formula := self._formula(r)) is not None and not longer(formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
-            if first := self._by_function(leg, r, numbers, route):
+            if first := function_first(leg, r, route, set(numbers) <= self.between.counted, self.numeric):
                 yield Equation(first, None, lead if i == 0 else ())
-                yield Equation((sides[0], sides[-1], *self.phrases.converted(r.unknown, r.value)))
+                by = by_the_tangent(leg, r, route, self.numeric)
+                yield Equation((sides[0], *by, sides[-1], *self.phrases.converted(r.unknown, r.value)))
             else:
                 if len(sides) == 2:
                     sides = (sides[0], *(self._solved(leg, r, route) or self._short(r)), sides[1])
@@ -246,13 +248,6 @@ class MotionTelling:
     def _short(self, r: Result) -> list[Math]:
         """A short formula whose numbers hide units, with its numbers."""
         return [] if r.formula is None or longer(r.formula, PLAIN) else self._in_known(r, PLAIN, explicit=False)
-
-    def _by_function(self, leg: RouteStep, r: Result, numbers: list[int], route: RouteTrace) -> tuple[Any, ...]:
-        """The sine of an angle, from its equation in numbers where it stands so."""
-        (e, *more) = leg.relations
-        counted = not more and len(leg.unknowns) == 1 and set(numbers) <= self.between.counted
-        sides = sides_of(e, route) if counted else None
-        return by_function(r, sides, leg.unknowns, self.numeric) or by_tangent(e.residual, r, self.numeric)
 
     def _is_told(self, r: Result) -> bool:
         """Does a formula stand before its value, or nothing at all?"""

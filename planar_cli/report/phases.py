@@ -1,0 +1,79 @@
+"""The time at which a vibration has no velocity, or passes its middle, by the tangent of its phase.
+
+v_0 cos(ω_n t_1) + x_eq ω_n sin(ω_n t_1) = 0:
+  tan(ω_n t_1) = -v_0/(x_eq ω_n) = 4.946
+  t_1 = arctan(4.946)/ω_n = 1.130 s
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import derivative, identically_zero, longer, simplified
+from planar_cli.report.angles_found import by_function, by_tangent
+from planar_cli.report.blocks import Math, Value
+from planar_cli.report.clean import is_clean
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.origins import sides_of
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import Result, RouteStep, RouteTrace
+from planar_cli.units import PURE
+
+LONGEST = 16
+"""The tangent of more operations is not told."""
+
+
+def function_first(leg: RouteStep, r: Result, route: RouteTrace, counted: bool, phrases: Phrases) -> tuple[Any, ...]:
+    """The sine of an angle, from its equation in numbers where it stands so (`counted`), or the tangent of a phase,
+    tan(ω t) = formula = numbers = value, from a sin(ω t) + b cos(ω t) = 0; empty of anything else.
+    """
+    (e, *more) = leg.relations
+    sides = sides_of(e, route) if counted and not more and len(leg.unknowns) == 1 else None
+    told = by_function(r, sides, leg.unknowns, phrases) or by_tangent(e.residual, r, phrases)
+    found = None if told else _tangent(leg, r, route, phrases)
+    if found is None:
+        return told
+    phase, ratio = found
+    value = Value(phrases.value(ratio), "", phrases.figures)
+    return phrases.math(sp.tan(phase)), phrases.math(ratio), *phrases.substituted(ratio, value), value
+
+
+def by_the_tangent(leg: RouteStep, r: Result, route: RouteTrace, phrases: Phrases) -> list[Math]:
+    """The time by that tangent, (π + arctan(4.946))/ω_n + t_0; empty: it is another equation."""
+    found = _tangent(leg, r, route, phrases)
+    if found is None:
+        return []
+    phase, ratio = found
+    number, size = phrases.value(ratio), sp.Symbol(f"{NUMBER}tangent", positive=True)
+    first = sp.atan(size) if number > 0 else -sp.atan(size)
+    rate = derivative(phase, r.unknown)
+    turns = round(float(phrases.value(phase - sp.atan(ratio))) / math.pi)
+    begun = simplified(r.unknown - phase / rate)
+    return [Math((turns * sp.pi + first) / rate + begun, {size: significant(abs(number), phrases.figures)})]
+
+
+def _tangent(leg: RouteStep, r: Result, route: RouteTrace, phrases: Phrases) -> tuple[sp.Expr, sp.Expr] | None:
+    """The phase, and its tangent."""
+    if len(leg.relations) > 1:
+        return None
+    residual = leg.relations[0].residual.xreplace(dict(route.plain))
+    waves = residual.atoms(sp.sin, sp.cos)
+    inside = {f.args[0] for f in waves if r.unknown in f.free_symbols}
+    inverse = [] if r.formula is None else list(r.formula.atoms(sp.atan))
+    if phrases.symbolic or len(waves) != 2 or len(inside) != 1 or len(inverse) != 1 or residual.has(sp.exp):
+        return None
+    (phase,) = inside
+    letters = {f(phase): sp.Dummy(real=True) for f in (sp.sin, sp.cos)}
+    flat = residual.xreplace(letters)
+    a, b = (derivative(flat, x) for x in letters.values())
+    rest = flat - sp.Add(*(k * x for k, x in zip((a, b), letters.values(), strict=True)))
+    if 0 in (a, b) or not identically_zero(rest) or r.unknown in (a + b).free_symbols:
+        return None
+    ratio = simplified(-b / a)
+    ours = any(identically_zero(inverse[0].args[0] - sign * ratio) for sign in (1, -1))
+    plain = ours and not longer(ratio, LONGEST) and is_clean(phrases.ledger, ratio, dimension=PURE)
+    return (phase, ratio) if plain and phrases.has_numbers(ratio) else None
