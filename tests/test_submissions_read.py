@@ -238,6 +238,27 @@ def test_what_is_answered_twice_costs_nothing_else(tmp_path: Path) -> None:
     assert wrong(found) == ["f.yaml:4:3: `p.a` stands here a second time; the first is in line 2; neither is graded"]
 
 
+def test_a_line_that_is_too_long_costs_no_other(tmp_path: Path) -> None:
+    long = "(" * 11_000
+    found = one(tmp_path, "f.yaml", f"student: s1\nvariant: 3\nanswers:\n  p.a: {long}\n  p.b: 2 N\n")
+    assert (found.student, found.variant, found.answers) == ("s1", 3, (("p", "b", "2 N"),))
+    (told,) = wrong(found)
+    assert told.startswith("f.yaml:4:1: this line has more than 10000 characters")
+
+
+def test_the_variant_of_a_file_that_cannot_be_read(tmp_path: Path) -> None:
+    assert one(tmp_path, "f.yaml", "student: s1\nvariant: 3\nanswers: {}\n---\n[\n").variant == 3
+
+
+@pytest.mark.parametrize(("sign", "word"), [(";", "a semicolon"), (",", "a comma"), ("\t", "a tab")])
+def test_a_vector_without_quotes_is_one_cell(tmp_path: Path, sign: str, word: str) -> None:
+    head = sign.join(("student", "p.v", "p.b"))
+    rows = [sign.join(cells) for cells in (("s1", "[3", "-4] m/s", "2 N"), ("s2", "[3, 4] m/s", "1", "5 N"))]
+    good, bad = read(tmp_path, "c.csv", "\n".join((head, *rows[:1]))), read(tmp_path, "d.csv", "\n".join((head, *rows)))
+    assert good[0].answers == (("p", "v", f"[3{sign.strip() or ','} -4] m/s"), ("p", "b", "2 N"))
+    assert f"put what has {word} in quotes" in bad[-1].wrong[0]
+
+
 def test_whose_a_file_is_that_cannot_be_read(tmp_path: Path) -> None:
     found = one(tmp_path, "f.yaml", "student: s1\nanswers: {}\n---\n[\n")
     assert (found.student, found.answers) == ("s1", ())

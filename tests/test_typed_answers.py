@@ -171,6 +171,41 @@ def test_a_comma_before_three_digits_is_a_decimal_point_only_where_the_set_says_
         read("3,607 N", "number")
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("√(3*9.81*(1-cos 65°)/1.2) rad/s", 3.7630),
+        ("13*9.81*cos 25° N", 115.581),
+        ("13*9.81*cos 25 deg N", 115.581),
+        ("13*9.81*cos(25 deg) N", 115.581),
+        ("2 sqrt(2) m/s", 2.82843),
+        ("2√3 m/s^2", 3.46410),
+        ("\\frac{3}{4} m", 0.75),
+        ("\\sqrt{2*9.81} m/s", 4.42945),
+        ("2½ m", 2.5),
+        ("3π/4 rad", 2.35619),
+    ],
+)
+def test_numbers_are_typed_as_formulas_are(text: str, value: float) -> None:
+    found = read(text, "number")
+    assert found.unit is not None
+    assert found.values[0] == pytest.approx(value, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("3/2√3 m", "two ways"),
+        ("m_1*g*cos(beta)", "not a formula in letters: 'm_1' is one"),
+        ("<script>alert(1)</script>", "a number with its unit is asked"),
+        ("[12.5 N", "a number with its unit is asked"),
+    ],
+)
+def test_what_is_no_number_is_told_as_what_it_is(text: str, told: str) -> None:
+    with pytest.raises(Unreadable, match=told):
+        read(text, "number")
+
+
 def test_words_are_no_number() -> None:
     with pytest.raises(Unreadable, match="a number with its unit is asked"):
         read("see attached sheet", "number")

@@ -17,7 +17,7 @@ from planar_cli.homework.paper import Submission
 from planar_cli.homework.submitted import LONGEST_NAME, from_tree, sentence, student_of_file
 from planar_cli.homework.submitted_csv import from_csv
 from planar_cli.homework.submitted_json import json_tree
-from planar_cli.homework.submitted_yaml import student_told, yaml_tree
+from planar_cli.homework.submitted_yaml import student_told, variant_told, yaml_tree
 from planar_cli.problem.nodes import Node, mark_behind, regular_bytes
 from planar_cli.problem.show import visible
 from planar_cli.records import record
@@ -111,7 +111,7 @@ def submissions(read: Contents) -> tuple[Submission, ...]:
     told = tuple(sentence(d.mark, d.message, d.hint) for d in wrong)
     if tree is None:
         student = visible(student_told(text)[:LONGEST_NAME]) or student_of_file(path)
-        return (Submission(student, 0, (), path, told),)
+        return (Submission(student, variant_told(text), (), path, told),)
     found = from_tree(tree, path)
     return (replace(found, wrong=(*told, *found.wrong)) if told else found,)
 

@@ -26,7 +26,7 @@ LONG = {"problem", "find", "answer"}
 KNOWN = {*LONG, "unit", "student", "variant"}
 FORMULA_GUARDS = ("'=", "'+", "'-", "'@")
 """What spreadsheets are handed so that they take no text for a formula."""
-DELIMITERS = ",;\t"
+DELIMITERS = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
 HEADS = "the first line is `problem,find,answer`, `student,problem,find,answer` or `student,problem.find,…`"
 QUOTES = 'a quote is not closed, or text follows it; within quotes a quote is written ""'
 
@@ -88,9 +88,12 @@ class _Table:
         cells = _cells(line, self.delimiter)
         if cells is None:
             return _Row(number, self._loosely(line), QUOTES)
+        if len(cells) > len(self.head):
+            cells = _with_brackets_closed(cells, self.delimiter)
         named = {name: _plain(cell) for name, cell in zip(self.head, cells, strict=False) if name}
         if any(cell.strip() for cell in cells[len(self.head) :]):
-            told = f"the line has {len(cells)} cells, the first one {len(self.head)}: put what has a comma in quotes"
+            sign = DELIMITERS[self.delimiter]
+            told = f"the line has {len(cells)} cells, the first one {len(self.head)}: put what has {sign} in quotes"
             return _Row(number, named, told)
         return _Row(number, named)
 
@@ -215,6 +218,17 @@ def _enter(handed: Handed, place: tuple[str, str], text: str, table: _Table, cel
 def _plain(cell: str) -> str:
     """A cell without what guards it in spreadsheets."""
     return cell[1:] if cell.startswith(FORMULA_GUARDS) else cell
+
+
+def _with_brackets_closed(cells: list[str], delimiter: str) -> list[str]:
+    """Cells of which a vector that stood without quotes was parted: `[3` and `-4] m/s` are one."""
+    found: list[str] = []
+    for cell in cells:
+        if found and found[-1].count("[") > found[-1].count("]"):
+            found[-1] += f"{delimiter.strip() or ','} {cell.lstrip()}"
+        else:
+            found.append(cell)
+    return found
 
 
 def _cells(line: str, delimiter: str) -> list[str] | None:

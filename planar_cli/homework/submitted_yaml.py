@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 
 from planar_cli.errors import Diagnostic, Mark
-from planar_cli.problem.nodes import Node, read_text
+from planar_cli.problem.nodes import MAX_SCALAR, Node, read_text
 
 MOST_MENDED = 64_000
 """Characters of a file that is mended: a submission is far shorter."""
@@ -21,11 +21,31 @@ HOW = "write `problem.find: answer`"
 LIMIT, TWICE = "PL102", "PL109"
 _ENTRY = re.compile(r"([ \t]*(?:[^\s:#'\"\[\]{}]+|\"[^\"]*\"|'[^']*'):[ \t]+)(\S.*?)([ \t]+#.*|[ \t]*)")
 _FIRST = re.compile(r"the first is in line ([0-9]+)")
+_VARIANT = re.compile(r"^variant:[ \t]+([0-9]{1,9})[ \t]*$", re.MULTILINE)
 _STUDENT = re.compile(r"^student:[ \t]+(['\"]?)(\S.*?)\1[ \t]*$", re.MULTILINE)
 
 
 def yaml_tree(text: str, path: str) -> tuple[Node | None, list[Diagnostic]]:
     """The tree and what is wrong; beside a tree, what was left out of it. None: there is nothing that can be read."""
+    text, too_long = _without_long_lines(text, path)
+    tree, wrong = _tree(text, path)
+    return tree, [*too_long, *wrong]
+
+
+def _without_long_lines(text: str, path: str) -> tuple[str, list[Diagnostic]]:
+    """The text without lines that hold no answer, and what is told of them."""
+    if len(text) <= MAX_SCALAR:
+        return text, []
+    lines = text.split("\n")
+    long = [n for n, line in enumerate(lines) if len(line) > MAX_SCALAR]
+    if not long or len(lines) == 1:
+        return text, []
+    told = f"this line has more than {MAX_SCALAR} characters and is not read"
+    wrong = [Diagnostic(Mark(path, n + 1, 1), LIMIT, told, "an answer is one short text") for n in long]
+    return "\n".join("" if n in long else line for n, line in enumerate(lines)), wrong[:MOST_TIMES]
+
+
+def _tree(text: str, path: str) -> tuple[Node | None, list[Diagnostic]]:
     tree, wrong = read_text(text, path, blanks=True)
     if tree is None and not text.strip():
         return None, [Diagnostic(Mark(path, 1, 1), "PL106", "the file is empty", "begin with `answers:`")]
@@ -40,6 +60,12 @@ def student_told(text: str) -> str:
     """Whose a file is that cannot be read; "" where it does not say so in a line of its own."""
     told = _STUDENT.search(text)
     return told[2] if told is not None else ""
+
+
+def variant_told(text: str) -> int:
+    """The variant of a file that cannot be read; 0 where it does not say so in a line of its own."""
+    told = _VARIANT.search(text)
+    return int(told[1]) if told is not None else 0
 
 
 def _mended(text: str, path: str, first: list[Diagnostic]) -> tuple[Node | None, list[Diagnostic]]:

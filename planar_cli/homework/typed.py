@@ -57,8 +57,15 @@ _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_
 
 _NAMED = re.compile(r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*|^(?:approx(?:\.|imately)?|ca\.?)\s+")
 """What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
-_BEHIND = re.compile(r"(?<=[0-9)i.])\s+(?=[A-Za-z°])")
+_BEHIND = re.compile(r"(?<=[0-9)}i.°π½⅓⅔¼¾⅛⅜])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
+_ARITHMETIC = re.compile(r"[0-9+.(√π½⅓⅔¼¾⅛⅜-]|pi\b|\\(?:frac|sqrt)\b")
+_OPERATED = re.compile(r"[\w)]\s*[*/^(]")
+"""Where one begins, and what stands in one."""
+_GOES_ON = re.compile(r"[-*/+^√π½⅓⅔¼¾⅛⅜]|(?:pi|sqrt|sin|cos|tan)\b")
+"""What begins so behind a number is no unit."""
+_FUNCTION = re.compile(r"sin|cos|tan")
+_DEGREES = re.compile(r"(?<=[0-9.])\s*(?:degrees|deg)\b")
 _AT = ("@", "∠", " at ", "angle", "above", "below")
 _ONLY_WORDS = re.compile(r"[A-Za-z][A-Za-z ,.;'’()-]*")
 _NO_END_OF_A_UNIT = frozenset({"in", "at", "a", "to", "per"})
@@ -169,7 +176,7 @@ def _word(text: str) -> Typed:
 
 
 def _number(text: str) -> Typed:
-    if text.startswith(("[", "<")) or ("j" in text and _IJ.fullmatch(text)) or ("=" in text and _is_pair(text)):
+    if _is_bracketed_pair(text) or ("j" in text and _IJ.fullmatch(text)) or ("=" in text and _is_pair(text)):
         return _vector(text)
     if "," in text:
         text = _DECIMAL_COMMA.sub(".", text)
@@ -232,7 +239,7 @@ def _quantity(text: str) -> tuple[float, Unit | None, int, str]:
         if behind.startswith("/") and behind[1:].lstrip()[:1].isalpha():
             # 4.1/s
             behind = f"1{behind}"
-        if not behind.startswith(("*", "/", "+", "-", "^")):
+        if not _GOES_ON.match(behind):
             value = float(plain[1]) * 10.0 ** int(plain[2] or 0)
             return _finite(value), *_unit_and_words(behind, significant(plain[1]))
     return _computed(text)
@@ -259,16 +266,27 @@ def _unit_and_words(text: str | None, figures: int) -> tuple[Unit | None, int, s
 
 
 def _computed(text: str) -> tuple[float, Unit | None, int, str]:
-    """Arithmetic without names, `5*sqrt(2) m/s`, by the parser of problem files."""
-    from planar_cli.homework.typed_formula import constant
+    """Arithmetic without names, `5*sqrt(2) m/s`, `√(2*9.81) m/s`, `9.81 cos 25° m/s^2`."""
+    from planar_cli.homework.typed_formula import arithmetic
 
-    if not re.match(r"[0-9+.(-]|pi\b", text) and not re.search(r"[\w)]\s*[*/^(]", text):
+    if not (_ARITHMETIC.match(text) or _OPERATED.search(text)) or "<" in text:
         raise Unreadable(NO_ANSWER)
+    if _FUNCTION.search(text):
+        text = _DEGREES.sub("°", text)
+    why_not = None
     for behind in _BEHIND.finditer(text):
         number = text[: behind.start()]
-        if number.count("(") == number.count(")"):
-            return _finite(constant(number)), *_unit_and_words(text[behind.end() :], 15)
-    return _finite(constant(text)), None, 15, ""
+        if number.count("(") != number.count(")") or number.count("{") != number.count("}"):
+            continue
+        try:
+            return _finite(arithmetic(number)), *_unit_and_words(text[behind.end() :], 15)
+        except Unreadable as why:
+            # Behind `2` in `2 sqrt(2) m/s` no unit begins yet.
+            why_not = why
+    try:
+        return _finite(arithmetic(text)), None, 15, ""
+    except Unreadable as why:
+        raise why_not or why from None
 
 
 def _finite(value: float) -> float:
@@ -315,6 +333,10 @@ def _from_plus_x(angle: float, side: str, end: str) -> float:
 
 
 # --- pairs and lists -------------------------------------------------------------------------------------------------
+
+
+def _is_bracketed_pair(text: str) -> bool:
+    return text[0] in "[<" and (_PAIR.fullmatch(text) or _SPACED.fullmatch(text)) is not None
 
 
 def _is_pair(text: str) -> bool:

@@ -108,10 +108,28 @@ def constant(text: str) -> float:
     side = parsed(text)
     if any(isinstance(n, Number | Scaled) and n.unit is not None and not _is_angle(n.unit) for n in walk(side)):
         raise Unreadable("one unit stands behind the number")
-    if any(isinstance(n, Name) and n.name != "pi" for n in walk(side)):
-        raise Unreadable("a number with its unit is asked, such as `12.5 N`")
+    name = next((n.name for n in walk(side) if isinstance(n, Name) and n.name != "pi"), None)
+    if name is not None:
+        asked = "a number with its unit is asked, such as `12.5 N`"
+        raise Unreadable(f"{asked}, not a formula in letters: '{name[:20]}' is one")
     found: float = evaluated(side, _Numbers({}))
     return found
+
+
+def arithmetic(text: str) -> float:
+    """The same as students write it, `√(2*9.81)`, `9.81 cos 25°`, where that can be read in one way."""
+    from planar_cli.homework.typed_letters import readings
+
+    try:
+        return constant(text)
+    except Unreadable as why:
+        try:
+            first, *others = (constant(reading) for reading in readings(text, ()))
+        except Unreadable:
+            raise why from None
+    if any(not math.isclose(first, other, rel_tol=SAME) for other in others):
+        raise Unreadable("what stands below the stroke can be read in two ways; put it in brackets")
+    return first
 
 
 def is_rounded(text: str) -> bool:
