@@ -1,13 +1,14 @@
 """What slides along a straight line of a body, through the point about which that body turns: along the line the body
 itself has neither velocity nor Coriolis acceleration, so that one component tells what is relative.
 
-v_rel · e = v_P · e                                    e along the line; less v_A · e where A moves
-(2 ω × v_rel) · n = 2 ω (v_rel · e)                    n across it
-a_rel · e = a_P · e + ω² (r_P/A · e)                   (An Introduction to Planar Dynamics, 2.4)
+v_rel = v_P · e                                        e along the line; less v_A · e where A moves
+(2 ω × v_rel e) · n = 2 ω v_rel                        n across it
+a_rel = a_P · e + ω² AP                                (An Introduction to Planar Dynamics, 2.4)
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from decimal import Decimal
 from typing import Any
@@ -28,6 +29,9 @@ from planar_cli.report.ordering import NUMBER
 from planar_cli.report.told import RATES, Told
 from planar_cli.units import LENGTH, PURE, VELOCITY
 
+NEARLY = Decimal("1e-12")
+ROUND = 1e-9
+"""Degrees by which a round angle may be off."""
 LETTERS = ("e", "u", "e′", "u′")
 """For unit vectors, in the order in which they are taken."""
 
@@ -43,6 +47,18 @@ class Slot:
     unit: tuple[Decimal, Decimal]
     reference: str
     reach: Decimal
+
+    @property
+    def arm(self) -> Line:
+        """The name of the distance from there: AP."""
+        return distance_named(self.reference, self.point)
+
+
+def distance_named(start: str, end: str) -> Line:
+    """AP; |r_P2/A| of points whose names have several letters."""
+    if len(start) == len(end) == 1:
+        return line(f"{start}{end}")
+    return line("|", Name(f"r_{_index(end)}/{_index(start)}"), "|")
 
 
 def unit_letter(told: Told, frame: str) -> Name:
@@ -123,8 +139,8 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
     spin = phrases.certain(motion.velocities[slot.frame].angular)
     if level == "acceleration" and spin:
         omega = phrases.math(motion.velocities[slot.frame].angular ** 2)
-        arm = Name(f"r_{_index(slot.point)}/{_index(slot.reference)}")
-        terms += [" + " if terms else "", omega, " (", arm, " · ", unit, ")"]
+        plus = (" + " if terms else "") if slot.reach > 0 else (" - " if terms else "-")
+        terms += [plus, omega, " ", *slot.arm]
         reach = phrases.of_dimension(slot.reach, LENGTH).number
         parts.append((1 if reach > 0 else -1, ((abs(reach), 1), (spin, 2))))
     value = Decimal(0)
@@ -140,40 +156,50 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
 
 
 def unit_told(told: Told, slot: Slot) -> Line:
-    """e = [0.8660, 0.5] along AB, where v_P′ has no component, or where the pivot moves ω × r_P/A."""
-    e = unit_letter(told, slot.frame)
-    carried = line(Name(f"v_{_index(slot.point)}′"))
-    if not all(told.phrases.value.is_zero(p) for p in _linear(told, slot)):
-        spin = told.phrases.math(told.motion.velocities[slot.frame].angular)
-        carried = line(spin, " × ", Name(f"r_{_index(slot.point)}/{_index(slot.reference)}"))
-    of = told.phrases.vector(*slot.unit, PURE)
-    return line(e, " = ", *of, f" along {slot.frame}, where ", *carried, " has no component")
+    """e = [cos 30°, sin 30°] = [0.8660, 0.5] along AB."""
+    value = told.phrases.vector(slot.unit[0], slot.unit[1], PURE)
+    way = by_angle(slot.unit, slot.unit)
+    return line(unit_letter(told, slot.frame), " = ", *way, *value, f" along {slot.frame}")
 
 
-def why_along(told: Told, slot: Slot) -> Line:
-    """Neither α × r nor the Coriolis acceleration has a component along the line."""
-    motion, math = told.motion, told.phrases.math
-    spins = motion.velocities[slot.frame].angular, motion.accelerations[slot.frame].angular
-    arm, both = (
-        Name(f"r_{_index(slot.point)}/{_index(slot.reference)}"),
-        not any(map(told.phrases.value.is_zero, spins)),
-    )
-    turning = line(math(spins[1]), " × ", arm) if not told.phrases.value.is_zero(spins[1]) else ()
-    coriolis = line("2 ", math(spins[0]), " × ", Name("v_rel")) if not told.phrases.value.is_zero(spins[0]) else ()
-    if not turning and not coriolis:
+def unit_beside(told: Told, j: Joining) -> Line:
+    """e behind v_rel, where the page takes the components along it and across it."""
+    slot = slot_of(told, j.place, j.base) if f"n {j.base}" in told.valued else None
+    return () if slot is None else line(" ", unit_letter(told, slot.frame))
+
+
+def by_angle(way: Sequence[Decimal], along: Sequence[Decimal]) -> Line:
+    """[cos 30°, sin 30°] = of the direction of a line, [-sin 30°, cos 30°] = across it; nothing where its angle is no
+    whole number of degrees.
+    """
+    degrees = math.degrees(math.atan2(float(along[1]), float(along[0])))
+    if abs(degrees - round(degrees)) > ROUND or round(degrees) % 90 == 0:
         return ()
-    joined = line("neither ", *turning, " nor ", *coriolis, " has") if both else line(*turning, *coriolis, " has no")
-    return line("along ", unit_letter(told, slot.frame), " ", *joined, " a component" if both else " component")
+    angle, turn = f"{round(degrees)}°", along[0] * way[1] - along[1] * way[0]
+    if abs(turn) < NEARLY:
+        return line(f"[cos {angle}, sin {angle}] = ")
+    return line(f"[-sin {angle}, cos {angle}] = " if turn > 0 else f"[sin {angle}, -cos {angle}] = ")
+
+
+def along_unit_vector(told: Told, slot: Slot) -> Line:
+    """along e:"""
+    return line("along ", unit_letter(told, slot.frame), ":")
+
+
+def whole_component(told: Told, slot: Slot) -> Line:
+    """a_P · e = a_rel - ω² AP, which tells a_rel; nothing where the pivot moves or nothing turns."""
+    spin = told.motion.velocities[slot.frame].angular
+    base = told.motion.accelerations[slot.frame].linear
+    if told.phrases.value.is_zero(spin) or not all(told.phrases.value.is_zero(p) for p in (base.x, base.y)):
+        return ()
+    sign = " - " if slot.reach > 0 else " + "
+    whole = line(Name(f"a_{_index(slot.point)}"), " · ", unit_letter(told, slot.frame))
+    return line(*whole, " = ", Name("a_rel"), sign, told.phrases.math(spin**2), " ", *slot.arm)
 
 
 def component(told: Told, slot: Slot, v: str) -> Line:
-    """v_rel · e, or a_rel · e."""
-    return line(Name(f"{v}_rel"), " · ", unit_letter(told, slot.frame))
-
-
-def _linear(told: Told, slot: Slot) -> tuple[sp.Expr, sp.Expr]:
-    v = told.motion.velocities[slot.frame].linear
-    return v.x, v.y
+    """v_rel or a_rel, counted along e."""
+    return line(Name(f"{v}_rel"))
 
 
 def _index(place: str) -> str:
@@ -181,12 +207,12 @@ def _index(place: str) -> str:
 
 
 def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line, Line]:
-    """(2 ω × v_rel) · n = 2 ω (v_rel · e), and the same in numbers. `normal`: n; `figures`: of its value."""
+    """(2 ω × v_rel e) · n = 2 ω v_rel, and the same in numbers. `normal`: n; `figures`: of its value."""
     sense = 1 if slot.unit[0] * normal[1] - slot.unit[1] * normal[0] > 0 else -1
     spin, numbers = _turning(told, slot)
     omega = told.phrases.math(spin)
-    own = line("(2 ", omega, " × ", Name("v_rel"), ") · ", Name("n"))
-    letters = line("-" if sense < 0 else "", "2 ", omega, " (", *component(told, slot, "v"), ")")
+    own = line("(2 ", omega, " × ", Name("v_rel"), " ", unit_letter(told, slot.frame), ") · ", Name("n"))
+    letters = line("-" if sense < 0 else "", "2 ", omega, " ", *component(told, slot, "v"))
     return own, letters, line(_doubled(sense, numbers, figures))
 
 
@@ -196,7 +222,7 @@ def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line, Line]:
     omega, v = told.phrases.math(spin), Name("v_rel")
     letters = line("2 |", omega, "| |", v, "|")
     return (
-        line("|2 ", omega, " × ", v, "|"),
+        line("|2 ", omega, " × ", v, " ", unit_letter(told, slot.frame), "|"),
         letters,
         line(_doubled(1, [abs(x) for x in numbers], told.phrases.figures)),
     )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.scene import GROUND, with_article
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.blocks import Line, Name, Paragraph, line
 from planar_cli.report.words import Phrases
 
 SHORT = 2
@@ -53,14 +55,15 @@ def _across(j: Joining, phrases: Phrases) -> str:
     return "x" if nil(j.path.tangent.x) else "y" if nil(j.path.tangent.y) else ""
 
 
-def touches_at_rest(edge: Edge, system: System) -> Line:
-    """C touches the fixed floor: v_C = 0, of a body that rolls on what does not move; else nothing."""
-    j = edge.joining
-    if j is None or j.rolling is None or j.base != GROUND or j.drift is not None:
-        return ()
+def touches_at_rest(edge: Edge, system: System, told: set[str]) -> Iterator[Paragraph]:
+    """C touches the fixed floor: v_C = 0, once of each body that rolls on what does not move. `told`: what was said."""
+    j, key = edge.joining, f"rest {edge.body}"
+    if j is None or j.rolling is None or j.base != GROUND or j.drift is not None or key in told:
+        return
+    told.add(key)
     surface, place = _surface(j, system).replace("_", " "), j.place.replace("_", ",")
     named = f"the fixed {surface}" if surface.islower() else f"{surface or 'the ground'}, which is fixed"
-    return line(Name(place), f" touches {named}: ", Name(f"v_{place}"), " = 0")
+    yield Paragraph(line(Name(place), f" touches {named}: ", Name(f"v_{place}"), " = 0"))
 
 
 def _surface(j: Joining, system: System) -> str:

@@ -1,7 +1,7 @@
 """The component of a relation between a point and the body along which it slides, from the vectors that are known.
 
-n = [-0.5, 0.8660]                                     unit vector across AB
-v_D · n = -0.5 · 0.8619 = -0.4309 m/s
+n = [-sin 30°, cos 30°] = [-0.5, 0.8660] across AB
+ω_AB AD = v_D · n = -0.5 · 0.8619 = -0.4309 m/s
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.along_slots import coriolis_across, slot_of
+from planar_cli.report.along_slots import NEARLY, by_angle, coriolis_across, distance_named, slot_of, unit_told
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.enough_figures import figures_of
@@ -29,8 +29,6 @@ from planar_cli.report.told import RATES, Across, Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH, PURE, Dimension
-
-NEARLY = Decimal("1e-12")
 
 Known = tuple[str, Vec]
 """The name of a vector whose components are numbers, and these."""
@@ -81,14 +79,27 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
     reach = _reach(told, j, unit)
     if f"n {j.base}" not in told.valued:
         told.valued.add(f"n {j.base}")
-        yield from _unit_vector(told, j.base, unit, reach)
+        told.preface += _unit_vectors(told, j, unit, reach)
     lines = list(_by_speed(_along(unit, known, RATES[level], told.phrases), told, j, unit))
+    told.components = _across(lines, reach, unknown, (factor < 0, (factor < 0) != (known[0][0] != name)), told.phrases)
+    if told.components.product and len(lines) == 1:
+        return
     yield from lines
+    if told.components.product:
+        return
     own_name, turns = line(Name(f"{name}′"), " · ", Name("n")), sp.Symbol(f"{NUMBER}arm", real=True)
     product = Math(turns * unknown, {turns: significant(factor, told.phrases.figures)})
     size = () if reach is None else line("-" if factor < 0 else "", told.phrases.math(unknown), " ", *reach.size)
     yield Equation((own_name, *([size] if size else []), product))
-    told.components = _across(lines, reach, (factor < 0) != (known[0][0] != name))
+
+
+def as_product(across: Across | None, sides: Sequence[Any], level: str, phrases: Phrases) -> tuple[Any, ...]:
+    """ω AP = v_P · n = numbers = value, in place of an equation in numbers; empty where that is all there is."""
+    if across is None or not across.product or not sides:
+        return ()
+    size = across.sizes[0] - sum(across.sizes[1:], Decimal(0))
+    one = phrases.of_dimension(Decimal(1), RATES[level])
+    return (across.product, across.known, *across.put, *sides[1:-1], Value(size, one.unit, one.figures))
 
 
 def with_direction(words: list[Block], w: Written, phrases: Phrases) -> list[Block]:
@@ -129,29 +140,30 @@ def _reach(told: Told, j: Joining, unit: Sequence[Decimal]) -> _Reach | None:
     length = (x * x + y * y).sqrt()
     if not length or abs(x * unit[0] + y * unit[1]) > NEARLY * length:
         return None
-    place, pivot = (p.replace("_", ",") for p in (j.place, edge.joining.place))
     sense = 1 if x * unit[1] - y * unit[0] > 0 else -1
-    return _Reach(line("|", Name(f"r_{place}/{pivot}"), "|"), (x, y), length, sense)
+    return _Reach(distance_named(edge.joining.place, j.place), (x, y), length, sense)
 
 
-def _unit_vector(told: Told, body: str, unit: Sequence[Decimal], reach: _Reach | None) -> Iterator[Block]:
-    """The unit vector across a line; with the length of the arm along that line, by which it is the arm turned."""
-    phrases, words = told.phrases, line(f"unit vector across {body}")
-    value = phrases.vector(unit[0], unit[1], PURE)
-    if reach is None:
-        yield Equation((line(Name("n")), value), None, (), words)
-        return
-    (x, y), sense = reach.arm, reach.sense
-    length = phrases.of_dimension(reach.length, LENGTH)
-    yield Equation((reach.size, size_of(reach.arm, LENGTH, phrases), length))
-    turned = phrases.vector(-sense * y, sense * x, PURE)
-    quotient = line(*turned, "/", replace(length, unit="1"))
-    yield Equation((line(Name("n")), quotient, value), None, (), words)
+def _unit_vectors(told: Told, j: Joining, unit: Sequence[Decimal], reach: _Reach | None) -> Iterator[Block]:
+    """The unit vectors along and across a line, by its angle where this is round, and the length of the arm on it."""
+    phrases, slot = told.phrases, slot_of(told, j.place, j.base)
+    along = [unit[1], -unit[0]] if slot is None else slot.unit
+    across = line(Name("n"), " = ", *by_angle(unit, along), *phrases.vector(unit[0], unit[1], PURE))
+    if slot is None or f"e {slot.frame}" in told.valued:
+        yield Paragraph(line(*across, f" across {j.base}"))
+    else:
+        told.valued.add(f"e {slot.frame}")
+        yield Paragraph(line(*unit_told(told, slot), ", ", *across, " across it"))
+    if reach is not None:
+        length = phrases.of_dimension(reach.length, LENGTH)
+        yield Equation((reach.size, size_of(reach.arm, LENGTH, phrases), length))
 
 
-def _across(lines: Iterable[Block], reach: _Reach | None, back: bool) -> Across:
-    """The components that were told, and what they give: (a_P · n - (2 ω × v_rel) · n)/|r_P/A|. `back`: they count
-    against the sense of ω.
+def _across(
+    lines: Sequence[Block], reach: _Reach | None, unknown: sp.Symbol, signs: tuple[bool, bool], phrases: Phrases
+) -> Across:
+    """The components that were told, and what they give: (a_P · n - (2 ω × v_rel) · n)/AP. `signs`: whether the own
+    part is negative, and whether the components count against the sense of ω.
     """
     told = [b for b in lines if isinstance(b, Equation)]
     sizes = tuple(b.sides[-1].number for b in told if isinstance(b.sides[-1], Value))
@@ -160,7 +172,11 @@ def _across(lines: Iterable[Block], reach: _Reach | None, back: bool) -> Across:
     parts: list[Any] = []
     for b in told:
         parts += [" - " if parts else "", *(b.sides[0] if isinstance(b.sides[0], tuple) else ())]
-    return Across(sizes, line("-" if back else "", "(", *parts, ")/", *reach.size))
+    quotient = line("-" if signs[1] else "", "(", *parts, ")/", *reach.size)
+    if any(signs):
+        return Across(sizes, quotient)
+    put = tuple(told[0].sides[1:-1]) if len(told) == 1 else ()
+    return Across(sizes, quotient, line(phrases.math(unknown), " ", *reach.size), line(*parts[1:]), put)
 
 
 def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Decimal]) -> Iterator[Block]:

@@ -4,7 +4,7 @@ slides along a straight line of the body the component along that line.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from decimal import Decimal
 from typing import Any
 
@@ -12,8 +12,17 @@ import sympy as sp
 
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.along_slots import Slot, component, coriolis_size, relative_along, slot_of, unit_told, why_along
-from planar_cli.report.blocks import Block, Equation, Line, Name, Value, line
+from planar_cli.report.along_slots import (
+    Slot,
+    along_unit_vector,
+    component,
+    coriolis_size,
+    relative_along,
+    slot_of,
+    unit_told,
+    whole_component,
+)
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
 from planar_cli.report.coincident import coincident
 from planar_cli.report.component_sums import both_told, in_page_units
 from planar_cli.report.names import plain_name
@@ -21,6 +30,7 @@ from planar_cli.report.on_path import Once
 from planar_cli.report.projected import differences, vector_at
 from planar_cli.report.told import RATES
 from planar_cli.report.vectors import VectorTelling
+from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import Found
 from planar_cli.units import VELOCITY
 
@@ -63,18 +73,24 @@ class RelativeTelling:
             yield from self._coriolis(relative, self.vectors.motion.velocities[frame].angular)
 
     def _component(self, slot: Slot, level: str) -> Iterator[Block]:
-        """v_rel · e = v_P · e = 0.8660 · 0.8619 = 0.7464 m/s."""
+        """along e: v_rel = v_P · e = 0.8660 · 0.8619 = 0.7464 m/s."""
         key = f"{level[0]}_rel {slot.point} {slot.frame}"
         if key in self._along:
             return
         for name in (slot.point, slot.reference):
             yield from self.absolute(name, level[0])
         sides, value = relative_along(self.vectors, slot, level)
-        first = f"e {slot.frame}" not in self.vectors.valued
-        self.vectors.valued.add(f"e {slot.frame}")
         self._along[key] = value
-        note = unit_told(self.vectors, slot) if first else why_along(self.vectors, slot) if level[0] == "a" else ()
-        yield Equation((*sides, *self._shown(value, slot, level)), None, note=note)
+        note = whole_component(self.vectors, slot) if level == "acceleration" else ()
+        if f"e {slot.frame}" not in self.vectors.valued:
+            self.vectors.valued.add(f"e {slot.frame}")
+            unit = Paragraph(line(*unit_told(self.vectors, slot)))
+            if self.vectors.opened:
+                yield unit
+            else:
+                self.vectors.preface.append(unit)
+        lead = along_unit_vector(self.vectors, slot)
+        yield Equation((*sides, *self._shown(value, slot, level)), None, lead, note)
 
     def _shown(self, value: Decimal, slot: Slot, level: str) -> list[Value]:
         """In the unit of the page; and, where that component is an answer of its own name, in the one that is asked."""
@@ -91,7 +107,7 @@ class RelativeTelling:
         return [Value(value, one.unit, one.figures)]
 
     def part(self, answer: str, q: Quantity, axis: Sequence[Decimal], values: list[Value]) -> list[Block] | None:
-        """The line of what is asked after the component along a line was told: v_slot = v_rel · e,
+        """The line of what is asked after the component along a line was told: v_slot = v_rel,
         |a_cor| = 2 |ω| |v_rel|; empty where that was the line itself. None: no component was told. `axis`: along which
         it is asked, if any.
         """
@@ -112,7 +128,7 @@ class RelativeTelling:
         along_line = component(self.vectors, slot, v)
         if not own and not against:
             return [Equation((along_line, *values))] if len(values) > 1 and answer not in self._converted else []
-        shown = line("-(", *along_line, ")") if against else along_line
+        shown = line("-", *along_line) if against else along_line
         return [Equation((line(Name(answer)), shown, *values))]
 
     def _vectors(self, point: str, frame: str, level: str) -> Iterator[Block]:
@@ -142,3 +158,19 @@ class RelativeTelling:
         formula = line("2 ", self.phrases.math(spin), " × ", Name("v_rel"))
         sides = (line(Name("a_cor")), formula, *([put] if put else []))
         yield from self.once(f"a_cor {spin} {relative}", sides, relative.turned() * (2 * spin), "acceleration", ())
+
+
+def is_told(seen: tuple[str, str], stage: Stage, vectors: VectorTelling, at_once: Collection[tuple[int, int]]) -> bool:
+    """Have the lines so far told how a point moves as a body sees it, and how that body turns? `at_once`: equations of
+    stages that are their own solution.
+    """
+    point, frame = seen
+    relative, _ = vectors.system.quantities().seen_from(point, frame)
+    spin = vectors.motion.velocities[frame].angular
+    inside = spin.free_symbols | relative.x.free_symbols | relative.y.free_symbols
+    solved = {
+        x.symbol
+        for x in (x for b in stage.blocks for x in b.lines)
+        if x.equations and all((id(stage.algebra), n) in at_once for n in x.equations)
+    }
+    return not inside & (vectors.late - vectors.given - solved)

@@ -27,7 +27,8 @@ from planar_cli.report.grooves import groove_told
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
-from planar_cli.report.projected import with_direction
+from planar_cli.report.projected import as_product, with_direction
+from planar_cli.report.relative_motion import is_told
 from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
@@ -38,7 +39,7 @@ from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.translations import translations
 from planar_cli.report.vectors import VectorTelling
-from planar_cli.report.velocities_first import ACCELERATIONS, VELOCITIES, asked_told, of_velocities
+from planar_cli.report.velocities_first import ACCELERATIONS, VELOCITIES, asked_told, of_velocities, without_repeats
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -115,6 +116,8 @@ class Telling:
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
+        first = next((i for i, b in enumerate(kinematics) if b in (VELOCITIES, ACCELERATIONS)), 0)
+        kinematics[first:first], self.vectors.opened = self.vectors.preface, True
         kinematics[:0] = in_numbers(self.scene, kinematics, self.phrases)
         legend = [*touching(self.system, kinetic), *(counted(self.system, self.phrases) if kinetic else ())]
         resting = said_at_rest(self.instant, last, self.system)
@@ -289,13 +292,14 @@ class Telling:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         level = level_of(w, stage, self.scene.ledger)
         words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w, stage)))]
-        if any(isinstance(b, Equation) for b in words):
+        if self.vectors.components is not None:
             self.numeric.components[id(stage.algebra), w.number] = self.vectors.components
         if self.vectors.components and w.place in self.scene.points:
-            words = [*self.asked.absolute(w.place, level[0]), *words]
+            above = list(self.asked.absolute(w.place, level[0]))
+            words = [*above, *without_repeats(words, above)]
         words = [*vector_before(w, self.vectors, level), *words]
         frame = self.vectors.frame_of(w) if level != "velocity" else None
-        if frame is not None and self._is_told(frame, stage):
+        if frame is not None and is_told(frame, stage, self.vectors, self.solving.merged | self.solving.nil):
             words = [*self.asked.coriolis(*frame, bool(self.vectors.components)), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and line_of.symbol in stage.zero:
@@ -311,24 +315,14 @@ class Telling:
         if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
             sides, note = result, ()
-        if self.numeric.put_whole(w, stage):
+        if product := as_product(
+            self.numeric.components.get((id(stage.algebra), w.number)), sides, level, self.phrases
+        ):
+            sides, note = product, ()
+        elif self.numeric.put_whole(w, stage):
             words = with_direction(words, w, self.phrases)
             sides = (sides[0], sides[-1]) if level == "acceleration" and self.vectors.swings(w) else sides
         return [*words, Equation(sides, number, (), note)]
-
-    def _is_told(self, seen: tuple[str, str], stage: Stage) -> bool:
-        """Have the lines so far told how a point moves as a body sees it, and how that body turns?"""
-        point, frame = seen
-        relative, _ = self.system.quantities().seen_from(point, frame)
-        spin = self.vectors.motion.velocities[frame].angular
-        inside = spin.free_symbols | relative.x.free_symbols | relative.y.free_symbols
-        at_once = self.solving.merged | self.solving.nil
-        solved = {
-            x.symbol
-            for x in (x for b in stage.blocks for x in b.lines)
-            if x.equations and all((id(stage.algebra), n) in at_once for n in x.equations)
-        }
-        return not inside & (self.vectors.late - self.vectors.given - solved)
 
     def _nil(self, w: Written, found: SolvedLine, stage: Stage, number: int) -> Block:
         """A relation that says at sight that something is zero; what follows does without it."""

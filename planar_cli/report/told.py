@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
+from planar_cli.report.blocks import Block, Line
 from planar_cli.report.words import Phrases
 from planar_cli.units import ACCELERATION, VELOCITY
 
@@ -21,18 +21,23 @@ RATES = {"velocity": VELOCITY, "acceleration": ACCELERATION}
 @record
 class Across:
     """Components across a line of a body: their `sizes`, in the unit of the page, and what they give for the rate with
-    which the body turns, (v_P · n)/|r_P/A|; empty where its own part is no length times that.
+    which the body turns, (v_P · n)/AP; empty where its own part is no length times that. `product`, `known`: the sides
+    of that relation, ω AP and v_P · n, with its numbers in `put`; empty where they count the other way.
     """
 
     sizes: tuple[Decimal, ...]
     quotient: Line
+    product: Line = ()
+    known: Line = ()
+    put: tuple[Any, ...] = ()
 
 
 class Told(Protocol):
     """A telling of vector equations. `given`: unknowns that the file gives as numbers; `late`: those that only the
     equations of accelerations and forces tell, speeds among them; `valued`: what has its value on
     the page; `zero`: unknowns that are zero; `components`: what the page tells last of known components; `centres`: the
-    instantaneous centres of bodies by which their velocities are told.
+    instantaneous centres of bodies by which their velocities are told; `preface`: lines that stand before the first
+    velocity.
     """
 
     given: set[sp.Symbol]
@@ -41,6 +46,7 @@ class Told(Protocol):
     components: Across | None
     valued: set[str]
     centres: dict[str, Any]
+    preface: list[Block]
     phrases: Phrases
     system: System
 

@@ -21,6 +21,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import is_along_path, on_path
+from planar_cli.report.along_slots import unit_beside
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
@@ -67,6 +68,8 @@ class VectorTelling:
         """Points whose vector has its components where it was told first."""
         self.components: Across | None = None
         self.centres: dict[str, Any] = {}
+        self.preface: list[Block] = []
+        self.opened = False  # stand the lines of the preface on the page?
         self.of_wheels: Callable[[str, Vec, str], Iterator[Block]] | None = None
         """Tells the acceleration of a point of a wheel in letters."""
         self._told: set[str] = set()
@@ -96,7 +99,7 @@ class VectorTelling:
             return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
         if meshing := on_fixed_axles(joining, w, level, self.system):
             return [Paragraph(meshing)]
-        reach, known = self._reach(joining, level), projected(self, joining, w, level)
+        reach, known = self._reach(joining, level), list(projected(self, joining, w, level))
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
@@ -143,14 +146,16 @@ class VectorTelling:
             return along_fixed(j, own, level, self.system, self.phrases)
         if j.path is None:
             return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
-        relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel")]
+        e = unit_beside(self, j)
+        relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel"), *e]
         if level != "velocity":
             spin = self._symbol(j.base, "velocity")
-            relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel")] if spin != 0 else []
+            relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel"), *e] if spin != 0 else []
         touching = next((p.place for p in self.system.pushes if p.joint == j.joint and p.place not in ("", place)), "")
         touching = touching if not touching or self._is_of_file(touching, j.joint) else "the point of contact"
         slides = f"{touching} slides along {j.base}, {place} moves at a fixed distance from it: " if touching else ""
-        return line(slides or f"{place} slides along {j.base}: ", *relative, "; ", *self._across(j, v))
+        relative += ["; along ", Name("n")] if e else ["; ", *self._across(j, v)]
+        return line(slides or f"{place} slides along {j.base}: ", *relative)
 
     def _is_of_file(self, place: str, joint: str) -> bool:
         """Does the file name a point, or did its contact?"""
@@ -212,10 +217,8 @@ class VectorTelling:
             value = () if place.endswith("′") else known_sides(self, body, at, arm, level)
             self.valued |= {f"{level} {place}"} if value and not apart else set()
             sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
-            touching = touches_at_rest(edge, self.system) if level == "velocity" and self.rests(edge, level) else ()
-            if touching and f"rest {body}" not in self._told:
-                self._told.add(f"rest {body}")
-                yield Paragraph(touching)
+            if level == "velocity" and self.rests(edge, level):
+                yield from touches_at_rest(edge, self.system, self._told)
             yield Equation((*sides, *value), None, note=self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:

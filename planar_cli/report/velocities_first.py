@@ -38,6 +38,12 @@ def asked_told(asked: AskedTelling, found: Iterable[Found], blocks: list[Block])
     yield from (ACCELERATIONS, *behind) if any(isinstance(b, Equation) for b in behind) else behind
 
 
+def without_repeats(blocks: Iterable[Block], above: Iterable[Block]) -> list[Block]:
+    """The blocks without vector equations that stand above them with their values."""
+    told = [said(b)[:2] for b in above if isinstance(b, Equation)]
+    return [b for b in blocks if not isinstance(b, Equation) or said(b) not in told]
+
+
 def _new(block: Block, told: list[list[Any]]) -> Iterator[Block]:
     """A line that was not told; a vector in letters without the equation that stands above it."""
     if not isinstance(block, Equation):
