@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -123,9 +124,14 @@ def test_canvas_tells_who_has_no_score() -> None:
     assert any("out of 2, not 4" in s for s in told)
 
 
-def test_canvas_tells_who_is_there_twice() -> None:
-    twice = (*RESULTS[:1], *RESULTS[:1])
-    assert any("two submissions" in s for s in exported("canvas", twice).left_out)
+def test_canvas_has_one_row_for_a_student_who_handed_in_twice() -> None:
+    again = [replace(RESULTS[0], source=name) for name in ("b.csv", "c.csv")]
+    lost = replace(RESULTS[0], graded=(), source="d.csv")
+    first = replace(again[0], graded=())
+    found = rows("canvas", (first, again[1], lost, *RESULTS[1:]))
+    (own,) = (row for row in found if row[0] == RESULTS[0].student)
+    assert float(own[-1]) == pytest.approx(again[1].score)
+    assert any("3 submissions" in s for s in exported("canvas", (first, again[1], lost)).left_out)
 
 
 def test_a_name_of_several_words_is_no_login() -> None:

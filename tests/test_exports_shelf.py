@@ -85,6 +85,7 @@ def test_every_find_is_exported_or_told(kind: str) -> None:
     [
         ("../../etc/passwd", "etc-passwd"),
         ("Über Kräfte", "uber-krafte"),
+        ("Homework 5 - Dynamics", "homework-5-dynamics"),
         ("CON", "con_"),
         ("lpt1", "lpt1_"),
         ("", "unnamed"),

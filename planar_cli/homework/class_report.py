@@ -43,7 +43,7 @@ class ClassReport:
         of those of which anything could be graded; the finds are counted in all.
         """
         self.submissions += 1
-        mine = bool(result.graded), result.source, result.score
+        mine = *order_of(result), result.score
         before = self.counted.get(result.student)
         if before is None or mine[:2] >= before[:2]:
             self.counted[result.student] = mine
@@ -83,6 +83,21 @@ class ClassReport:
                 others = judged - answers
                 if answers >= FEW and right <= SUSPICIOUS * answers and others and tally.right - right > others / 2:
                     yield problem, find, f"variant {variant}: {right} of {answers} right, of the others most"
+
+
+def order_of(result: Result) -> tuple[bool, str]:
+    """Of several submissions of a student that counts which is last by this: was anything graded, and its file."""
+    return bool(result.graded), result.source
+
+
+def counting(results: Iterable[Result]) -> dict[str, Result]:
+    """Of each student the submission that counts, in the order in which the students appear."""
+    found: dict[str, Result] = {}
+    for result in results:
+        before = found.get(result.student)
+        if before is None or order_of(result) >= order_of(before):
+            found[result.student] = result
+    return found
 
 
 @record

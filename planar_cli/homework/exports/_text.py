@@ -59,7 +59,7 @@ def bullets(lines: Iterable[str]) -> str:
 def slug(text: str, tail: str = "") -> str:
     """A file name of small letters, digits, `_` and `-`, at most 64 long, that no system reserves; ends in `tail`."""
     plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode().lower()
-    name = re.sub(r"[^a-z0-9_-]+", "-", plain).strip("-_")[: LONGEST_NAME - len(tail)].rstrip("-_") or "unnamed"
+    name = re.sub(r"[^a-z0-9_]+", "-", plain).strip("-_")[: LONGEST_NAME - len(tail)].rstrip("-_") or "unnamed"
     return f"{name}_" if _RESERVED.fullmatch(name + tail) else name + tail
 
 

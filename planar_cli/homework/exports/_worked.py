@@ -13,7 +13,7 @@ from planar_cli.homework.exports._text import html, xml
 from planar_cli.records import record
 
 _PIECES = re.compile(
-    r"\\(?P<escaped>[^\w\s])"
+    r"\\(?P<escaped>[^\w\s]|_)"
     r"|\$(?P<math>(?:\\.|[^$\\])+)\$"
     r"|\*\*(?P<strong>(?:\\.|[^*\\])+)\*\*"
     r"|\*(?P<em>(?:\\.|[^*\\])+)\*"

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import ClassVar, final
 
+from planar_cli.homework.class_report import counting
 from planar_cli.homework.exports._text import one_line, slug, table
 from planar_cli.homework.exports.base import Exported, ResultExport
 from planar_cli.homework.paper import Result
@@ -19,7 +21,8 @@ class Canvas(ResultExport):
 
     The file
         `Student,ID,SIS User ID,SIS Login ID,Section` and a column with the title of the homework; below the header the
-        points that are possible, then one row for each student. The name that the submission states stands under
+        points that are possible, then one row for each student; of several submissions of one the last counts that can
+        be graded. The name that the submission states stands under
         `Student`, and under `SIS Login ID` too where it is one word.
 
     To import it
@@ -35,8 +38,8 @@ class Canvas(ResultExport):
     def export(self, results: Sequence[Result], title: str, excel: bool = False) -> Exported:
         possible = max((r.max_score for r in results), default=0.0)
         rows: list[tuple[str | float, ...]] = [(*HEADER, one_line(title)), (POINTS, "", "", "", "", possible)]
-        left_out, seen = [], set[str]()
-        for result in results:
+        left_out = []
+        for result in counting(results).values():
             login = result.student if len(result.student.split()) == 1 else ""
             rows.append((result.student, "", "", login, "", result.score if result.graded else ""))
             if not result.graded:
@@ -45,7 +48,10 @@ class Canvas(ResultExport):
                 left_out.append(
                     f"{one_line(result.student)}: the score is out of {result.max_score:g}, not {possible:g}"
                 )
-            if result.student in seen:
-                left_out.append(f"{one_line(result.student)}: two submissions; Canvas keeps the score of the last row")
-            seen.add(result.student)
+        several = Counter(result.student for result in results)
+        left_out += [
+            f"{one_line(student)}: {number} submissions; the last that could be graded counts"
+            for student, number in several.items()
+            if number > 1
+        ]
         return Exported({f"{slug(title, '-canvas')}.csv": table(rows, excel)}, tuple(left_out))
