@@ -114,3 +114,14 @@ def test_what_is_asked_or_stated_counts_in_its_sense(stem: str, lines: list[str]
     """A wheel rolls as its centre is asked, `cw` counts clockwise, a falling weight falls."""
     page = _page(stem)
     assert [x for x in lines if x not in page] == []
+
+
+def test_wheels_that_roll_as_a_velocity_is_asked() -> None:
+    """From rest, over time: v to the right is asked, so that the wheels count clockwise."""
+    page = _page("textbook/ex-4-18")
+    for told in (
+        "the angle by which the rear has turned, clockwise",
+        "↻ H_A: J_OAx r + M t_2 = I_r ω_rear,2",
+        "v = r ω_rear,2",
+    ):
+        assert told in page

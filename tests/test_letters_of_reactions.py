@@ -16,4 +16,4 @@ def test_a_point_with_an_index_is_written_in_one(force: str, impulse: str) -> No
 
 
 def test_on_a_page() -> None:
-    assert "J_OAx → at O_A, J_OAy ↑ at O_A, J_N,A ↑ at A" in page_of_file("ex-4-18")
+    assert "J_OAx → at O_A, J_F,A → at A" in page_of_file("ex-4-18")

@@ -7,7 +7,7 @@ from typing import Any
 
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
-from planar_cli.problem.expression import Part, PointPair, Quantity
+from planar_cli.problem.expression import AtRest, Part, PointPair, Quantity
 from planar_cli.problem.facts import Joining, Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -16,20 +16,38 @@ from planar_cli.problem.scene import GROUND
 def rolling_as_asked(
     scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
 ) -> dict[str, int]:
-    """The sense, 1 counterclockwise and -1 clockwise, in which the only body that turns among others rolls from rest on
-    the ground, where the finds ask for the acceleration of its centre, all the same way.
+    """The sense, 1 counterclockwise and -1 clockwise, in which wheels roll from rest on the ground, where the finds ask
+    for the acceleration of the centre of the only one that turns among others, all the same way; over time for the
+    velocity of anything that goes with them.
     """
+    over_time = bool(scene.problem.states)
     turning = [b for b in scene.bodies if scene.rigid(b)]
-    if len(scene.bodies) == 1 or len(turning) != 1 or scene.problem.states or None not in statements.rest:
+    if len(scene.bodies) == 1 or (not over_time and len(turning) != 1) or not _rests(scene, statements):
         return {}
     found: dict[str, set[int]] = {}
     for joining in (j for _, ways in modes if len(ways) == 1 for j in ways[0].facts.joinings):
         wheel = joining.mover if joining.base == GROUND else joining.base
         if joining.rolling is None or GROUND not in (joining.mover, joining.base) or wheel == GROUND:
             continue
-        for way in _asked_ways(scene, wheel):
+        for way in _velocities(scene) if over_time else _asked_ways(scene, wheel):
             found.setdefault(wheel, set()).add(_sense(scene, joining, wheel, way))
     return {wheel: sense for wheel, senses in found.items() if len(senses) == 1 for sense in senses if sense}
+
+
+def _rests(scene: Scene, statements: Statements) -> bool:
+    """Does everything start from rest?"""
+    if not scene.problem.states:
+        return None in statements.rest
+    first = scene.problem.states[0].relations
+    return any(isinstance(s, AtRest) and s.body is None for s in first) and not scene.problem.coordinates
+
+
+def _velocities(scene: Scene) -> Iterable[Vec]:
+    """The directions along which velocities are asked."""
+    for find in scene.problem.find:
+        what = find.found.what
+        if isinstance(what, Quantity) and what.word == "v" and len(what.things) == 1:
+            yield from (way for part in what.parts if (way := _direction(scene, part)) is not None)
 
 
 def _asked_ways(scene: Scene, wheel: str) -> Iterable[Vec]:

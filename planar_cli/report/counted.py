@@ -96,8 +96,12 @@ def _clockwise(phrases: Phrases, edge: Edge, system: System) -> Line:
 
 
 def clockwise(letter: Math, edge: Edge) -> Line:
-    """That a rotation counts clockwise, as all loads turn the body that way about the point that holds it."""
+    """That a rotation counts clockwise, as all loads turn the body that way about the point of the ground that holds
+    it; of a body that others carry that it turns so.
+    """
     assert edge.joining is not None
+    if edge.parent != GROUND:
+        return line(letter, f" is counted clockwise, the way in which {with_article(edge.body)} turns.")
     why = f" is counted clockwise, the way in which the loads turn {with_article(edge.body)} about "
     return line(letter, why, Name(edge.joining.place.replace("_", ",")), ".")
 

@@ -7,6 +7,7 @@ that the equations of momentum do not leave out.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -19,6 +20,8 @@ from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
 
+BETWEEN = ",  "
+"""Stands between the impulses of a diagram."""
 ASSUMED = " (assumed)"
 IMPULSES = ("impulses", "momenta")
 """What stands over both sides of such diagrams."""
@@ -60,8 +63,43 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
             return
         if row.body in bodies and left is not None and right is not None:
             rows.append(Forces(row.body, left, right, IMPULSES))
-    yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} (J: impulse of a reaction)"))
-    yield from rows
+    level = [_level(row) for row in rows]
+    upright = {s.name for row, kept in zip(rows, level, strict=True) for s in _letters(row) - _letters(kept)}
+    left_out = any(row != kept for row, kept in zip(rows, level, strict=True)) and not used & upright
+    left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in _entries(row.right))
+    note = "J: impulse of a reaction" + ("; the vertical impulses do not enter" if left_out else "")
+    yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} ({note})"))
+    yield from level if left_out else rows
+
+
+def _level(row: Forces) -> Forces:
+    """A diagram without vertical impulses."""
+    kept = [e for e in _entries(row.left) if _is_level(e) or _turns(e)]
+    return replace(row, left=line(*(p for i, e in enumerate(kept) for p in (BETWEEN, e)[i == 0 :])))
+
+
+def _entries(side: Line) -> Iterator[Line]:
+    """What acts, one by one."""
+    entry: list[Any] = []
+    for piece in side:
+        if piece == Text(BETWEEN):
+            yield tuple(entry)
+            entry = []
+        else:
+            entry.append(piece)
+    yield tuple(entry)
+
+
+def _is_level(entry: Line) -> bool:
+    return any(isinstance(p, Text) and ("→" in p.text or "←" in p.text) for p in entry)
+
+
+def _turns(entry: Line) -> bool:
+    return any(isinstance(p, Text) and ("↺" in p.text or "↻" in p.text) for p in entry)
+
+
+def _letters(row: Forces) -> set[sp.Symbol]:
+    return {s for p in row.left if isinstance(p, Math) for s in p.expr.free_symbols}
 
 
 def _between(since: str, stop: str, found: MotionTrace) -> sp.Expr | None:

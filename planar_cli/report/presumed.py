@@ -47,8 +47,9 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
     for put in _placed(part, phrases):
         yield Note("Assume", put)
     if light := _without_mass(part):
-        neglected = "it is neglected, or counted with another body"
-        yield Note("Assume", line(f"No mass of {' and of '.join(light)} is given: {neglected}."))
+        neglected = "only its rotation is added" if len(light) == 1 else "only their rotation is added"
+        masses = "a mass that is not given is neglected, or counted with another body"
+        yield Note("Assume", line(f"Of {' and '.join(light)} {neglected}: {masses}."))
     if part.motion is None:
         return
     for knot in balanced_knots(part.motion.problem):
