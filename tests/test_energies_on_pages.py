@@ -24,7 +24,7 @@ def page(stem: str) -> str:
     ("ex-4-17", "U of the spring OB = 1/2 k (s_1² - s_2²) = 1/2 · 400 (0.13"),
     ("ex-4-17", "v_B,2 = 2 l θ̇_2 sin θ_2 = 0.5 θ̇_2"),
     ("ex-4-17", "1/2 m v_G,AB,2² + 1/2 I_AB θ̇_2²"),
-    ("ex-4-10", "y_G,1 = 1/2 l sin θ_1 + y_A,1 = 1/2 · 0.4 sin(-45°) + 0.2828 = 0.1414 m"),
+    ("ex-4-10", "y_G,1 = √2 l/4 = √2 · 0.4 / 4 = 0.1414 m"),
     ("box-that-tips-over", "m g (y_G,2 - y_G,3) = 40 · 9.81 (0.5 - 0.5831) = -32.61 J"),
     ("box-that-tips-over", "T_2 = 1/2 I_C ω_2² = 9.067 ω_2²"),
     ("ex-4-10", "v_G,2 = 1/2 l ω_2 B is the instantaneous centre of AB"),
@@ -111,7 +111,7 @@ def test_the_root_of_a_time_by_the_start() -> None:
     assert "the first such time after the start" in page("ex-1-07")
     assert "the positive root, as t_rest > 0" in page("turntable-run")
     # Where the velocity is known already, no root of a time is left to choose.
-    assert "v_half = v0 - g t_half (5): t_half = (v0 - v_half)/g" in page("ex-1-06")
+    assert "v_half = v0 - g t_half (4): t_half = (v0 - v_half)/g" in page("ex-1-06")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -129,7 +129,7 @@ def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("ex-4-10", "T_2: 1/2 k (s_1² - s_2²) + m g (y_G,1 - y_G,2) = 1/6 m l² ω_2² (2) in numbers: 13.87"),
+    ("ex-4-10", "T_2: 1/2 k (s_1² - s_2²) + m g (y_G,1 - y_G,2) = 1/6 m l² ω_2² (1) in numbers: 13.87"),
     ("ex-4-13", "m g AG (cos φ_max - 1) + 1/2 I_A ω_2² = 0 (2) in numbers: 117.7 cos φ_max - 54.44 = 0 in J"),
     ("ex-4-17", "1/2 k (s_1² - s_2²) - m g l sin θ_2 ="),
 ])  # fmt: skip
@@ -137,8 +137,8 @@ def test_a_balance_is_in_letters_before_its_numbers(stem: str, line: str) -> Non
     assert line in page(stem)
 
 
-def test_a_guide_keeps_a_point_on_its_line() -> None:
-    assert "At 2, B stays on its line: (1) 0 = l sin θ_2 (1): θ_2 = 0° not 180°" in page("ex-4-10")
+def test_a_guide_lays_a_rod_level() -> None:
+    assert "At 2, AB is horizontal: θ_2 = 0 From 1 to 2" in page("ex-4-10")
 
 
 def test_equations_that_are_counted_are_those_that_are_named() -> None:
@@ -234,7 +234,7 @@ def test_a_speed_that_is_no_product_has_a_place() -> None:
     told = page("ex-4-17")
     place = "x_G,AB,2 = -3/2 l cos θ_2, y_G,AB,2 = 1/2 l sin θ_2 differentiated: "
     assert told.index(place) < told.index("v_G,AB,2 = 1/2 l") < told.index("y_G,OA,2 = 1/2 l sin θ_2")
-    assert "y_G,AB,1 = -1/2 l sin β_1 y_G,AB,1 - y_G,AB,2 = x_max/4" in page("ex-4-11")
+    assert "y_G,1 - y_G,2 = x_max/2" in page("ex-4-11")
 
 
 def test_the_sum_from_which_a_line_goes_on_stands_before_it() -> None:

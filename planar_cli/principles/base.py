@@ -179,6 +179,8 @@ class EnergyParts:
     """Of every body at the end of the balance, in letters of that state."""
     storages: tuple[Storage, ...]
     """Of the sources that have a potential of such parts."""
+    midway: tuple[tuple[tuple[str, ...], str], ...] = ()
+    """Of several equal bodies, between which points their common mass centre is halfway, in words."""
 
 
 @record

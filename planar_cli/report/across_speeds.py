@@ -7,8 +7,9 @@ At these states, among them the nearest and the farthest, r does not change: v =
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
+from itertools import takewhile
 from typing import Any
 
 import sympy as sp
@@ -18,8 +19,11 @@ from planar_cli.equation.ledger import Role
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.reading import listed
 from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.polar import POLAR
+from planar_cli.report.said import letter_of
 from planar_cli.report.state_words import place
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Result, RouteStep, RouteTrace
 from planar_cli.solve.instant.roots import Root
@@ -61,12 +65,24 @@ def with_across_speeds(part: PartSolution) -> PartSolution:
 
 
 def across_meanings(motion: MotionTrace) -> dict[sp.Symbol, Line]:
-    """What the speeds are: v_1 = r_1 φ̇_1, the speed at 1, where ṙ = 0."""
-    told: dict[sp.Symbol, Line] = {}
-    for turning, (v, r) in _speeds(motion).items():
-        state = place(str(motion.ledger.roles[v].at))
-        told[v] = line(Math(v), " = ", Math(r * turning), f": the speed {state}, where ", Name("r_dot"), " = 0")
-    return told
+    """What the speeds are: v_1, v_2: the speeds at 1 and 2, perpendicular to the radius there."""
+    speeds = list(dict.fromkeys(v for v, _ in _speeds(motion).values()))
+    letters = [p for v in speeds for p in (", ", Math(v))][1:]
+    states = listed([place(str(motion.ledger.roles[v].at)).removeprefix("at ") for v in speeds], "and")
+    plural = "s" if len(speeds) > 1 else ""
+    told = line(*letters, f": the speed{plural} at {states}, perpendicular to the radius (", Name("r_dot"), " = 0)")
+    return dict.fromkeys(speeds, told)
+
+
+def without_polar_velocities(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks without v = ṙ e_r + r φ̇ e_φ, of which nothing is used where the speeds across the radius are told."""
+    skipped: list[Block] = []
+    for i, block in enumerate(blocks):
+        own = [b for b in takewhile(lambda b: isinstance(b, Equation), blocks[i + 1 :]) if isinstance(b, Equation)]
+        if isinstance(block, Paragraph) and any(isinstance(p, Text) and POLAR in p.text for p in block.line):
+            skipped = [block, *own] if len(own) == 1 and letter_of(own[0].sides[0]).startswith("v") else []
+        if not any(b is block for b in skipped):
+            yield block
 
 
 def _speeds(motion: MotionTrace) -> Speeds:

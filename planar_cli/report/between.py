@@ -28,6 +28,7 @@ from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.report.put_in import put_in
+from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.sides import said
 from planar_cli.report.spread import spread
 from planar_cli.report.standing import standing, standing_lines
@@ -61,6 +62,8 @@ class BetweenTelling:
     """What vanishes by relations of places from which these follow together with the equation at hand."""
     long: bool = False
     """Is its solution a long formula?"""
+    lettered: bool = False
+    """Does it come as a formula of letters, in which numbers are put in last?"""
     told: set[str] = field(default_factory=set)
     stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
     """Stretches of springs, heights and kinetic energies that were told."""
@@ -77,6 +80,11 @@ class BetweenTelling:
     """Impulses that the file says are zero, each with the state before its blow."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies."""
+
+    drawn: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Letters of states in the given position, with what they are in letters of the file."""
+    springs: Mapping[str, tuple[str, sp.Symbol]] = field(default_factory=dict)
+    """By their words those that have a natural length: their length by their ends, and the letter of that."""
 
     finite: FiniteForces | None = None
     """The finite forces whose impulses are negligible."""
@@ -99,7 +107,7 @@ class BetweenTelling:
 
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
-        return put if longer(put, LONGEST) else simplified(put)
+        return put if longer(put, LONGEST) else with_reciprocals(simplified(put))
 
     # --- balances ----------------------------------------------------------------------------------------------------
 
@@ -120,18 +128,19 @@ class BetweenTelling:
             yield whole
             return
         first, last = f"{law.letter}__{b.since}", f"{law.letter}__{b.stop}"
-        yield Equation((line(Name(first)), self.phrases.math(before)))
         telling = EnergyTelling(b, self.unknowns, self.phrases, self.plain, set(), ())
         still = standing(telling)
-        yield from standing_lines(telling)
         after = self._put(after - sp.Add(*still.values())) if still else after
         amounts = [(body, put) for body, e in b.amounts if body not in still and (put := self._put(e)) != 0]
+        at_rest = before == 0 and not amounts and not still
+        yield Equation((line(Name(first)), *([line(Name(last))] if at_rest else []), self.phrases.math(before)))
+        yield from standing_lines(telling)
         for i, bodies in told_of_each(amounts).items():
             each = f" of {bodies}" if len(amounts) > 1 else ""
             put = amounts[i][1]
             own = [body for body, e in amounts if e == put]
             yield from telling.in_letters(own, put, line(Name(last), each))
-        if len(amounts) > 1 or not amounts:
+        if len(amounts) > 1 or not (amounts or at_rest):
             yield Equation((line(Name(last)), self.phrases.math(after)))
         brought = [(words, put) for words, e in b.brought if (put := self._put(e)) != 0]
         for i, words in weights_of_each(brought).items():
@@ -148,9 +157,7 @@ class BetweenTelling:
 
     def _energies(self, b: BalanceTrace, number: int) -> Iterator[Block]:
         """Energies one by one with their numbers, then their balance."""
-        telling = EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
-        yield from by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
         gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
         parts = [put for put in (self._put(b.before), *gains) if put != 0]
@@ -159,6 +166,10 @@ class BetweenTelling:
         apart = bool(self.geometry) or (gain.is_Mul and bool(gain.free_symbols & set(self.unknowns)))
         whole = self._put(b.before) + (sp.Add(*gains) if apart else gain)
         told = self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
+        bare = self.lettered and number not in self.counted
+        made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
+        telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)
+        yield from by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
         sides = self._in_letters(telling) if number in self.counted else ()
         if sides:
             yield Equation(sides, number, lead)

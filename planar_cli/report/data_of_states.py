@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from decimal import Decimal
 from typing import Any
 
 from planar_cli.problem.expression import Relation
@@ -18,6 +19,7 @@ from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 
 COMPONENTS = ("x", "y", ",x", ",y")
 """What a component has behind the letter of what moves along one axis alone."""
+SAME = Decimal("1e-20")
 
 
 def datum_blocks(
@@ -40,7 +42,7 @@ def datum_blocks(
         stated = said_there if _is_number(r, phrases[0]) else None
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
-        if headed and len(sides) == 2 and _is_repeated(said_there, r):
+        if headed and (_is_datum_of_file(r, found) or (len(sides) == 2 and _is_repeated(said_there, r))):
             continue
         if stated is None or gives(stated, r.value, phrases[1]):
             another = list(given_by_another(e, r, found, phrases)) if e.kind == "given" and stated is None else []
@@ -58,6 +60,14 @@ def datum_blocks(
 def _is_number(r: Result, phrases: Phrases) -> bool:
     """Does it rest on numbers of the file alone?"""
     return r.value.is_finite() and (not phrases.symbolic if r.formula is None else bool(r.formula.is_number))
+
+
+def _is_datum_of_file(r: Result, found: MotionTrace) -> bool:
+    """Is it what the file gives under the name that it has in print: r_A, and r in state A?"""
+    name, ledger = plain_name(r.unknown.name.replace("__", "_")), found.ledger
+    own = next((s for s in (*ledger.values, *ledger.definitions) if plain_name(s.name) == name), None)
+    given = None if own is None or own.name not in {g.name for g in found.problem.given} else found.value.known(own)
+    return given is not None and found.value.known(r.unknown) is not None and abs(given - r.value) <= SAME * abs(given)
 
 
 def _is_repeated(stated: Stated | None, r: Result) -> bool:

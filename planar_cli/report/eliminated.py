@@ -19,6 +19,7 @@ from planar_cli.report.blocks import Equation, Line, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.notation import plain
 from planar_cli.report.origins import sides_of
+from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.results import numbered
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, Relation, Result, RouteStep, RouteTrace
@@ -68,7 +69,7 @@ def with_others_put_in(
     found = min(_ways(written, first, others), key=lambda p: _effort(p, ranks), default=None)
     if found is None or any(longer(side, LONGEST) for side in found.sides):
         return ()
-    left, right = (phrases.math(side) for side in found.sides)
+    left, right = (phrases.math(with_reciprocals(side)) for side in found.sides)
     known = phrases.value.vanishes(found.sides[0] - found.sides[1])
     if not known or len(plain(left.expr) + plain(right.expr)) > WIDE or not is_clean(phrases.ledger, *found.sides):
         return ()

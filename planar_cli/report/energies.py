@@ -5,79 +5,90 @@ v_G and ω by the unknown speed, T = m v_G²/2 + I ω²/2;  U = m g (y_1 - y_2);
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from decimal import Decimal
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.common_factors import together
+from planar_cli.equation.counting import operations
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.ledger import NAMED
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving, Storage
 from planar_cli.records import record
-from planar_cli.report.alike import WEIGHT, told_of_each, weights_of_each
+from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.centre_speeds import centre_lines
 from planar_cli.report.clean import is_clean
-from planar_cli.report.energy_pieces import SHORT, STATE, EnergyPieces, fits, has_root
+from planar_cli.report.common_centre import common_centre
+from planar_cli.report.energy_pieces import SHORT, STATE, fits, has_root
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.inertias import inertia_of
-from planar_cli.report.notation import plain
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
-from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.standing import standing_lines
-from planar_cli.report.words import told_unit
+from planar_cli.report.weights import WeightTelling
 from planar_cli.report.works import work_integral
 from planar_cli.units import (
-    ENERGY,
-    FORCE,
     INERTIA,
     LENGTH,
     MASS,
     RATE,
     STIFFNESS,
     VELOCITY,
-    Dimension,
-    parse_unit,
-    pretty_unit,
 )
 
 FEW = 8  # With more operations a speed is told in numbers.
+NARROW = 60
+"""Characters of a chain beside its words."""
 UNITS = {"v": ("m/s", VELOCITY), "omega": ("rad/s", RATE)}
 
 
 @record
-class EnergyTelling(EnergyPieces):
+class EnergyTelling(WeightTelling):
     """Tells the parts of one balance, one after the other."""
 
     def lines(self) -> Iterator[Block]:
         """T at the beginning and at the end, and what every source brings."""
         b = self.balance
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
-        yield self._once(first, self._put(b.before))
-        self._note("before", self._put(b.before))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
-        yield from standing_lines(self)
+        sources = [(words, put) for words, e in b.brought if not self._vanishes(put := self._put(e))]
+        shared = common_centre(self, sources)
+        yield from () if shared is None else [shared.place(self)]
+        resting = list(standing_lines(self))
+        still = not amounts and not resting and self._put(b.before) == 0
+        if still:
+            yield self._at_rest(first, last)
+        elif self._put(b.before) != 0 or (sp.Symbol(first, real=True), sp.S.Zero) not in self.told:
+            yield self._once(first, self._put(b.before))
+        self._note("before", self._put(b.before))
+        yield from resting
         bodies = told_of_each(amounts)
         for i, (body, put) in enumerate(amounts):
             self._note(f"T of {body}", put)
             if i in bodies:
                 each = f" of {bodies[i]}" if len(amounts) > 1 else ""
                 yield from self._amount(body, put, line(Name(last), each))
-        if not amounts:
-            yield Equation((line(Name(last)), self.phrases.math(sp.S.Zero)))
-        elif len(amounts) > 1:
+        if not amounts and not still:
+            yield self._at_rest(last, last)
+        elif len(amounts) > 1 and not (self.bare and self._is_sought(self._put(b.after))):
             yield self._line(line(Name(last)), *self._summed(self._put(b.after)))
         springs = sum(s.power == 2 for s in b.parts.storages) if b.parts is not None else 0
-        sources = [(words, put) for words, e in b.brought if not self._vanishes(put := self._put(e))]
         told = weights_of_each(sources)
         for i, (words, put) in enumerate(sources):
             self._note(f"U of {words}", put)
-            if i in told:
+            if shared is not None and i in shared.indices:
+                yield from shared.lines(self) if i == shared.indices[0] else ()
+            elif i in told:
                 yield from self._brought(words, put, springs > 1, told[i])
+
+    def _at_rest(self, *names: str) -> Equation:
+        """T_1 = T_2 = 0; of a state of which that was said, the other one."""
+        own = {name: (sp.Symbol(name, real=True), sp.S.Zero) for name in names}
+        new = [name for name in names if own[name] not in self.told] or names[1:]
+        self.told.update(own.values())
+        return Equation((*(line(Name(name)) for name in new), self.phrases.math(sp.S.Zero)))
 
     def _once(self, name: str, put: sp.Expr) -> Equation:
         """A kinetic energy with its formula and numbers; where these stand above, its value."""
@@ -210,9 +221,10 @@ class EnergyTelling(EnergyPieces):
         last = self._summed(expr, unit)
         components = self._components(made, expr, moving) if kind == "v" and has_root(expr) else None
         if components is not None:
-            return self.phrases.math(components), *last
+            return self.phrases.math(components), *(() if self.bare and moving else last)
         if few and moving:
-            return (*letters, *last) if expr.has(sp.sin, sp.cos, sp.tan) or has_root(expr) else letters
+            numbers = not self.bare and (expr.has(sp.sin, sp.cos, sp.tan) or has_root(expr))
+            return (*letters, *last) if numbers else letters
         return (*letters, *(self.phrases.substituted(expr, last[0]) if few else ()), *last)
 
     def _components(self, made: Moving, expr: sp.Expr, moving: Collection[sp.Symbol]) -> sp.Expr | None:
@@ -255,7 +267,9 @@ class EnergyTelling(EnergyPieces):
         made = next((s for s in storages if s.words == words), None)
         if made is None or (made.power == 2 and self._at_sight(made, put)):
             whole = () if made is not None else work_integral(self.balance, words, self.plain, self.phrases)
-            yield self._line(lead, *whole, *self._chain(put))
+            sides = self._chain(put)
+            lettered = self.bare and isinstance(sides[0], Math) and not fits(sides)
+            yield self._line(lead, *whole, *(sides[:1] if lettered else sides))
         elif made.power == 1:
             yield from self._weight(made, put, lead)
         else:
@@ -266,91 +280,6 @@ class EnergyTelling(EnergyPieces):
         ends = [self._put(made.first), self._put(made.last)]
         return self._short(put) and sp.S.Zero in ends and not any(longer(e, 1) or e.is_number for e in ends if e != 0)
 
-    def _weight(self, made: Storage, put: sp.Expr, lead: Line) -> Iterator[Block]:
-        """m g (y_1 - y_2); the heights in a line before, where they come with their numbers."""
-        ends = [self._put(e) for e in (made.first, made.last)]
-        if self._short(put) and all(e.is_Symbol or e == 0 for e in ends):
-            yield self._line(lead, *self._chain(put))
-            return
-        own = [sp.Symbol(f"{made.letter}{STATE}{n}", real=True) for n in (self.balance.since, self.balance.stop)]
-        factor, sizes = self._factor(made, FORCE)
-        if (arm := self._by_arm(made, put)) is not None:
-            self.letters[f"U of {made.words}"] = arm
-            yield self._line(lead, self.phrases.math(arm), *self._numbers(put, ()))
-            return
-        told = sp.Mul(factor, sp.Add(own[0], -own[1], evaluate=False), evaluate=False)
-        heights = dict(zip(own, ends, strict=True))
-        numbers = self._with(told, heights, sizes)
-        sides = self._fitting(self._lettered(told, sizes), put, numbers)
-        if numbers and numbers[0] in sides:
-            yield from self._heights(heights)
-        elif len(sides) > 1 and not any(longer(e, SHORT) for e in ends):
-            yield from self._difference(heights) or self._heights(heights)
-        if numbers and numbers[0] in sides:
-            self.letters[f"U of {made.words}"] = None if sizes else told
-        yield self._line(lead, *sides)
-
-    def _by_arm(self, made: Storage, put: sp.Expr) -> sp.Expr | None:
-        """m g AG (cos φ - 1) of a body that turns about A, where AG is a number of the file; None: it is no such work,
-        or nothing on the page has named AG.
-        """
-        ledger, body = self.phrases.ledger, made.words.removeprefix(WEIGHT)
-        moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        centre = next((self.centre(m) for m in moving if m.body == body), "G")
-        if not put.free_symbols & set(self.unknowns) or self._short(put):
-            return None
-        for symbol, whole in ledger.definitions.items():
-            title = ledger.titles.get(symbol, "").removesuffix(", parallel axes")
-            place = title.removeprefix(f"moment of inertia of {body} about ")
-            own = [s for s in whole.free_symbols if ledger.titles.get(s) == f"moment of inertia of {body}"]
-            if place == title or len(own) != 1:
-                continue
-            square = simplified((whole - own[0]) / self._mass(body))
-            rest = simplified(put / made.factor / sp.sqrt(square)) if square.is_number and square > 0 else sp.S.Zero
-            if rest.free_symbols and all(abs(n) == 1 for n in rest.atoms(sp.Number)):
-                letter = sp.Symbol(f"{place}{centre}", positive=True)
-                ledger.know(letter, parse_unit("m"), NAMED)
-                return made.factor * letter * rest
-        return None
-
-    def _mass(self, body: str) -> sp.Expr:
-        moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        return next((m.mass for m in moving if m.body == body), sp.S.One)
-
-    def _heights(self, ends: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
-        """y_1 = formula = number, and y_2: each once, but again where it has a number that was still to be found."""
-        for own, expr in ends.items():
-            known = self.phrases.value.known(own) is not None
-            if (own, expr) not in self.told and expr != own and not (known and expr.is_number):
-                if not expr.free_symbols & set(self.unknowns):
-                    self.told.add((own, expr))
-                yield self._line(Math(own), *self._length(expr), dimension=LENGTH)
-
-    def _difference(self, ends: Mapping[sp.Symbol, sp.Expr]) -> list[Block]:
-        """y_1, and y_1 - y_2 where it is a multiple of what is sought, as both heights are of one that is asked for."""
-        (one, first), (two, last) = ends.items()
-        (u, *more) = sorted(last.free_symbols & set(self.unknowns), key=str) or (sp.S.One, sp.S.One)
-        way = sp.S.Zero if more else -simplified(sp.diff(last, u)) * u
-        rest = first - last.xreplace({u: sp.S.Zero})
-        if not way.as_coeff_Mul()[1].is_Symbol or first in (0, rest) or not self._vanishes(rest):
-            return []
-        told = (one, first) in self.told or first == one
-        self.told.add((one, first))
-        height = [] if told else [Equation((Math(one), self.phrases.math(first)))]
-        return [*height, Equation((Math(sp.Add(one, -two, evaluate=False)), self.phrases.math(way)))]
-
-    def _factor(self, made: Storage, dimension: Dimension) -> tuple[sp.Expr, dict[sp.Symbol, Decimal]]:
-        """m g or k; a number, where letters alone do not make it."""
-        if is_clean(self.phrases.ledger, made.factor, dimension=dimension):
-            return self.phrases.neat(made.factor), {}
-        number = sp.Symbol(f"{NUMBER}factor", positive=True)
-        return number, {number: self.phrases.of_dimension(self.phrases.value(made.factor), dimension).number}
-
-    def _lettered(self, told: sp.Expr, factor: Mapping[sp.Symbol, Decimal]) -> Math:
-        """A formula of heights or stretches."""
-        # Of heights the later one is taken from the earlier one, whichever is the greater.
-        return Math(told, {s: significant(x, self.phrases.figures) for s, x in factor.items()})
-
     def _spring(self, made: Storage, put: sp.Expr, lead: Line, several: bool, each: str) -> Iterator[Block]:
         """k (s_1² - s_2²)/2, the stretches in lines of their own, each once."""
         letter = "delta" if made.letter in self.phrases.ledger.symbols else made.letter
@@ -358,25 +287,33 @@ class EnergyTelling(EnergyPieces):
         ends = {}
         for state, expr in ((self.balance.since, made.first), (self.balance.stop, made.last)):
             own = sp.Symbol(f"{letter}_{name}{STATE}{state}" if several else f"{letter}{STATE}{state}", real=True)
-            ends[own] = self._put(expr)
+            ends[own] = self._as_drawn(self._put(expr))
             if (own, ends[own]) not in self.told:
                 self.told.add((own, ends[own]))
-                stretch = line(f"stretch of the {each}, ", Math(own))
-                yield self._line(stretch, *self._length(ends[own]), dimension=LENGTH)
+                yield self._stretch(line(f"stretch of the {each}, ", Math(own)), made, state, ends[own])
         one, two = ends
         inside = sp.Add(one**2, -(two**2), evaluate=False)
         factor, sizes = self._factor(made, STIFFNESS)
         told = sp.Mul(sp.Rational(1, 2), factor, inside, evaluate=False)
         self.letters[f"U of {made.words}"] = None if sizes else told
-        yield self._line(lead, self._lettered(told, sizes), *self._numbers(put, self._with(told, ends, sizes)))
+        shown = self._numbers(put, self._with(told, ends, sizes))
+        if self.bare and self._is_sought(put) and operations(put) > operations(told):
+            shown = ()
+        yield self._line(lead, self._lettered(told, sizes), *shown)
 
-    def _line(self, *sides: Any, dimension: Dimension = ENERGY) -> Equation:
-        """One energy or length, with its unit where numbers stand beside unknowns; no side stands twice."""
-        shown = [plain(s.expr, s.values) if isinstance(s, Math) else "" for s in sides]
-        sides = tuple(s for i, s in enumerate(sides) if not i or not shown[i] or shown[i] != shown[i - 1])
-        mixed = isinstance(sides[-1], Math) and sides[-1].values
-        unit = coherent_unit(dimension, us=self.phrases.ledger.us)
-        return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
+    def _stretch(self, lead: Line, made: Storage, state: str, stretch: sp.Expr) -> Equation:
+        """s_1 = CB_1 - l_0 = formula = number, where the spring has a natural length; of none that it is nought."""
+        name, natural = self.springs.get(made.words, ("", None))
+        letter = sp.Symbol(f"{name}{STATE}{state}", positive=True)
+        terms = sp.Add.make_args(stretch)
+        differs = natural is not None and not stretch.is_Symbol and not any(t.has(natural) for t in terms)
+        length = (Math(sp.Add(letter, -natural, evaluate=False)),) if differs else ()
+        if not self._is_sought(stretch) and self.phrases.value.is_zero(stretch):
+            why = () if length else line("unstretched there")
+            return Equation((lead, *length, self.phrases.math(sp.S.Zero)), None, note=why)
+        sides = self._length(stretch)
+        length = length if fits((*length, *sides), NARROW) else ()
+        return self._line(lead, *length, *sides, dimension=LENGTH)
 
 
 def _collected(omega: sp.Expr) -> sp.Expr:

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving
@@ -19,10 +20,12 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity
 from planar_cli.report.put_in import Writer, in_known, partly
+from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import (
     ENERGY,
+    FORCE,
     LENGTH,
     RATE,
     Dimension,
@@ -34,7 +37,10 @@ SHORT = 16
 """With more operations a formula of an energy is told by what it is made of."""
 WIDE = 94
 """So many characters of a chain fit into a line."""
+LONGER = 2
+"""By so many operations a height by the data alone may be longer than one by letters of a state."""
 STATE = "__"
+ARCS = (sp.asin, sp.acos, sp.atan)
 
 
 @record
@@ -53,6 +59,12 @@ class EnergyPieces:
     """What vanishes by relations that stand before, of which the unknowns are found together with this balance."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies, as they stand on the page."""
+    bare: bool = False
+    """Is the balance solved in letters? Then no numbers stand beside its unknowns, as no line would use them."""
+    drawn: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Letters of states in the given position, with what they are in letters of the file."""
+    springs: Mapping[str, tuple[str, sp.Symbol]] = field(default_factory=dict)
+    """By their words those that have a natural length: their length by their ends, and the letter of that."""
     letters: dict[str, sp.Expr | None] = field(default_factory=dict)
     """By its words each energy in the letters in which it was told; None: it has none."""
 
@@ -63,7 +75,7 @@ class EnergyPieces:
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
         short = by_geometry(put, self.geometry, self.unknowns)
-        return short if longer(short, SHORT * 4) else simplified(short)
+        return short if longer(short, SHORT * 4) else with_reciprocals(simplified(short))
 
     def centre(self, made: Moving) -> str:
         """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
@@ -72,9 +84,29 @@ class EnergyPieces:
         moving = self.balance.parts.moving if self.balance.parts is not None else ()
         return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
+    def is_neat(self, weight: sp.Expr) -> bool:
+        """Do letters alone make m g?"""
+        return is_clean(self.phrases.ledger, weight, dimension=FORCE)
+
+    def _as_drawn(self, measure: sp.Expr) -> sp.Expr:
+        """A height or stretch in the given position by the data alone, where that is no longer."""
+        if not measure.free_symbols & self.drawn.keys():
+            return measure
+        found = simplified(measure.xreplace(dict(self.drawn)))
+        # sin 60° is told as that, unless the file has roots in its places.
+        places = (e for e in self.drawn.values() if not e.is_number and not e.has(*ARCS))
+        waves = any(not e.free_symbols for e in found.atoms(sp.sin, sp.cos, sp.tan)) or found.has(*ARCS)
+        if waves or (has_number_root(found) and not any(map(has_number_root, places))):
+            return measure
+        return found if operations(found) <= operations(measure) + LONGER and self._short(found, LENGTH) else measure
+
+    def _is_sought(self, put: sp.Expr) -> bool:
+        """Does it rest on what the balance is solved for?"""
+        return bool(put.free_symbols & set(self.unknowns))
+
     def _vanishes(self, put: sp.Expr) -> bool:
         """Is it nothing, whatever is sought?"""
-        if put == 0 or put.free_symbols & set(self.unknowns):
+        if put == 0 or self._is_sought(put):
             return bool(put == 0 or self._summed(put)[0].expr == 0)
         return self.phrases.value.is_zero(put)
 
@@ -89,6 +121,8 @@ class EnergyPieces:
         letters = (self.phrases.math(put),) if self._short(put) and not put.is_number else ()
         value = last[0]
         substituted = tuple(self.phrases.substituted(put, value)) if letters and isinstance(value, Value) else ()
+        if not isinstance(value, Value) and self.bare and letters:
+            last = ()
         whole = (formula, *letters, *substituted, *last)
         if letters and fits(whole):
             return whole
@@ -98,8 +132,8 @@ class EnergyPieces:
 
     def _numbers(self, put: sp.Expr, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
         """What it is by the unknowns; or its value, after the numbers put in."""
-        if put.free_symbols & set(self.unknowns):
-            return self._summed(put)
+        if self._is_sought(put):
+            return (self.phrases.math(put),) if self.bare and self._short(put) else self._summed(put)
         return (*numbers, self._joule(put))
 
     def _chain(self, put: sp.Expr) -> tuple[Any, ...]:
@@ -107,11 +141,13 @@ class EnergyPieces:
         if put == 0:
             return (self.phrases.math(put),)
         about = self._about_axis(put)
-        if put.free_symbols & set(self.unknowns):
-            if about is not None:
-                return (self.phrases.math(about), *self._summed(put))
+        if self._is_sought(put):
+            formula = self.phrases.math(put if about is None else about)
+            if self.bare and (about is not None or self._short(put)):
+                return (formula,)
             shown = self._summed(put)
-            formula = self.phrases.math(put)
+            if about is not None:
+                return (formula, *shown)
             return (formula, *(s for s in shown if s != formula)) if self._short(put) else shown
         value = self._joule(put)
         if about is not None:
@@ -144,7 +180,7 @@ class EnergyPieces:
 
     def _summed(self, expr: sp.Expr, unit: str = "J") -> tuple[Any, ...]:
         """A formula with numbers for all but the unknowns. `unit`: of one that has none of these."""
-        if not expr.free_symbols & set(self.unknowns):
+        if not self._is_sought(expr):
             return (self._value(expr, parse_unit(unit)),)
         writer = Writer(self.unknowns, self.phrases)
         found = writer.written(expr)
@@ -159,9 +195,12 @@ class EnergyPieces:
         unit = self.phrases.ledger.units.get(letter)
         multiple = not more and unit is not None and unit.dimension == LENGTH and (expr / letter).is_number
         clean = bool(expr.free_symbols) and (multiple or self._short(expr, LENGTH))
-        if expr.free_symbols & set(self.unknowns):
+        if self._is_sought(expr):
             shown, formula = self._summed(expr, "m"), self.phrases.math(expr)
-            return (formula,) if expr.is_Symbol else (formula, *(s for s in shown if s != formula)) if clean else shown
+            if not clean:
+                return shown
+            single = expr.is_Symbol or self.bare
+            return (formula,) if single else (formula, *(s for s in shown if s != formula))
         value = self._value(expr, parse_unit("m"))
         if clean:
             return (self.phrases.math(expr), *self.phrases.substituted(expr, value), value)
@@ -189,12 +228,17 @@ class EnergyPieces:
         return () if found is None else (found,)
 
 
-def fits(sides: tuple[Any, ...]) -> bool:
+def fits(sides: tuple[Any, ...], wide: int = WIDE) -> bool:
     """Does a chain of formulas stand in one line?"""
     texts = (plain(s.expr, s.values) if isinstance(s, Math) else quantity(s.number, s.unit, s.figures) for s in sides)
-    return sum(len(t) + 3 for t in texts) <= WIDE
+    return sum(len(t) + 3 for t in texts) <= wide
 
 
 def has_root(expr: sp.Expr) -> bool:
     """Is there a root of a sum in it?"""
     return any(p.exp == sp.Rational(1, 2) and p.base.has(sp.Add) for p in expr.atoms(sp.Pow))
+
+
+def has_number_root(expr: sp.Expr) -> bool:
+    """Is there a root of a number in it?"""
+    return any(p.base.is_number and p.exp.is_Rational and not p.exp.is_Integer for p in expr.atoms(sp.Pow))

@@ -52,7 +52,7 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
         and (page.kinetic or b.name in joined or _is_placed(b.name, page))
     ]
     told = [(p, found) for p in (*places, *drops) if p.name not in page.built and (found := _place(p, figures))]
-    owners = {p.name: who for p, _ in told if (who := _at_it(p.name, problem, page))}
+    owners = {p.name: who for p, _ in told if (who := _at_it(p, problem, page))}
     if owners or any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
         yield from (*turning.values(), *(line(*found, _owned(p, owners)) for p, found in told))
     yield from (line(f"{b.name} {ends}") for b in problem.bodies if (ends := _ends(b, page)))
@@ -67,10 +67,15 @@ def _ends(body: Body, page: Mentioned) -> str:
     return f"{one}{other}" if plain and body.name not in (f"{one}{other}", f"{other}{one}") else ""
 
 
-def _at_it(name: str, problem: Problem, page: Mentioned) -> str:
-    """The particles at a point whose letters have its name, v_F of what is called A; empty: they are called so."""
+def _at_it(point: Point, problem: Problem, page: Mentioned) -> str:
+    """The particles at a point whose letters have its name, v_F of what is called A, or that is at a distance that
+    changes; empty: they are called so.
+    """
+    name = point.name
     bodies = [b.name for b in problem.bodies if isinstance(b.shape, Particle) and b.shape.place == name]
-    if name in bodies or page.letters.isdisjoint(f"{name}{axis}" for axis in ("", *AXES)):
+    reach = walk(point.place.distance) if isinstance(point.place, Polar) else ()
+    moved = {n.name for n in reach if isinstance(n, Name)} & {s.name for s in problem.coordinates}
+    if name in bodies or (not moved and page.letters.isdisjoint(f"{name}{axis}" for axis in ("", *AXES))):
         return ""
     return ", ".join(bodies)
 

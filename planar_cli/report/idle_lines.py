@@ -6,17 +6,23 @@ own for the reason of a root.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeGuard
 
-from planar_cli.report.blocks import Block, Equation, Forces, Math, Name, Paragraph, Text
+from planar_cli.report.blocks import Block, Equation, Forces, Math, Name, Paragraph, Text, Value
 from planar_cli.report.left_out import tells_the_root
 from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
+from planar_cli.report.said import said
 
 BLOW = "a blow takes no time"
 """The remark on the time of a state just after a blow."""
+DRAWN = "in the given position:"
+"""The end of the lead of what a place is as it is drawn."""
+MEANS = ": the angle "
+"""Begins what an angle is."""
 STILL = "nothing moves during a blow"
 """The remark on a place just after a blow."""
 
@@ -24,7 +30,8 @@ STILL = "nothing moves during a blow"
 def without_idle_lines(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     told = with_times_of_blows(list(said_above(blocks)))
-    return with_roots_beside(list(without_unused_places(told)))
+    told = with_roots_beside(list(without_unused_places(told)))
+    return without_told_values(told)
 
 
 def said_above(blocks: Sequence[Block]) -> Iterator[Block]:
@@ -69,12 +76,66 @@ def _carried(block: Block, remark: str) -> list[str]:
 
 
 def without_unused_places(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Blocks without a place that a blow does not change, where nothing else speaks of it."""
+    """Blocks without a place that a blow does not change, or that is drawn, where nothing else speaks of it."""
     spoken = Counter(name for block in blocks for name in _letters(block))
+    kept: list[Block] = []
     for block in blocks:
         names = _carried(block, STILL)
-        if len(names) != 2 or spoken[names[0]] > 1:
+        if len(names) == 2 and spoken[names[0]] == 1:
+            continue
+        if (own := _drawn(block)) is not None and spoken[own] == 1:
+            continue
+        if not _is_unused_meaning(block, spoken):
+            kept.append(block)
+    return _without_unused_angles(kept, spoken)
+
+
+def _is_unused_meaning(block: Block, spoken: Mapping[str, int]) -> bool:
+    """Does it only say what an angle is of which nothing else speaks, at no state, nor of its rate?"""
+    if not isinstance(block, Paragraph) or len(block.line) != 2:
+        return False
+    match block.line:
+        case (Math(expr), Text(text)) if expr.is_Symbol and text.startswith(MEANS):
+            family = [n for n in spoken if n == expr.name or n.startswith((f"{expr.name}__", f"{expr.name}_d"))]
+            return sum(spoken[n] for n in family) <= 1
+    return False
+
+
+def _without_unused_angles(blocks: Sequence[Block], spoken: Mapping[str, int]) -> Iterator[Block]:
+    """Blocks in which a condition of a state stands by itself, `At 3, x_G = 0.`, where nothing else speaks of the angle
+    that it gives.
+    """
+    left = 0
+    for i, block in enumerate(blocks):
+        if left:
+            left -= 1
+            continue
+        after = blocks[i + 1 : i + 3]
+        words = _leading(block)
+        if words and isinstance(block, Paragraph) and len(after) == 2 and _gives_an_angle(after[0], after[1], spoken):
+            yield Paragraph((*block.line[:-1], Text(f"{words.removesuffix(':')}.")))
+            left = 2
+        else:
             yield block
+
+
+def _gives_an_angle(condition: Block, given: Block, spoken: Mapping[str, int]) -> bool:
+    """Is it an equation in an angle of a state, and its solution, of which nothing else speaks?"""
+    if not isinstance(condition, Equation) or not isinstance(given, Equation) or condition.number or given.number:
+        return False
+    own, last = given.sides[0], given.sides[-1]
+    turned = isinstance(own, Math) and own.expr.is_Symbol and isinstance(last, Value) and last.unit == "deg"
+    if not turned or not isinstance(own, Math) or condition.lead or not given.lead:
+        return False
+    return own.expr.name in _letters(condition) and spoken[own.expr.name] == 2
+
+
+def _drawn(block: Block) -> str | None:
+    """The letter of a line that only says what it is in the given position."""
+    if not isinstance(block, Equation) or block.number is not None or not _words(Paragraph(block.lead)).endswith(DRAWN):
+        return None
+    first = block.sides[0]
+    return first.expr.name if isinstance(first, Math) and first.expr.is_Symbol else None
 
 
 def _letters(block: Block) -> set[str]:
@@ -87,6 +148,34 @@ def _letters(block: Block) -> set[str]:
             case Math(expr):
                 found |= {s.name for s in expr.free_symbols}
     return found
+
+
+def without_told_values(blocks: Sequence[Block]) -> list[Block]:
+    """Blocks without a letter and its value alone where a line above ended with that value, and without a heading under
+    which nothing else stood.
+    """
+    values: dict[str, str] = {}
+    found: list[Block] = []
+    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
+        if not isinstance(block, Equation):
+            found.append(block)
+            continue
+        name = str(said(block)[0])
+        last = block.sides[-1]
+        value = quantity(last.number, last.unit, last.figures) if isinstance(last, Value) else ""
+        again = block.number is None and len({*map(str, said(block))}) == 2 and not block.note
+        if not again or not value or values.get(name) != value:
+            values[name] = value
+            found.append(block)
+        elif found and _leading(found[-1]) and not isinstance(after, Equation):
+            found.pop()
+    return found
+
+
+def _leading(block: Block) -> str:
+    """The last words of a sentence that leads to what follows; "" of anything else."""
+    last = block.line[-1] if isinstance(block, Paragraph) and block.line else None
+    return last.text if isinstance(last, Text) and last.text.endswith(":") else ""
 
 
 def with_roots_beside(blocks: Sequence[Block]) -> list[Block]:

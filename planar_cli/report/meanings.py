@@ -10,7 +10,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.line_of_centres import VERTICAL
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
-from planar_cli.report.across_speeds import across_meanings
+from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
 from planar_cli.report.counted import clockwise
 from planar_cli.report.mentioned import pieces_of
@@ -27,6 +27,7 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
     `told`: what stands on the page before. The solution of a single equation belongs to the step before it.
     """
     meanings = _meanings(found)
+    blocks = list(without_polar_velocities(blocks)) if across_meanings(found) else blocks
     for i, block in enumerate(blocks):
         yield block
         if isinstance(block, Heading) and block.label.startswith(STEP) and not is_ritual(block):
@@ -37,8 +38,8 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
             if not new:
                 new = {s: words for s, words in _rotations(found).items() if s in seen and not told}
             told.update(map(str, new.values()))
-            if new:
-                yield Paragraph(line(*(p for k, words in enumerate(new.values()) for p in ("; " if k else "", *words))))
+            if own := list(dict.fromkeys(new.values())):
+                yield Paragraph(line(*(p for k, words in enumerate(own) for p in ("; " if k else "", *words))))
 
 
 def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:

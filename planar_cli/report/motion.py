@@ -61,11 +61,13 @@ from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.roots_of_squares import is_long_root, rooted
+from planar_cli.report.solved_in_letters import solved_in_letters
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
+from planar_cli.report.told_at_once import told_at_once
 from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import that_vanish, without_zeros
@@ -148,7 +150,8 @@ class MotionTelling:
         for leg in derived:
             i = legs.index(leg)
             self._open = {x for later in every if later not in legs[:i] for x in later.unknowns}
-            yield from self._leg(*rooted(without_zeros(leg, route, [*self.early, *legs[:i]]), self.found))
+            own, put = rooted(without_zeros(leg, route, [*self.early, *legs[:i]]), self.found)
+            yield from told_at_once(own, self.found, self.phrases) or self._leg(own, put)
         yield from self._integrated([] if first else followed)
 
     def _one(self, leg: RouteStep) -> Iterator[Block]:
@@ -195,8 +198,7 @@ class MotionTelling:
                 law = inside_an_integral(e, route, self.found, {*self.varying, *self._open}, self.phrases)
                 return (yield from by_trial_values(law, (r := leg.results[0]), self._shown(r), self.number()))
             if single and (says_zero(e, (r := leg.results[0]), route, ledger) or is_outright(e, r, route, ledger)):
-                yield from self._zero(e, Equation(self._chain(leg.results[0]), self.number()), route)
-                return
+                return (yield from self._zero(e, leg.results[0], route))
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
         if (inserted := one_in_another(leg, self.found, route.plain)) is not None:
@@ -256,14 +258,14 @@ class MotionTelling:
             return r.formula is not None and r.formula.has(*self.general) and bool(self._in_known(r, 2 * PLAIN, False))
         return not formula.is_number or formula == 0
 
-    def _zero(self, e: Relation, result: Equation, route: RouteTrace) -> Iterator[Block]:
+    def _zero(self, e: Relation, r: Result, route: RouteTrace) -> Iterator[Block]:
         """A relation that says at once that its letter is zero."""
+        sides = self._chain(r)
         if isinstance(e.source, ImpactEquation):
             zeros = {s: sp.S.Zero for s, f in route.formulas.items() if f == 0}
             self.between.plain = {**zeros, **route.plain}
-            yield from self.between.kept(e.source, result)
-            return
-        yield from (Paragraph(head(e, self.found.ledger.symbols)), result)
+            return (yield from self.between.kept(e.source, Equation(sides, self.number())))
+        yield from (Paragraph(head(e, self.found.ledger.symbols)), Equation(sides, self.number()))
 
     def _head(self, e: Relation, *sides: Any) -> Paragraph:
         """The heading of a relation with these sides; of constant acceleration with its law, once."""
@@ -282,6 +284,7 @@ class MotionTelling:
             self.between.plain, self.between.unknowns = route.plain, leg.unknowns
             self.between.geometry = geometry_beside(leg, route, self.found)
             self.between.long = any(r.formula is not None and longer(r.formula, FEW) for r in leg.results)
+            self.between.lettered = solved_in_letters(leg, route, self.found, self.phrases, self._is_told)
             yield from self.between.blocks(e.source, self.number())
             return
         yield from self._law(e)

@@ -17,6 +17,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, lin
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 
+POLAR = " in polar coordinates about "
 VELOCITIES = ("v", "KE", "momentum", "H")
 
 
@@ -40,7 +41,7 @@ def polar_blocks(
             lines.append(("a", own.accelerations))
         if lines:
             way = line_name(own.origin, place)
-            yield Paragraph(line(f"{place} in polar coordinates about {own.origin}, ", Name("e_r"), f" along {way}:"))
+            yield Paragraph(line(f"{place}{POLAR}{own.origin}, ", Name("e_r"), f" along {way}:"))
         for letter, parts in lines:
             settled = [p.xreplace(dict.fromkeys(zero, sp.S.Zero)) for p in parts]
             if any(p != 0 for p in settled):

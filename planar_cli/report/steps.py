@@ -13,17 +13,18 @@ KINETICS, EQUILIBRIUM = "Kinetic analysis", "Equilibrium"
 
 
 def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:
-    """The blocks of a part without the heading over the solution of a single equation, which stands just before; the
-    steps behind it count on.
+    """The blocks of a part without the heading over the solution of a single equation, which stands just before, and
+    without a step of which nothing is left; the steps behind it count on.
     """
     left_out = 0
-    for block in blocks:
+    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
         if not isinstance(block, Heading) or not block.label.startswith(STEP):
             yield block
             continue
         number = int(block.label.removeprefix(STEP))
         left_out = 0 if number == 1 else left_out
-        if number > 1 and is_ritual(block):
+        empty = isinstance(after, Heading) and after.label.startswith(STEP) and not block.aside
+        if empty or (number > 1 and is_ritual(block)):
             left_out += 1
         else:
             yield replace(block, label=f"{STEP} {number - left_out}")

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
+from planar_cli.equation.plain import longer
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.idle_zeros import idle_zeros
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import said_nil
 from planar_cli.report.origins import inertias_of_blows, letters_of_blows
+from planar_cli.report.spring_lengths import spring_lengths
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
+
+FEW = 12
+"""An angle by a longer formula is not put into a height."""
 
 
 def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> BetweenTelling:
@@ -20,5 +27,24 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         used=letters_of_blows(found) - idle_zeros(found),
         axes=inertias_of_blows(found),
         nil={(symbol, since) for symbol, since, _ in said_nil(found)},
+        drawn=_drawn(found),
+        springs=spring_lengths(found),
         finite=FiniteForces(found.problem, found.states),
     )
+
+
+def _drawn(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
+    """Where a state is the given position, its letters, with what they are in letters of the file; of any state angles
+    of whole quarters of a turn, or of which the file gives the tangent, sine or cosine.
+    """
+    steps = (step for step in found.route.steps if step.is_datum and step.relations[0].kind == "drawn")
+    results = (r for step in steps for r in step.results)
+    drawn = {r.unknown: r.formula for r in results if r.formula is not None and not r.formula.has(*found.general)}
+    for symbol, formula in found.route.formulas.items():
+        known = drawn.get(formula, formula)
+        turned = known.is_number and known != 0 and (2 * known / sp.pi).is_Integer
+        if turned or (
+            known.has(sp.atan, sp.asin, sp.acos) and not known.has(*found.general) and not longer(known, FEW)
+        ):
+            drawn.setdefault(symbol, known)
+    return drawn

@@ -191,4 +191,4 @@ def _parts(parts: EnergyParts, put: Put) -> EnergyParts:
         replace(m, vx=put(m.vx), vy=put(m.vy), omega=put(m.omega), place=tuple(map(put, m.place))) for m in parts.moving
     )
     storages = tuple(replace(s, first=put(s.first), last=put(s.last)) for s in parts.storages)
-    return EnergyParts(moving, storages)
+    return replace(parts, moving=moving, storages=storages)

@@ -5,8 +5,9 @@ T = m v_G²/2 + I ω²/2        U = m g (y_1 - y_2)        U = k (s_1² - s_2²)
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import combinations
 
 import sympy as sp
 
@@ -17,6 +18,9 @@ from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
+
+SEVERAL = 3
+"""Of fewer equal bodies the common mass centre is not looked at."""
 
 
 def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> EnergyParts | None:
@@ -34,7 +38,22 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
             if stored is not None:
                 found += _storage(words, brought, stored, regime, b, value)
                 break
-    return EnergyParts(moving, tuple(found))
+    return EnergyParts(moving, tuple(found), tuple(_midway(acting[-1], b.stop, value)))
+
+
+def _midway(regime: Regime, stop: Stop, value: Valuation) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Between which points of the file the common mass centre of several equal bodies lies halfway."""
+    scene = regime.general.trial.system.scene
+    masses = [b.mass for b in scene.bodies.values() if b.rigid]
+    for mass in dict.fromkeys(m for m in masses if masses.count(m) >= SEVERAL):
+        own = [name for name, b in scene.bodies.items() if b.rigid and b.mass == mass]
+        centres = [scene.bodies[name].center for name in own]
+        x, y = (2 * sp.Add(*(getattr(c, axis) for c in centres)) / len(own) for axis in ("x", "y"))
+        for (one, a), (two, b) in combinations(scene.points.items(), 2):
+            apart = [stop.at(regime.closed(e)) for e in (a.x + b.x - x, a.y + b.y - y)]
+            if {one, two} <= scene.owners.keys() and all(map(value.vanishes, apart)):
+                yield tuple(own), f"midway between {one} and {two}"
+                break
 
 
 def _acting(course: StatedMotion, b: StateBalance) -> tuple[Regime, ...]:

@@ -1,0 +1,21 @@
+"""Whether the equations of a step are solved in letters, so that numbers are put in last: then none of what they are
+made of is told with a number beside an unknown, T_2 = 3/4 m r² ω_2² rather than = 0.015 ω_2² in J.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from planar_cli.report.eliminated import with_others_put_in
+from planar_cli.report.one_in_another import one_in_another
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep, RouteTrace
+
+
+def solved_in_letters(
+    leg: RouteStep, route: RouteTrace, found: MotionTrace, phrases: Phrases, told: Callable[[Result], bool]
+) -> bool:
+    """`told`: has a result a formula on the page?"""
+    if all(map(told, leg.results)) or one_in_another(leg, found, route.plain) is not None:
+        return True
+    return bool(with_others_put_in(leg, route, range(len(leg.relations)), phrases, told))

@@ -1,0 +1,55 @@
+"""What one condition of a state says at once, in one line: it is at its highest, where it has no velocity; a rod lies
+level or stands upright there.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.problem.scene import Rod
+from planar_cli.report.blocks import Math, Paragraph, line
+from planar_cli.report.spoken import spoken
+from planar_cli.report.state_words import at
+from planar_cli.report.turning_values import DERIVATIVE, over_time
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, Result, RouteStep
+
+ANGLE = "angle of "
+
+
+def told_at_once(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> list[Paragraph]:
+    """`At 2, AB is horizontal: θ_2 = 0.` Empty: it is several conditions, or none of these."""
+    e, r = leg.relations[0], leg.results[0]
+    if len(leg.relations) > 1 or len(leg.results) > 1 or not e.stop or r.formula is None:
+        return []
+    if over_time(e) and r.formula == 0 and r.unknown not in (e.residual / r.unknown).free_symbols:
+        words = f"{e.words}, {DERIVATIVE}"
+    elif (rod := _rod(e, r, found)) is not None:
+        words = rod
+    else:
+        return []
+    shown = Math(sp.S.Zero) if r.formula == 0 else phrases.shown(r.unknown, r.value)
+    return [Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Math(r.unknown), " = ", shown))]
+
+
+def _rod(e: Relation, r: Result, found: MotionTrace) -> str | None:
+    """`AB is horizontal`, where a condition of places gives a multiple of a right angle as the angle of a rod."""
+    general = found.general.get(r.unknown)
+    if (
+        general is None
+        or r.formula is None
+        or e.span is not None
+        or isinstance(e.source, BalanceTrace | ImpactEquation)
+    ):
+        return None
+    quarters = 2 * r.formula / sp.pi
+    others = {s for s in e.residual.xreplace(dict(found.route.plain)).free_symbols if s in found.general} - {r.unknown}
+    if others or not quarters.is_Integer:
+        return None
+    for regime in found.regimes:
+        scene = regime.solution.instant.scene
+        for c in scene.displacement.coordinates if scene.displacement is not None else ():
+            shape = next((b.shape for b in scene.problem.bodies if c.words == f"{ANGLE}{b.name}"), None)
+            if c.symbol == general and isinstance(shape, Rod):
+                return f"{c.body} is {'vertical' if quarters % 2 else 'horizontal'}"
+    return None
