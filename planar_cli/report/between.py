@@ -11,7 +11,6 @@ import sympy as sp
 
 from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.principles.base import Idle
 from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
@@ -23,6 +22,7 @@ from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing
+from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
@@ -38,7 +38,7 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
 
-LONGEST, MOST_NAMED, MOST_LETTERS = 60, 8, 44
+LONGEST, MOST_LETTERS = 60, 44
 SHORT, SOME, FEW = 36, 24, 16
 """A longer equation is told with its numbers, where it has some; one whose parts were told with theirs; and such a one
 in which one unknown stands plainly.
@@ -236,7 +236,9 @@ class BetweenTelling:
         words = (law.kept if b.gain == 0 else "") or law.heading or law.words
         head = f"From {b.since} to {b.stop}, {group}{words}"
         about = Name(law.about) if law.about else ""
-        return line(head, about, law.explained, *self._through(law.passing), *_idle(law.idle, law.internal), ":")
+        return line(
+            head, about, law.explained, *self._through(law.passing), *idle_reactions(law.idle, law.internal), ":"
+        )
 
     def _through(self, forces: tuple[sp.Expr, ...]) -> list[Any]:
         """The forces that have no moment, as they pass through the point."""
@@ -375,31 +377,6 @@ def point_at(e: ImpactEquation) -> str:
 def dimension_of_balance(b: BalanceTrace) -> Dimension:
     """What a balance counts: energy, or linear or angular momentum."""
     return ENERGY if b.law.letter else ANGULAR_MOMENTUM if b.law.about else IMPULSE
-
-
-def _idle(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
-    """Which reactions do no work, and why; and which none in all."""
-    if len(reactions) + len(internal) > MOST_NAMED:
-        return ["; the reactions of the ideal joints do no net work"]
-    alone: list[Any] = []
-    for why in dict.fromkeys(r.why for r in reactions):
-        alone += [", "] if alone else []
-        alone += [*_listed(tuple(r.force for r in reactions if r.why == why)), f" ({why})" if why else ""]
-    alone += [" do no work" if len(reactions) > 1 else " does no work"] if reactions else []
-    if not internal:
-        return ["; ", *alone] if alone else []
-    several = len(internal) > 1
-    together = [
-        f"the internal force{'s' if several else ''} ",
-        *_listed(internal),
-        "" if alone else " do" if several else " does",
-        " no net work",
-    ]
-    return ["; ", *alone, *([", "] if alone else []), *together]
-
-
-def _listed(symbols: tuple[sp.Symbol, ...]) -> list[Any]:
-    return [part for i, s in enumerate(symbols) for part in ((", ", Math(s)) if i else (Math(s),))]
 
 
 def _across(words: str) -> Line:

@@ -14,7 +14,7 @@ from planar_cli.report.angles_found import by_trial
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, line
 from planar_cli.report.by_data import by_data
 from planar_cli.report.by_geometry import geometry_beside
 from planar_cli.report.centres_put_in import centres_put_in
@@ -26,7 +26,7 @@ from planar_cli.report.flights import FlightTelling
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.idle_zeros import is_untold
 from planar_cli.report.impulse_rows import before_leg
-from planar_cli.report.in_numbers import divides_by_zero, solved_for
+from planar_cli.report.in_numbers import divides_by_zero
 from planar_cli.report.in_order_of_time import states_of, states_told
 from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
@@ -61,7 +61,7 @@ from planar_cli.report.products import product_blocks
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.roots_of_squares import is_long_root, rooted
-from planar_cli.report.solved_in_letters import solved_in_letters
+from planar_cli.report.solved_in_letters import solved_in_letters, solved_in_numbers
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
@@ -217,7 +217,11 @@ class MotionTelling:
                 yield Equation((sides[0], *by, sides[-1], *self.phrases.converted(r.unknown, r.value)))
             else:
                 if len(sides) == 2:
-                    sides = (sides[0], *(self._solved(leg, r, route) or self._short(r)), sides[1])
+                    sides = (
+                        sides[0],
+                        *(solved_in_numbers(leg, r, route, self._shown(r), self.numeric) or self._short(r)),
+                        sides[1],
+                    )
                 sides = (*(named or sides), *self.phrases.converted(r.unknown, r.value))
                 yield Equation(sides, None, *((lead, by_trial(leg, r, len(sides), self.phrases)) if i == 0 else ()))
             if i == 0:
@@ -238,14 +242,6 @@ class MotionTelling:
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
                 yield Equation(found.sides, None, lead, found.note)
-
-    def _solved(self, leg: RouteStep, r: Result, route: RouteTrace) -> list[Math]:
-        """The numbers that give a letter, where its equation is linear in it or in its square."""
-        (e, *more), shown = leg.relations, self._shown(r)
-        if more or len(leg.unknowns) > 1 or not isinstance(shown, Value) or shown.unit == "deg":
-            return []
-        found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, self.numeric)
-        return [] if found is None else [found]
 
     def _short(self, r: Result) -> list[Math]:
         """A short formula whose numbers hide units, with its numbers."""

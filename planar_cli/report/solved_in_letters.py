@@ -5,9 +5,13 @@ made of is told with a number beside an unknown, T_2 = 3/4 m r² ω_2² rather t
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
+from planar_cli.report.blocks import Math, Value
 from planar_cli.report.eliminated import with_others_put_in
+from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.one_in_another import one_in_another
+from planar_cli.report.origins import sides_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep, RouteTrace
 
@@ -19,3 +23,12 @@ def solved_in_letters(
     if all(map(told, leg.results)) or one_in_another(leg, found, route.plain) is not None:
         return True
     return bool(with_others_put_in(leg, route, range(len(leg.relations)), phrases, told))
+
+
+def solved_in_numbers(leg: RouteStep, r: Result, route: RouteTrace, shown: Any, phrases: Phrases) -> list[Math]:
+    """The numbers that give a letter, where its equation is linear in it or in its square. `shown`: its value."""
+    (e, *more) = leg.relations
+    if more or len(leg.unknowns) > 1 or not isinstance(shown, Value) or shown.unit == "deg":
+        return []
+    found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, phrases)
+    return [] if found is None else [found]

@@ -1,0 +1,38 @@
+"""Which reactions do no work, and why, in the heading of a balance of energies."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.principles.base import Idle
+from planar_cli.report.blocks import Math
+
+MOST_NAMED = 8
+"""More forces are not listed by name."""
+
+
+def idle_reactions(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
+    """Which reactions do no work, and why; and which none in all."""
+    if len(reactions) + len(internal) > MOST_NAMED:
+        return ["; the reactions of the ideal joints do no net work"]
+    alone: list[Any] = []
+    for why in dict.fromkeys(r.why for r in reactions):
+        alone += [", "] if alone else []
+        alone += [*_listed(tuple(r.force for r in reactions if r.why == why)), f" ({why})" if why else ""]
+    alone += [" do no work" if len(reactions) > 1 else " does no work"] if reactions else []
+    if not internal:
+        return ["; ", *alone] if alone else []
+    several = len(internal) > 1
+    together = [
+        f"the internal force{'s' if several else ''} ",
+        *_listed(internal),
+        "" if alone else " do" if several else " does",
+        " no net work",
+    ]
+    return ["; ", *alone, *([", "] if alone else []), *together]
+
+
+def _listed(symbols: tuple[sp.Symbol, ...]) -> list[Any]:
+    return [part for i, s in enumerate(symbols) for part in ((", ", Math(s)) if i else (Math(s),))]
