@@ -90,7 +90,7 @@ class EnergyPieces:
 
     def _as_drawn(self, measure: sp.Expr) -> sp.Expr:
         """A height or stretch in the given position by the data alone, where that is no longer."""
-        if not measure.free_symbols & self.drawn.keys():
+        if self._is_sought(measure) or not measure.free_symbols & self.drawn.keys():
             return measure
         found = simplified(measure.xreplace(dict(self.drawn)))
         # sin 60° is told as that, unless the file has roots in its places.
