@@ -6,7 +6,6 @@ import re
 
 import sympy as sp
 
-from planar_cli.loads.spring import Spring
 from planar_cli.problem.acting import acting_loads
 from planar_cli.solve.between.trace import MotionTrace
 
@@ -17,8 +16,9 @@ def spring_lengths(found: MotionTrace) -> dict[str, tuple[str, sp.Symbol]]:
     """By the words of what does work: its length by its ends, and the letter of its natural length."""
     made: dict[str, tuple[str, sp.Symbol]] = {}
     for load in acting_loads(found.problem):
-        if isinstance(load, Spring) and load.natural_length is not None and all(map(POINT.fullmatch, load.between)):
-            natural = found.regimes[0].solution.instant.scene.value(load.natural_length)
+        length, ends = getattr(load, "natural_length", None), getattr(load, "between", ())
+        if length is not None and ends and all(map(POINT.fullmatch, ends)):
+            natural = found.regimes[0].solution.instant.scene.value(length)
             if natural.is_Symbol:
-                made[load.phrase(load.short_name).removeprefix("the ")] = ("".join(load.between), natural)
+                made[load.phrase(load.short_name).removeprefix("the ")] = ("".join(ends), natural)
     return made
