@@ -25,7 +25,7 @@ def gradescope(folder: str) -> dict[str, Any]:
 
 
 def rows(kind: str, results: Any = None, **others: Any) -> list[list[str]]:
-    (content,) = exported(kind, results, title="HW1", **others).files.values()
+    content, *_ = exported(kind, results, title="HW1", **others).files.values()
     return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline="")))
 
 
@@ -71,7 +71,7 @@ def test_output() -> None:
 def test_what_follows_from_an_earlier_value_and_has_all_points_is_passed() -> None:
     def status(score: float) -> str:
         one = Graded("p", "a", "3 N", "wrong", score, 2.0, carried=("F",))
-        (content,) = exported("gradescope", (Result("s", 0, (one,)),), title="HW1").files.values()
+        content, *_ = exported("gradescope", (Result("s", 0, (one,)),), title="HW1").files.values()
         found: str = json.loads(content)["tests"][0]["status"]
         return found
 
@@ -140,6 +140,14 @@ def test_a_name_of_several_words_is_no_login() -> None:
 
 @pytest.mark.parametrize("kind", ["gradebook", "canvas"])
 def test_a_byte_order_mark_only_where_it_is_asked_for(kind: str) -> None:
-    (plain,) = exported(kind).files.values()
-    (marked,) = exported(kind, excel=True).files.values()
+    plain, *_ = exported(kind).files.values()
+    marked, *_ = exported(kind, excel=True).files.values()
     assert marked == b"\xef\xbb\xbf" + plain
+
+
+def test_the_gradebook_has_a_row_with_the_total_of_each_student() -> None:
+    _, totals = exported("gradebook").files.values()
+    header, *others = totals.decode().splitlines()
+    assert header == "student,variant,score,max_score"
+    names = [row.split(",")[0] for row in others]
+    assert len(names) == len(set(names)) > 1

@@ -248,6 +248,35 @@ def test_who_is_not_in_the_list_and_names_no_variant_is_not_graded() -> None:
     assert grader(Submission("ann", 0, answers)).variant == 1
 
 
+def test_a_name_is_that_of_the_list_whatever_its_capitals_and_a_strange_one_is_told() -> None:
+    papers = {k: Paper(k, (Task("p", "", "", (), (FORCE,)),)) for k in (0, 1, 2)}
+    answers = (("p", "F", "12.74 N"),)
+    found = MakeGrade(papers, Rules(), {"jones": 1}, {})()(Submission("Jones", 2, answers))
+    assert (found.student, found.variant) == ("jones", 1)
+    assert "gives variant 1 to this student" in found.wrong[0]
+    strange = MakeGrade(papers, Rules(), {"jones": 1}, {})()(Submission("zoe", 2, answers))
+    assert strange.score == 1
+    assert strange.wrong == ("this student is not in the list of the set; graded by the variant that is given",)
+    # Where two names of the list differ by capitals alone each is itself.
+    two = MakeGrade(papers, Rules(), {"Jo": 1, "jo": 2}, {})()
+    assert [two(Submission(name, 0, answers)).variant for name in ("Jo", "jo")] == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("13 N", "this is rounded too far: give 3 significant figures"),
+        ("10 N", "the value is not right"),
+        ("12.9 N", "the value is not right"),
+        ("14 N", "the value is not right"),
+        ("36.3", "the value is not right; the unit is missing"),
+    ],
+)
+def test_two_slips_are_both_told(text: str, said: str) -> None:
+    one = graded(FORCE, text)
+    assert (one.verdict, one.message) == ("wrong", said)
+
+
 def test_a_student_counts_once_in_the_average() -> None:
     paper = Paper(0, (Task("p", "", "", (), (FORCE,)),))
     report = ClassReport()

@@ -142,20 +142,32 @@ class _Class:
             echo(_report_markdown(self.homework.title, self.report), end="")
         elif self.form == "terminal":
             _print_report(self.report)
-        listed = [name for name, _ in self.homework.students]
-        absent = [name for name in listed if name not in self.report.counted]
-        if absent and self.options["shard"] == "1/1":
-            echo(visible(f"nothing handed in by {', '.join(sorted(absent))}"), err=True)
+        if absent := self._absent():
+            echo(visible(f"nothing handed in by {', '.join(absent)}"), err=True)
         if ran.skipped:
             echo(f"{ran.skipped} submissions were graded before", err=True)
         for name in self.options["exports"]:
             self._export(name)
 
+    def _absent(self) -> list[str]:
+        """Who is in the list and handed in nothing; of a part of the submissions that cannot be told."""
+        names = sorted(name for name, _ in self.homework.students if name not in self.report.counted)
+        return names if self.options["shard"] == "1/1" else []
+
+    def _of_absent(self) -> list[Result]:
+        """Their papers, with nothing answered."""
+        from planar_cli.homework.grading import grade
+        from planar_cli.homework.paper import Submission
+
+        variants = dict(self.homework.students)
+        blank = [Submission(name, variants[name], ()) for name in self._absent()]
+        return [grade(one, self.homework.papers, self.homework_set.rules) for one in blank]
+
     def _export(self, name: str) -> None:
         from planar_cli.commands._exports import export_of
 
         export = export_of(name, RESULTS)
-        kept = sorted(self.kept, key=lambda r: (r.student, r.source))
+        kept = sorted([*self.kept, *self._of_absent()], key=lambda r: (r.student, r.source))
         made = export.export(kept, self.homework.title)
         write_files(made.files, os.path.join(self.options["output"], name))
         for sentence in made.left_out:

@@ -26,7 +26,7 @@ from planar_cli.homework.paper import (
     Task,
 )
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.tolerances import within
+from planar_cli.homework.tolerances import SLACK, within
 from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.units import PURE, Unit, describe, parse_unit
@@ -196,6 +196,8 @@ def _of_numbers(
     one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer))
     if one.verdict == WRONG and value == WRONG:
         one = named(one, expected, values, answer, rules.figures)
+        if unit == RIGHT and not one.mistakes and _is_rounded_too_far(values, answer, expected, rules):
+            one = replace(one, message=f"this is rounded too far: give {rules.figures} significant figures")
     if notes:
         one = replace(one, message="; ".join(filter(None, (one.message, notes))))
     return one, values
@@ -275,6 +277,14 @@ def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules
     return WRONG if any(coarse) else RIGHT
 
 
+def _is_rounded_too_far(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> bool:
+    """Is it the right value, with fewer figures than are asked for?"""
+    if expected.kind != "number" or not answer.figures or not values[0] or answer.figures[0] >= rules.figures:
+        return False
+    last = 10.0 ** (math.floor(math.log10(abs(values[0]))) - answer.figures[0] + 1)
+    return abs(values[0] - expected.values[0]) <= SLACK * last
+
+
 def _what_is_with_the_sign(expected: Expected, answer: Typed) -> str:
     """What is said of a right number with the wrong sign: a sense that is missing is not a wrong one."""
     if expected.kind == "vector":
@@ -292,7 +302,8 @@ def _what_is_with_the_sign(expected: Expected, answer: Typed) -> str:
 def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN) -> Graded:
     """The verdict and the score, from the four verdicts."""
     if one.value == WRONG:
-        message = why if one.unit == WRONG else "the value is not right"
+        missing = "; the unit is missing" if one.unit == MISSING else ""
+        message = why if one.unit == WRONG else f"the value is not right{missing}"
         return replace(one, verdict=WRONG, message=message)
     if one.unit == MISSING and rules.no_unit is None:
         return replace(one, verdict=UNGRADABLE, value="", sign="", message="this cannot be graded: the unit is missing")

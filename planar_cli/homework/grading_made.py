@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from planar_cli.homework.carried_verdicts import Carry
@@ -33,9 +33,11 @@ class _Grade:
         self.made = made
         self._carrier: Callable[[int], Carry] | None = None
         self._remembered = Remembered()
+        self._names = _by_plain_names(made.students)
 
     def __call__(self, submission: Submission) -> Result:
         made = self.made
+        submission = replace(submission, student=self._names.get(_plainly(submission.student), submission.student))
         own = made.students.get(submission.student)
         if own is not None and submission.variant not in (0, own):
             why = f"variant {submission.variant} was answered, but the set gives variant {own} to this student"
@@ -44,6 +46,9 @@ class _Grade:
             # The numbers of the files as they are belong to nobody.
             why = "this student is not in the list of the set, and no variant is given: not graded"
             return Result(submission.student, 0, (), submission.source, (*submission.wrong, why))
+        if own is None and made.students:
+            why = "this student is not in the list of the set; graded by the variant that is given"
+            submission = replace(submission, wrong=(*submission.wrong, why))
         variant = submission.variant if own is None else own
         handed = replace(submission, variant=variant)
         carry = _Lazily(self, variant) if made.rules.carried else None
@@ -56,6 +61,19 @@ class _Grade:
 
             self._carrier = Carrier(unpickled(self.made.carrying)).for_variant
         return self._carrier(variant)
+
+
+def _plainly(name: str) -> str:
+    """A name as whoever types it may write it: capitals and spaces around it say nothing."""
+    return " ".join(name.split()).casefold()
+
+
+def _by_plain_names(students: Iterable[str]) -> dict[str, str]:
+    """The names of the list by how they may be written, where that is one name's alone."""
+    named: dict[str, list[str]] = {}
+    for name in students:
+        named.setdefault(_plainly(name), []).append(name)
+    return {plain: names[0] for plain, names in named.items() if len(names) == 1}
 
 
 class _Lazily:

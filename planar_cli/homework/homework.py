@@ -102,6 +102,9 @@ def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
     if drawn.tried and drawn.rate < FEW:
         reasons = ", ".join(f"{count} because {why}" for why, count in drawn.rejected.most_common(3))
         found.append(f"{problem.name}: only {100 * drawn.rate:.0f} % of the combinations are fit ({reasons})")
+    if drawn.never:
+        values = ", ".join(f"{printed(name)} = {told(value)}" for name, value in drawn.never)
+        found.append(f"{problem.name}: no combination with {values} is fit")
     return found
 
 

@@ -79,9 +79,10 @@ def read_set(path: str) -> HomeworkSet:
 def _read(path: str, node: Node, report: Report) -> HomeworkSet:
     whole = Fields(node, KEYS, "a homework set", report, {"points": "write `{file: …, points: 4}` at the problem"})
     title = _text(whole, "title") or Path(path).stem
-    variants, seed = _variants(whole)
+    students = _students(whole)
+    variants, seed = _variants(whole, len(students))
     problems = _problems(path, whole)
-    return HomeworkSet(path, title, _text(whole, "text"), problems, _rules(whole), variants, seed, _students(whole))
+    return HomeworkSet(path, title, _text(whole, "text"), problems, _rules(whole), variants, seed, students)
 
 
 def _text(whole: Fields, key: str) -> str:
@@ -179,13 +180,16 @@ def _rules(whole: Fields) -> Rules:
     )
 
 
-def _variants(whole: Fields) -> tuple[int, int]:
+def _variants(whole: Fields, students: int) -> tuple[int, int]:
+    """Their number, where none is written that of the students, and the seed."""
     node = whole.node("variants")
     if node is None:
         return 0, 1
     fields = Fields(node, ("number", "seed"), "variants", whole.report, example="{number: 30, seed: 7}")
-    number, seed = fields.need("number", "write `{number: 30, seed: 7}`"), fields.node("seed")
-    count = 0 if number is None else int(_number(number, "the number of variants", whole.report, 1, MOST_VARIANTS))
+    given = fields.node("number") if students else fields.need("number", "write `{number: 30, seed: 7}`")
+    count, seed = min(students, MOST_VARIANTS), fields.node("seed")
+    if given is not None:
+        count = int(_number(given, "the number of variants", whole.report, 1, MOST_VARIANTS))
     return count, 1 if seed is None else int(_number(seed, "the seed", whole.report, 0, 10**9))
 
 

@@ -72,8 +72,15 @@ class Variants:
     tried: int = 0
     rejected: Counter[str] = field(default_factory=Counter)
     note: str = ""
+    met: dict[tuple[str, str], bool] = field(default_factory=dict)
+    """Each value of a name that was tried: is a combination with it fit?"""
     combinations: int = 0
     """So many there are of the values that the file allows."""
+
+    @property
+    def never(self) -> tuple[tuple[str, str], ...]:
+        """The values of names with which no combination that was tried is fit."""
+        return tuple(sorted(pair for pair, fit in self.met.items() if not fit))
 
     @property
     def rate(self) -> float:
@@ -121,6 +128,9 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
     carried = Carried(problem, values)
     numbers = {f.name: carried.asked(p, f) for p, f in problem.finds if _is_number(base[f.name], problem, f.name)}
     why = _objections(problem, values, base, numbers, carried, len(drawn))
+    for k, draw in enumerate(drawn):
+        for pair in draw.values:
+            found.met[pair] = found.met.get(pair, False) or not why[k]
     for k, draw in enumerate(drawn):
         if len(found.taken) >= count:
             return
@@ -177,8 +187,8 @@ def _objections(
                 for n, before in zip(nudged.asked(part, one), numbers[one.name], strict=True):
                     size = np.maximum(np.abs(before), 1e-6 * base[one.name].scale)
                     object_where(np.abs(n - before) > STEEP * NUDGE * size, ILL)
-    for close in _too_close(problem, values, base, numbers):
-        object_where(close, TOO_CLOSE)
+    for mistake, find, close in _too_close(problem, values, base, numbers):
+        object_where(close, f"{TOO_CLOSE} ({mistake}, {find})")
     return why
 
 
@@ -187,9 +197,9 @@ def _too_close(
     values: Mapping[str, Numbers],
     base: Mapping[str, Expected],
     numbers: Mapping[str, tuple[Numbers, ...]],
-) -> Iterator[np.ndarray]:
-    """Where mistakes that give a clearly wrong number with the values of the file do not."""
-    for _, model in models_of(problem):
+) -> Iterator[tuple[str, str, np.ndarray]]:
+    """Where mistakes that give a clearly wrong number with the values of the file do not: which, of which find."""
+    for name, model in models_of(problem):
         try:
             here, there = Carried(problem, {}, model), Carried(problem, values, model)
         except (ArithmeticError, KeyError, np.linalg.LinAlgError):
@@ -204,7 +214,7 @@ def _too_close(
                 continue
             off = np.sqrt(sum((a - b) ** 2 for a, b in zip(there.asked(part, one), numbers[one.name], strict=True)))
             size = np.sqrt(sum(n**2 for n in numbers[one.name]))
-            yield off <= APART * tolerance * size
+            yield name, one.name, off <= APART * tolerance * size
 
 
 def _solved_anew_agree(problem: WorkedProblem, taken: Sequence[Variant]) -> bool:

@@ -58,7 +58,7 @@ class Solver:
         for _ in range(1 if self.linear else ROUNDS):
             with np.errstate(all="ignore"):
                 called = self._call(*known, *found)
-            numbers = np.array([np.broadcast_to(x, count) for x in called], dtype=float)
+            numbers = np.array([np.broadcast_to(_real(x), count) for x in called], dtype=float)
             slopes = numbers[size:].reshape(size, size, count).transpose(2, 0, 1)
             step = _solved(slopes, numbers[:size].T).T
             found = found - step
@@ -66,6 +66,11 @@ class Solver:
                 break
         lost = False if self.linear else np.abs(step) > FOUND * np.maximum(np.abs(found), TINY)
         return np.where(lost, np.nan, found)
+
+
+def _real(numbers: Any) -> Any:
+    """NaN in place of what is not real."""
+    return np.where(np.imag(numbers) == 0, np.real(numbers), np.nan) if np.iscomplexobj(numbers) else numbers
 
 
 def _solved(slopes: Numbers, residuals: Numbers) -> Numbers:
@@ -205,7 +210,7 @@ class Run:
         names, call = self.replay.formula(sp.sympify(expr))
         with np.errstate(all="ignore"):
             (found,) = call(*(self.number(s) for s in names))
-        return np.broadcast_to(np.asarray(found, dtype=float), self.count)
+        return np.broadcast_to(np.asarray(_real(found), dtype=float), self.count)
 
     def asked(self, find: str) -> tuple[Numbers, ...]:
         """The parts of a find."""

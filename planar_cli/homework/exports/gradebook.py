@@ -24,17 +24,19 @@ HEADER = (
     "message",
 )
 
+TOTALS = ("student", "variant", "score", "max_score")
+
 
 @final
 class Gradebook(ResultExport):
-    """A CSV table with one row for each find of each student.
+    """A CSV table with one row for each find of each student, and one with the total of each.
 
-    The file
+    The files
         `student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit`
         is that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from a wrong
         earlier value), ungradable or missing. A submission that cannot be graded at all has one row without problem
         and find. Texts that a spreadsheet would run as a formula begin with an apostrophe. It holds the key, so it is
-        for the lecturer.
+        for the lecturer. `totals` has `student,variant,score,max_score`, of several submissions of a student the last.
 
     To import it
         In any spreadsheet; for Excel with the byte order mark, so that it knows UTF-8.
@@ -47,7 +49,13 @@ class Gradebook(ResultExport):
 
     def export(self, results: Sequence[Result], title: str, excel: bool = False) -> Exported:
         rows = [row for result in results for row in _rows(result)]
-        return Exported({f"{slug(title, '-gradebook')}.csv": table([HEADER, *rows], excel)})
+        last = {result.student: result for result in results if result.graded}
+        totals = [(r.student, r.variant, r.score, r.max_score) for r in last.values()]
+        files = {
+            f"{slug(title, '-gradebook')}.csv": table([HEADER, *rows], excel),
+            f"{slug(title, '-totals')}.csv": table([TOTALS, *totals], excel),
+        }
+        return Exported(files)
 
 
 def _rows(result: Result) -> list[tuple[str | float, ...]]:

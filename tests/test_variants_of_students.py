@@ -1,0 +1,49 @@
+"""A set with a list of students: as many variants as students; which values are never fit is told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.homework.homework import prepared
+from planar_cli.homework.set_file import HomeworkSet, read_set
+
+SLOPE = """
+plane: vertical
+given: {m: 2 kg, beta: 30 deg, mu_k: 0.2}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu_k}
+instant: [at rest]
+find: {a: a(block).mag}
+variants: {beta: [30 deg, 5 deg, 35 deg], m: [2 kg, 3 kg]}
+"""
+
+
+def made(folder: Path, more: str) -> HomeworkSet:
+    (folder / "slope.yaml").write_text(SLOPE)
+    path = folder / "set.yaml"
+    path.write_text(f"problems: [slope.yaml]\n{more}\n")
+    return read_set(str(path))
+
+
+@pytest.mark.parametrize(
+    ("more", "number"),
+    [
+        ("students: [ann, bob, cid]\nvariants: {seed: 7}", 3),
+        ("students: [ann, bob, cid]\nvariants: {number: 2}", 2),
+        ("students: [ann, bob, cid]", 0),
+    ],
+)
+def test_so_many_variants(more: str, number: int, tmp_path: Path) -> None:
+    assert made(tmp_path, more).variants == number
+
+
+def test_values_that_are_never_fit_are_told(tmp_path: Path) -> None:
+    """At 5° the block stays, as tan 5° < 0.2."""
+    (problem,) = made(tmp_path, "variants: {number: 6}").problems
+    told = prepared(problem, 6, 1).warnings
+    assert "slope: no combination with β = 5° is fit" in told
