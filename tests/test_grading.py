@@ -306,3 +306,34 @@ def test_what_could_not_be_read_is_ungradable_not_blank() -> None:
 def test_feedback_gives_nothing_of_the_key_away() -> None:
     for text in ("13.5 N", "-12.74 N", "12.74 kg", "12.74", "hm"):
         assert "12.7" not in graded(FORCE, text).message
+
+
+TWO = Paper(0, (Task("winch", "", "", (), (replace(FORCE, find="T_1"), replace(FORCE, find="N"))),))
+
+
+@pytest.mark.parametrize(
+    ("answers", "verdicts", "told"),
+    [
+        ((("winch", "T_1"), ("winch", "N")), ["right", "right"], ()),
+        ((("Winch", "T1"), ("winch", "n")), ["right", "right"], ()),
+        (
+            (("winch", "T_1"), ("Winch", "t1")),
+            ["right", "missing"],
+            ("there is no problem 'Winch'; did you mean winch?",),
+        ),
+        ((("winch", "T_3"),), ["missing", "missing"], ("there is no find 'T_3' in winch; did you mean T_1?",)),
+        ((("winch", "t1"), ("winch", "T1")), ["missing", "missing"], None),
+    ],
+)
+def test_an_answer_is_known_by_its_name(
+    answers: tuple[tuple[str, str], ...], verdicts: list[str], told: tuple[str, ...] | None
+) -> None:
+    found = grade(Submission("s", 0, tuple((*a, "12.74 N") for a in answers)), {0: TWO}, Rules())
+    assert [g.verdict for g in found.graded] == verdicts
+    assert told is None or found.wrong == told
+    assert told is not None or len(found.wrong) == 2
+
+
+def test_a_student_is_told_under_which_name_the_answer_stood() -> None:
+    found = grade(Submission("s", 0, (("Winch", "T1", "12.74 N"),)), {0: TWO}, Rules())
+    assert found.graded[0].message == "the answer stands under 'Winch.T1'"

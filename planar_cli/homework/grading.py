@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.homework import typed
+from planar_cli.homework.answered_names import answered
 from planar_cli.homework.asked_part import asked_part
 from planar_cli.homework.carried_verdicts import Carry, carried_on
 from planar_cli.homework.named_mistakes import named, named_formula
@@ -68,13 +69,14 @@ def grade(
         why = f"there is no variant {submission.variant}"
         return Result(submission.student, submission.variant, (), submission.source, (*submission.wrong, why))
     known = remembered or Remembered(0)
-    answers = {(problem, find): text for problem, find, text in submission.answers}
+    answers = answered(submission.answers, paper)
     graded: list[Graded] = []
     for task in paper.tasks:
         own: dict[str, tuple[float, ...]] = {}
         right: dict[str, tuple[float, ...]] = {}
         for expected in task.expected:
-            text = answers.pop((task.problem, expected.find), None)
+            place = task.problem, expected.find
+            text = answers.texts.get(place)
             one, values = known.graded(paper.variant, task, expected, text, rules)
             if one.verdict == WRONG and carry is not None and own and values is not None:
                 one = carried_on(task, expected, one, values, own, rules, carry)
@@ -85,22 +87,16 @@ def grade(
                 own = {expected.find: values, **own} if one.carried else {**own, expected.find: values}
             elif values is not None and one.verdict == RIGHT:
                 right[expected.find] = values
+            if place in answers.names:
+                said = f"the answer stands under '{shown(answers.names[place])}'"
+                one = replace(one, message="; ".join(filter(None, (one.message, said))))
             graded.append(one)
     if submission.wrong and not submission.answers:
         # Nothing of it could be read, or it was given up: that is not to leave all blank.
         message = f"this cannot be graded: {submission.wrong[0]}"
         graded = [replace(one, verdict=UNGRADABLE, message=message) for one in graded]
-    wrong = (*submission.wrong, *_unknown(answers, paper))
+    wrong = (*submission.wrong, *answers.unknown)
     return Result(submission.student, submission.variant, tuple(graded), submission.source, wrong)
-
-
-def _unknown(answers: Mapping[tuple[str, str], str], paper: Paper) -> list[str]:
-    """What was answered and not asked."""
-    problems = {t.problem for t in paper.tasks}
-    return [
-        f"there is no find '{find}' in {problem}" if problem in problems else f"there is no problem '{problem}'"
-        for problem, find in answers
-    ]
 
 
 def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:
