@@ -56,7 +56,7 @@ def test_about_a_pivot_one_moment_of_inertia_is_enough() -> None:
 
 
 def test_a_point_on_a_taut_cord_is_told_to_move_across_it() -> None:
-    assert "a_P has no part along it, only a_Pt across it" in _page("textbook/ex-4-04")
+    assert "so that a_P has no component along it, only a_Pt perpendicular to it" in _page("textbook/ex-4-04")
 
 
 def test_normal_parts_of_two_bodies_are_two_arrows() -> None:

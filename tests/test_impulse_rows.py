@@ -20,7 +20,7 @@ def test_balances_without_such_impulses_need_no_diagram() -> None:
 
 
 def test_a_body_without_mass_that_moves_on_is_told() -> None:
-    told = "Of rear and front only their rotation is added: a mass that is not given is neglected, or counted with"
+    told = "Of rear and front only their rotation is added: a mass that is not given is negligible, or included in"
     assert told in page_of_file("ex-4-18")
     assert "rotation is added" not in page_of_file("two-wheels-pressed-together")
 

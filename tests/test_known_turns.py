@@ -27,7 +27,6 @@ def _page(stem: str) -> str:
         "θ: the angle by which the spool has turned, clockwise",
         "R θ_2 = d",
         "v_G,2 = R ω_2",
-        "the positive root, as it turns clockwise there",
         "Answer ω = 7.415 rad/s clockwise",
     ]),
     ("textbook/ex-4-12", [

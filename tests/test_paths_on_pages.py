@@ -20,7 +20,7 @@ def _page(name: str) -> str:
         "constant speed: v_P = v (2) v_P constant: a_Pt = 0",
         "y′ = x = 2 lengths in m y″ = 1 ρ",
         "e_t = [1, y′]/√(1 + y′²) = [√5/5, 2 √5/5]",
-        "at right angles to e_t, to the hollow side",
+        "at right angles to e_t, to the concave side",
         "a_P = v_P²/ρ e_n = [-(0.08/m) v², (0.04/m) v²]",
         "that is (0.08944/m) v² at 26.6° above -x",
         "= (0.2/m) v² - (0.16/m) v² = (0.04/m) v²",

@@ -35,7 +35,8 @@ def datum_blocks(
     the page.
     """
     e = leg.relations[0]
-    yield from condition_blocks(leg, found, phrases[0])
+    headed_by = list(condition_blocks(leg, found, phrases[0]))
+    yield from headed_by
     for r in leg.results:
         chain = chain_of(r)
         said_there = stated_in(found.problem, e.stop, e.words) if e.kind == "given" else None
@@ -49,11 +50,14 @@ def datum_blocks(
             if another:
                 yield from (*another, Equation(sides))
                 continue
-            yield Equation(sides, None, line(at(e.stop, known_from(e, r))))
+            words = known_from(e, r)
+            yield Equation(sides, None, () if headed_by and not words else line(at(e.stop, words)))
             continue
         component = bool(middle)
-        yield from () if component else followed_from(e, r, stated, found, phrases)
-        yield Equation(sides, None, line(at(e.stop)))
+        condition = [] if component else list(followed_from(e, r, stated, found, phrases))
+        yield from condition
+        # Under the heading of its condition a value needs no second one.
+        yield Equation(sides, None, () if condition else line(at(e.stop)))
         yield from () if component else others(r)
 
 

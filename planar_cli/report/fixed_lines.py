@@ -38,6 +38,12 @@ def _along_straight(j: Joining, own: Name, system: System, phrases: Phrases) -> 
     return line(f"{j.place} {way}, so that ", Name(f"{own.name}{comma}{across}"), " = 0")
 
 
+def _guide(j: Joining, system: System) -> str:
+    """The straight line along which a joint leads, in a word."""
+    joint = next((one for one in system.scene.problem.joints if one.name == j.joint), None)
+    return "its straight guide" if joint is not None and joint.kind == "guide" else "a straight line"
+
+
 def way_along(j: Joining, system: System, phrases: Phrases) -> str:
     """moves along the wall, horizontally, along a straight line."""
     across, surface = _across(j, phrases), _surface(j, system)
@@ -45,7 +51,7 @@ def way_along(j: Joining, system: System, phrases: Phrases) -> str:
         return f"moves along {with_article(surface.replace('_', ' '))}"
     if across and system.scene.problem.plane != "horizontal":
         return f"moves {'vertically' if across == 'x' else 'horizontally'}"
-    return f"moves parallel to {'y' if across == 'x' else 'x'}" if across else "moves along a straight line"
+    return f"moves parallel to {'y' if across == 'x' else 'x'}" if across else f"moves along {_guide(j, system)}"
 
 
 def _across(j: Joining, phrases: Phrases) -> str:

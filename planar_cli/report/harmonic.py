@@ -16,8 +16,10 @@ from planar_cli.records import record
 from planar_cli.report.at_quarters import date_blocks, is_asked
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.characteristic import UNDAMPED
+from planar_cli.report.left_out import rejected, tells_of_others
 from planar_cli.report.notation import plain
 from planar_cli.report.origins import head
+from planar_cli.report.state_words import at
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep, RouteTrace
 
@@ -96,7 +98,23 @@ class HarmonicTelling:
         if not motion or phase is None or r.unknown != phase[0].time:
             return []
         heads = [Paragraph(head(e, self.found.ledger.symbols))] if len(motion) > 2 else []
-        return [*self.law(e), *heads, *motion]
+        return [*self.law(e), *heads, *self._with_reason(r, motion)]
+
+    def _with_reason(self, r: Result, motion: list[Block]) -> list[Block]:
+        """With why this phase is taken beside it, as no line tells the time itself."""
+        *before, last = motion
+        why = [b for b in rejected(self.found, r, self.phrases, ()) if isinstance(b, Paragraph) and tells_of_others(b)]
+        return [*before, replace(last, note=why[0].line)] if why and isinstance(last, Equation) else motion
+
+    def head(self, e: Relation, told: list[Block]) -> Paragraph | None:
+        """`At stop, ẋ = 0:` over an equation of a motion that was told before; None: it is no such equation."""
+        first = told[0] if told else None
+        if not isinstance(first, Equation) or first.number is None:
+            return None
+        nil = first.sides[-1] == Math(sp.S.Zero)
+        name = f"{e.law.coordinate.symbol.name}_dot" if e.law is not None and e.kind == "v(t)" else ""
+        told_zero = line(", ", Name(name), " = 0:") if nil and name else line(":")
+        return Paragraph(line(at(e.stop).removesuffix(":"), *told_zero))
 
     def _hangs_on_phase(self, step: RouteStep, route: RouteTrace) -> bool:
         (e, *more) = step.relations

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TypeGuard
 
 from planar_cli.report.blocks import Block, Equation, Forces, Math, Name, Paragraph, Text, Value
-from planar_cli.report.left_out import tells_the_root
+from planar_cli.report.left_out import tells_of_others, tells_the_root
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
@@ -192,6 +192,9 @@ def with_roots_beside(blocks: Sequence[Block]) -> list[Block]:
             if _is_bare(last):
                 found[-1] = replace(last, note=block.line)
                 continue
+        if isinstance(block, Paragraph) and tells_of_others(block) and found and _is_bare(found[-1]):
+            found[-1] = replace(found[-1], note=block.line)
+            continue
         found.append(block)
     return found
 

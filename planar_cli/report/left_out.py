@@ -25,7 +25,7 @@ SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
 """Roots that differ by less, in parts of themselves and at all, are the same."""
 MOST_ROOTS = 4
 ROOT = " root, as "
-FIRST = "the first such time after "
+FIRST, WHICH = "the first such time after ", "the root for which "
 SENSES = {
     "omega": ("it turns counterclockwise there", "it turns clockwise there"),
     "x": ("it moves to the right there", "it moves to the left there"),
@@ -42,17 +42,22 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     if r.unknown in found.named:
         yield from _of_asked(found, r, others, phrases)
         return
-    if (said := other_kind(found, r, left, phrases)) is not None:
+    said = other_kind(found, r, left, phrases) or _as_before(found, r, others, phrases)
+    if said is not None:
         yield said
         return
-    why = reason(found, r, others, told) if left else ()
+    why = reason(found, r, others, told) if left or _is_a_root_below(found, r) else ()
     if not why:
         return
     kind = found.ledger.roles[found.general[r.unknown]].kind
-    if len(others) == 1 and others[0] * r.value < 0 and kind in (Kind.TIME, Kind.SPEED):
+    single = _is_a_root_below(found, r) or (len(others) == 1 and others[0] * r.value < 0)
+    if single and kind in (Kind.TIME, Kind.SPEED):
+        if kind is Kind.SPEED and r.value > 0 and not _has_turned(found, r.unknown):
+            # A speed is counted positive in its sense: that its root is positive needs no word.
+            return
         yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'}{ROOT}", *why))
     elif kind is Kind.TIME:
-        yield Paragraph(why if why[0] == Text(FIRST) else line("the root for which ", *why))
+        yield Paragraph(why if why[0] == Text(FIRST) else line(WHICH, *why))
         if (same := of_the_same_kind(found, r, left, phrases)) is not None:
             yield same
     else:
@@ -62,6 +67,40 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
             parts += [", " if i else ""]
             parts.append(phrases.math(root.expression) if letters else phrases.shown(r.unknown, root.value))
         yield Paragraph(line(*parts, ": ", *why))
+
+
+def _is_a_root_below(found: MotionTrace, r: Result) -> bool:
+    """Is it a speed whose formula is a negative root, of several letters that were found together?"""
+    kind = found.ledger.roles[found.general[r.unknown]].kind if r.unknown in found.general else None
+    formula = r.formula if r.formula is not None else sp.S.Zero
+    root = any(f.is_Pow and f.exp == sp.Rational(1, 2) for f in sp.Mul.make_args(formula))
+    return kind is Kind.SPEED and len(r.roots) < 2 and root and r.value < 0
+
+
+def _as_before(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phrases) -> Paragraph | None:
+    """Of the roots of a speed those of another size are the state before itself, and it goes on in the same sense."""
+    earlier = _before(found, r.unknown, found.ledger.roles[r.unknown].at or "")
+    if found.ledger.roles[found.general[r.unknown]].kind is not Kind.SPEED or earlier is None or phrases.symbolic:
+        return None
+    was = found.value(earlier)
+    same = [v for v in others if _close(abs(v), abs(was))]
+    if len(others) != 3 or len(same) != 2 or was * r.value <= 0 or not any(_close(-v, r.value) for v in others):
+        return None
+    shown = phrases.shown(r.unknown, abs(was))
+    words = f", which is state {_state(found, earlier)} itself; it goes on in the same sense"
+    return Paragraph(line("not ±", shown, words))
+
+
+def _has_turned(found: MotionTrace, speed: sp.Symbol) -> bool:
+    """Was a speed of the other sign in the state before?"""
+    earlier = _before(found, speed, found.ledger.roles[speed].at or "")
+    return earlier is not None and found.value(earlier) < 0
+
+
+def tells_of_others(block: Block) -> bool:
+    """Does a short sentence tell which of several roots is taken, so that it stands beside it?"""
+    first = block.line[0] if isinstance(block, Paragraph) else None
+    return isinstance(first, Text) and first.text.startswith((FIRST, WHICH, "not "))
 
 
 def tells_the_root(block: Block) -> bool:

@@ -75,12 +75,14 @@ def letter_size_and_angle(found: Found, phrases: Phrases) -> Iterator[Block]:
     (x, y), name = found.expressions or (), Name(found.name)
     cosine, sine = (phrases.certain(p) for p in (parts[1].x, parts[1].y))
     root = sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False)
-    yield Equation((line("|", name, "|"), phrases.math(root), phrases.math(parts[0])))
+    held = swallowed(parts[0], found, phrases.ledger, phrases.figures)
+    sides = (held,) if held is not None else (phrases.math(root), phrases.math(parts[0]))
+    yield Equation((line("|", name, "|"), *sides))
     angle = Value(Decimal(math.degrees(math.atan(abs(sine) / abs(cosine)))), "deg", OF_ANGLES)
     slope = simplified(abs(y / x))
     where = f"{'above' if sine > 0 else 'below'} {'+x' if cosine > 0 else '-x'}"
-    sides = (line("direction of ", name), line("arctan(", phrases.math(slope), ")"), angle)
-    yield Equation(sides, None, note=line(where))
+    turned = (line("direction of ", name), line("arctan(", phrases.math(slope), ")"), angle)
+    yield Equation(turned, None, note=line(where))
 
 
 def _has_direction(q: Quantity) -> bool:

@@ -286,7 +286,7 @@ class MotionTelling:
         yield from self._law(e)
         swings = self._swings.blocks(e, leg, route, number := self.number())
         own = Equation(self._sides(e, route), number)
-        yield self._head(e, *(() if swings else own.sides))
+        yield self._swings.head(e, swings) or self._head(e, *(() if swings else own.sides))
         yield from swings or (*self._integral(e, route), own, *centres_put_in(e, self.phrases))
 
     def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:

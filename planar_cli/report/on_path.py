@@ -108,7 +108,7 @@ class PathTelling:
         back = "-" if self.phrases.value(tangent.x) < 0 else ""
         along = line(f"{back}[1, ", Math(SLOPE), "]/", Math(sp.sqrt(1 + SLOPE**2)))
         yield Equation((line(Name("e_t")), along, vector_of(tangent, PURE, self.phrases)))
-        words = line("at right angles to ", Name("e_t"), ", to the hollow side")
+        words = line("at right angles to ", Name("e_t"), ", to the concave side")
         yield Equation((line(Name("e_n")), vector_of(normal, PURE, self.phrases)), None, (), words)
 
     def _on_curve(self, body: str, at: Vec) -> bool:

@@ -48,7 +48,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", put)
     if light := _without_mass(part):
         neglected = "only its rotation is added" if len(light) == 1 else "only their rotation is added"
-        masses = "a mass that is not given is neglected, or counted with another body"
+        masses = "a mass that is not given is negligible, or included in that of another body"
         yield Note("Assume", line(f"Of {' and '.join(light)} {neglected}: {masses}."))
     if part.motion is None:
         return

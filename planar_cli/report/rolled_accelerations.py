@@ -33,7 +33,7 @@ Velocity = Callable[[str], Iterator[Block]]
 @record
 class Wheel:
     """A body that rolls: the point of contact, its centre, the radius of the path of this (None: a straight line), and
-    the direction towards the hollow side of that path.
+    the direction towards the concave side of that path.
     """
 
     body: str
@@ -126,7 +126,7 @@ class RolledTelling:
         yield from self._once(body, wheel.centre, name, line(*parts), told, note)
 
     def _radius(self, wheel: Wheel) -> Line:
-        """The radius of the path of the centre, and the direction to the hollow side of it."""
+        """The radius of the path of the centre, and the direction to the concave side of it."""
         assert wheel.radius is not None
         sides: list[Any] = [self.phrases.math(wheel.radius)] if wheel.radius.free_symbols else []
         if not self.phrases.symbolic:

@@ -231,8 +231,8 @@ class VectorTelling:
         if tied and v.x == 0 and v.y == 0 and f"tied {j.place}" not in self._told:
             self._told.add(f"tied {j.place}")
             own, along = Name(f"a_{index_of(j.place)}"), self.phrases.math(edge.slide_rate)
-            why = f"{self._called(j)} keeps its length and {j.place} is at rest: "
-            yield Paragraph(line(why, own, " has no part along it, only ", along, " across it"))
+            why = f"{self._called(j)} keeps its length and {j.place} is at rest, so that "
+            yield Paragraph(line(why, own, " has no component along it, only ", along, " perpendicular to it"))
 
     def _driven(self, edge: Edge, level: str) -> Iterator[Block]:
         """The velocity of the point with which a body touches a running belt without slip."""
