@@ -107,6 +107,22 @@ def test_validate_text(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "2 files read, 1 with errors" in told.err
 
 
+def test_validate_a_set(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """With its problem files, each once; finds that the set speaks of are there."""
+    (bad,) = (p.relative_to(files) for p in files.rglob("bad.yml"))
+    (files / "set.yaml").write_text(f"problems: [{{file: good.yaml, ask: {{speed: how fast}}}}, {bad}, none.yaml]\n")
+    assert cli.run(["validate", str(files / "set.yaml")]) == 2
+    told = capsys.readouterr().err
+    assert "the problem file none.yaml of the set is not there" in told
+    assert "bad.yml:2:1" not in told
+    (files / "set.yaml").write_text(f"problems: [{{file: good.yaml, ask: {{speed: how fast}}}}, {bad}]\n")
+    assert cli.run(["validate", str(files)]) == 2
+    told = capsys.readouterr().err
+    assert "has no find 'speed'" in told
+    assert told.count("bad.yml:2:1: PL310") == 1
+    assert "3 files read, 2 with errors" in told
+
+
 def test_validate_json(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["validate", "--format", "json", str(files)]) == 2
     told = json.loads(capsys.readouterr().out)

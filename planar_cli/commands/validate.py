@@ -1,10 +1,12 @@
 """Read problem files and tell all that is wrong with them, without solving.
 
-FILES are problem files, folders (every .yaml and .yml file below), or - for standard input. The exit status is 0 when
-all are right, 2 when one is not.
+FILES are problem files, homework sets (with the problem files that they list), folders (every .yaml and .yml file
+below), or - for standard input. The exit status is 0 when all are right, 2 when one is not.
 """
 
 from __future__ import annotations
+
+import os
 
 import click
 
@@ -21,18 +23,20 @@ RIGHT, BAD = 0, 2
 @click.option("--format", "form", type=click.Choice(["text", "json", "github"]), default="text", help="How to print.")
 def command(files: tuple[str, ...], form: str) -> int:
     """Validate each file and print what is wrong."""
+    from planar_cli.homework.set_validity import validated
     from planar_cli.problem.files import problem_files
-    from planar_cli.problem.structure import load
 
     wrong: list[Diagnostic] = []
-    read: list[str] = []
-    for path in problem_files(files):
-        _, diagnostics, source = load(path)
-        read.append(path)
-        wrong += diagnostics
+    read: dict[str, str] = {}
+    for one in (v for path in problem_files(files) for v in validated(path)):
+        # A folder may hold a set and its problems.
+        if os.path.normpath(one.path) in read:
+            continue
+        read[os.path.normpath(one.path)] = one.path
+        wrong += one.wrong
         if form == "text":
-            show_all(diagnostics, {d.mark.file: source for d in diagnostics})
-    _report(read, wrong, form)
+            show_all(one.wrong, {d.mark.file: one.source for d in one.wrong})
+    _report([*read.values()], wrong, form)
     return BAD if wrong else RIGHT
 
 

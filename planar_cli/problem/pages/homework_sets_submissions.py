@@ -34,6 +34,7 @@ file (planar explain variants). A combination is taken only where the physics st
 slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake
 still clearly wrong. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
+    planar validate set.yaml                     is anything wrong with the set or its problem files?
     planar key set.yaml                          the key, on the terminal
     planar key set.yaml -o out --format html     a sheet and a key for each variant, and the key of all
     planar key set.yaml -o out --both            the key with the worked solutions too
