@@ -12,16 +12,16 @@ from conftest import ROOT
 PACKAGE = ROOT / "planar_cli"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
-STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "replay", "homework", "report")
+STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "replay", "homework", "report", "figures")
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "exports", "commands")
-COMMON = {"base_units", "errors", "near", "records", "registry", "unit_hints", "units"}
+COMMON = {"base_units", "errors", "greek", "mathml", "near", "records", "registry", "unit_hints", "units"}
 # What members of a shelf may import, beside errors, records, units and their own shelf's base and private modules.
 MEMBERS_SEE = {
     "joints": {"problem"},
     "loads": {"problem"},
     "principles": {"problem", "equation"},
     "integrators": set[str](),
-    "formats": {"report"},
+    "formats": {"report", "mathml"},
     "exports": {"report", "homework"},
 }
 MOST_LINES, LONGEST_FUNCTION = 400, 60

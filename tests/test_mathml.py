@@ -10,10 +10,10 @@ import pytest
 
 import planar_cli
 from planar_cli.homework.exports._worked import worked_html
-from planar_cli.homework.mathml import MathML
 from planar_cli.homework.paper import Paper, Task
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.sheets import key_html
+from planar_cli.mathml import MathML
 
 WRITERS = ("report/latex.py", "report/names.py", "report/notation.py", "formats/_formulas.py", "formats/markdown.py")
 

@@ -153,6 +153,11 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
     document = narrate(solution, voice, wanted.why)
+    form: Any = members("formats")[wanted.form]
+    if form.pictures:
+        from planar_cli.figures.illustrated import illustrated
+
+        document = illustrated(document, solution)
     return Report(status, _printed(with_disagreements(document, verdicts), wanted))
 
 

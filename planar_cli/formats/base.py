@@ -20,6 +20,7 @@ from planar_cli.report.blocks import (
     Bullet,
     Check,
     Document,
+    Drawing,
     Equation,
     Forces,
     Heading,
@@ -49,6 +50,7 @@ class Pieces(Protocol[Piece]):
     def answers(self, run: Sequence[Answer]) -> list[Piece]: ...
     def checks(self, run: Sequence[Check]) -> list[Piece]: ...
     def notes(self, run: Sequence[Note]) -> list[Piece]: ...
+    def drawings(self, run: Sequence[Drawing]) -> list[Piece]: ...
 
 
 class Format(Pieces[Piece], ABC):
@@ -60,6 +62,8 @@ class Format(Pieces[Piece], ABC):
 
     kind: ClassVar[str]
     suffix: ClassVar[str]
+    pictures: ClassVar[bool] = False
+    """Can it show figures?"""
 
     @classmethod
     def on(cls, stream: TextIO) -> Self:
@@ -85,6 +89,7 @@ class Format(Pieces[Piece], ABC):
                 _way(Answer, self.answers),
                 _way(Check, self.checks),
                 _way(Note, self.notes),
+                _way(Drawing, self.drawings),
             )
         )
         return made[type(run[0])](run)

@@ -11,45 +11,32 @@ from collections.abc import Sequence
 from typing import ClassVar, final
 
 from planar_cli.formats._formulas import joined
+from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
 from planar_cli.formats.base import Format, runs
 from planar_cli.records import record
-from planar_cli.report import latex
 from planar_cli.report.blocks import (
     Answer,
     Bullet,
     Check,
     Document,
+    Drawing,
     Equation,
     Forces,
     Heading,
-    Inline,
     Line,
-    Math,
     Name,
     Note,
     Paragraph,
-    Relation,
     Result,
     Table,
     Text,
     Title,
-    Value,
 )
-from planar_cli.report.lettered import lettered
-from planar_cli.report.names import latex_name, printable
-from planar_cli.report.numbers import significant
-from planar_cli.units import pretty_unit
+from planar_cli.report.names import printable
 
 _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
 # What would begin a list, a numbered list or a quotation at the start of a paragraph.
 _OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
-
-
-NAMING = ("CASE", "STATE", "MOTION")
-"""Labels behind which stands a name, no title."""
-DIAGRAMS = "free-body diagram = kinetic diagram"
-NOTHING = (Text("0"),)
-"""The right-hand side of a body in equilibrium."""
 
 
 @final
@@ -84,16 +71,7 @@ class Markdown(Format[str]):
         return ["\n".join(f"- {_inline(b.line)}" for b in run)]
 
     def equations(self, run: Sequence[Equation]) -> list[str]:
-        return [piece for e in run for piece in self._equation(e)]
-
-    def _equation(self, equation: Equation) -> list[str]:
-        relation = latex.relation(equation.relation)
-        left, *others = [_display(s) for s in equation.sides]
-        formula = left + "".join(f" {relation if i == 0 else '='} {side}" for i, side in enumerate(others))
-        tag = rf" \tag{{{equation.number}}}" if equation.number is not None else ""
-        lead = _display(equation.lead) + r" \quad " if equation.lead else ""
-        note = r" \qquad " + _display(equation.note) if equation.note else ""
-        return [f"$$\n{lead}{formula}{note}{tag}\n$$"]
+        return [f"$$\n{equation(e)}\n$$" for e in run]
 
     def results(self, run: Sequence[Result]) -> list[str]:
         return [f"⇒ {_inline(r.line)}" for r in run]
@@ -113,7 +91,7 @@ class Markdown(Format[str]):
         return ["## Answer", "\n".join(f"- {_answer(a)}" for a in run)]
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        lines = (tuple(q for p in c.line for q in _checked(p)) for c in run)
+        lines = (tuple(q for p in c.line for q in checked(p)) for c in run)
         return ["**Check:** " + " · ".join(map(_inline, lines))]
 
     def notes(self, run: Sequence[Note]) -> list[str]:
@@ -121,6 +99,10 @@ class Markdown(Format[str]):
         if len(run) == 1:
             return [f"{label} {_inline(run[0].line)}"]
         return [label, "\n".join(f"- {_inline(n.line)}" for n in run)]
+
+    def drawings(self, run: Sequence[Drawing]) -> list[str]:
+        """Text has none; the tables of forces say the same."""
+        return []
 
 
 def escaped(text: str) -> str:
@@ -138,12 +120,7 @@ def _paragraph(line: Line) -> str:
 
 def _inline(line: Line) -> str:
     """A line with each of its formulas between dollar signs."""
-    return joined(line, _formula, escaped, _marked).strip()
-
-
-def _checked(part: Inline) -> Line:
-    """A piece of a check; where words have a formula in them, its letters are names."""
-    return lettered(part.text) if isinstance(part, Text) and re.search("[=√]|/2", part.text) else (part,)
+    return joined(line, formula, escaped, _marked).strip()
 
 
 def _marked(part: Text) -> str:
@@ -151,38 +128,6 @@ def _marked(part: Text) -> str:
     text = escaped(part.text)
     mark = {"strong": "**", "muted": "*"}[part.style]
     return f"{mark}{text}{mark}" if text.strip() == text else text
-
-
-def _display(side: Inline | Line) -> str:
-    parts = side if isinstance(side, tuple) else (side,)
-    match parts:
-        case (Name(name), Text(", x" | ", y" as axis)):
-            return latex_name(f"{name}_{axis[-1]}")
-    return "".join(_formula(p) for p in parts)
-
-
-def _formula(part: Inline) -> str:
-    """A part inside a formula."""
-    match part:
-        case Text(text):
-            return latex.words(text)
-        case Name(name):
-            return latex_name(name)
-        case Value(number, unit, figures):
-            return _quantity(significant(number, figures), unit)
-        case Relation(left, relation, right):
-            return f"{_formula(left)} {latex.relation(relation)} {_formula(right)}"
-        case Math(expr, values):
-            from planar_cli.report import notation  # SymPy is loaded only where there is a formula
-
-            return notation.latex(expr, values)
-
-
-def _quantity(number: str, unit: str) -> str:
-    shown = pretty_unit(unit) if unit not in ("", "1") else ""
-    if shown == "°":
-        return latex.numeral(number + shown)
-    return latex.numeral(number) + (rf"~\mathrm{{{latex.numeral(shown)}}}" if shown else "")
 
 
 def _row(cells: Sequence[Line]) -> str:

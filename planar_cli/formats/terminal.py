@@ -17,6 +17,7 @@ from planar_cli.report.blocks import (
     Bullet,
     Check,
     Document,
+    Drawing,
     Equation,
     Forces,
     Heading,
@@ -210,6 +211,10 @@ class Terminal(Format[Row]):
 
     def notes(self, run: Sequence[Note]) -> list[Row]:
         return self._labelled(words(run[0].kind), [spans(n.line) for n in run])
+
+    def drawings(self, run: Sequence[Drawing]) -> list[Row]:
+        """A terminal shows none: the lists of forces say the same."""
+        return []
 
     def _labelled(self, label: str, lines: list[list[Span]]) -> list[Row]:
         # One gap less is wide enough behind a longer label: what is told begins in one column on the whole page.

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import re
 
-_WORDS = "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega"
-_LETTERS = "αβγδεζηθκλμνξπρστφχψω"
-_CAPITALS = {"Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ"}
-GREEK = {**dict(zip(_WORDS.split(), _LETTERS, strict=True)), **_CAPITALS, "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω"}
+from planar_cli.greek import GREEK
+
 LETTERS = {**{sign: word for word, sign in GREEK.items()}, "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Ω": "Omega"}
 """The word of each Greek letter, also of its other forms."""
 

@@ -15,10 +15,10 @@ from itertools import groupby
 
 from planar_cli.homework.exports._text import Names, slug
 from planar_cli.homework.exports._worked import worked_html
-from planar_cli.homework.mathml import MathML
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework
+from planar_cli.mathml import MathML
 from planar_cli.problem.show import harmless, paragraphs_of, spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.units import pretty_unit

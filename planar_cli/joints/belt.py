@@ -12,6 +12,7 @@ from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Ro
 from planar_cli.problem.keys import FlagKey, PartnersKey, key
 from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.setting import Setting, WrittenScene
+from planar_cli.problem.sketches import Loop, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +64,10 @@ class Belt(Joint):
                     message = f"a belt runs round disks with the mass centre in the middle; that of {body.name} is not"
                     hint = f"let it run on a disk `{{disk: O, radius: …}}` without mass, and `weld` that to {body.name}"
                 yield Diagnostic(body.mark, "PL455", message, hint)
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        a, b = self.between
+        return (Loop((scene.center(a), scene.center(b)), (scene.radius(a), scene.radius(b)), self.crossed),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         a, b = self.between

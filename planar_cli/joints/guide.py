@@ -27,6 +27,7 @@ from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, Sid
 from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
+from planar_cli.problem.sketches import Sketch, Slide
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,6 +92,11 @@ class Guide(Joint):
 
     def holder(self) -> str:
         return self.along if isinstance(self.along, str) else GROUND
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        joining, _ = self._joining(scene)
+        along = joining.path.tangent if joining.path is not None else Vec(1, 0)
+        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)

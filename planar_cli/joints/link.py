@@ -9,9 +9,11 @@ from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push
+from planar_cli.problem.fixed_ends import fixed_ends
 from planar_cli.problem.keys import PointPairKey, SideKey, key
 from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.setting import Setting
+from planar_cli.problem.sketches import Bar, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +57,10 @@ class Link(Joint):
 
     between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
     length: Side | None = key(SideKey("m"), "its length, where the drawing leaves it open", default=None)
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        start, end = (scene.point(p) for p in self.between)
+        return (Bar(start, end, fixed_ends(scene, *self.between)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         a, b = self.between

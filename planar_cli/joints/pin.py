@@ -12,7 +12,9 @@ from planar_cli.problem.facts import Facts, Joining, Law, Mode, Push, Row, Test,
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
+from planar_cli.problem.sketches import Hinge, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +65,9 @@ class Pin(Joint):
 
     def fixes(self) -> str | None:
         return self.at if "ground" in self.between and self.during is None else None
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        return (Hinge(scene.point(self.at), GROUND in {scene.carrier(b) for b in self.between}),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         hub = "ground" if "ground" in self.between else self.between[0]

@@ -13,9 +13,11 @@ from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
+from planar_cli.problem.fixed_ends import fixed_ends
 from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting, WrittenBody, WrittenScene
+from planar_cli.problem.sketches import Cord, CordStop, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,6 +129,10 @@ class Rope(Joint):
         after = [f"{stop.way} {stop.name}".removeprefix("point ") for stop in self.path[at + 1 :]]
         one = ", ".join([*before, f"{first} on {body.name}"])
         return f"[{one}]", f"[{', '.join([f'{second} on {body.name}', *after])}]"
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        stops = tuple(CordStop(s.center, s.radius, s.side, s.rim) for s in stops_of(self._route(), scene))
+        return (Cord(stops, fixed_ends(scene, self.path[0].name, self.path[-1].name)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         segments, spins, actions = free_parts(self._route(), scene)

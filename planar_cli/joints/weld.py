@@ -12,6 +12,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
+from planar_cli.problem.sketches import Fastening, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +56,9 @@ class Weld(Joint):
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return tuple((self.at, body) for body in self.between)
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        return (Fastening(scene.point(self.at)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         mover, base = (scene.carrier(b) for b in self.between)

@@ -8,8 +8,10 @@ from typing import ClassVar
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Effect, Wrench
+from planar_cli.problem.fixed_ends import fixed_ends
 from planar_cli.problem.keys import PointPairKey, SideKey, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Absorber, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,6 +56,10 @@ class Damper(Load):
 
     between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
     coefficient: Side = key(SideKey("N*s/m"), "force per speed")
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        start, end = (scene.point(p) for p in self.between)
+        return (Absorber(start, end, fixed_ends(scene, *self.between)),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)

@@ -10,7 +10,8 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PointKey, SideKey, Table, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Push, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,13 +81,20 @@ class Force(Load):
     def passes_through(self, names: frozenset[str]) -> str | None:
         return self.towards
 
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        point = self._place(scene)
+        return (Push(point, self._direction(scene, point), self.magnitude),)
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        name = self.at or self.wound_at
-        point = scene.point(name) if name is not None else scene.center(self.body)
+        point = self._place(scene)
         magnitude = scene.size(self.magnitude, self.mark)
         return (Wrench(self.name, "force", self.body, point, self._direction(scene, point) * magnitude, 0, magnitude),)
 
-    def _direction(self, scene: MovingSetting, point: Vec) -> Vec:
+    def _place(self, scene: Setting) -> Vec:
+        name = self.at or self.wound_at
+        return scene.point(name) if name is not None else scene.center(self.body)
+
+    def _direction(self, scene: Setting, point: Vec) -> Vec:
         if self.towards is not None:
             reach = scene.point(self.towards) - point
             if scene.vanishes(reach.dot(reach)):

@@ -11,6 +11,7 @@ from planar_cli.problem.facts import Wrench
 from planar_cli.problem.headings import heading
 from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
 from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Push, Sketch, Twist
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +73,13 @@ class Impulse(Load):
 
     def passes_through(self, names: frozenset[str]) -> str | None:
         return ""
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        point = scene.point(self.at) if self.at is not None else scene.center(self.body)
+        if self.moment is not None:
+            return (Twist(point, self.moment),)
+        assert self.angle is not None
+        return (Push(point, heading(scene, self.angle), self.magnitude),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         """None: a blow is no force."""

@@ -8,8 +8,10 @@ from typing import Any, ClassVar
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.expression import Side, Statement
 from planar_cli.problem.facts import Effect, Facts, Mode, Test, Wrench
+from planar_cli.problem.fixed_ends import fixed_ends
 from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
 from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Sketch, Spiral
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +69,10 @@ class Spring(Load):
         StatementsKey(), "relations of the place where it is relaxed", default=None
     )
     acts: str | None = key(WordKey(("push", "pull")), "where it only pushes or only pulls", default=None)
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        start, end = (scene.point(p) for p in self.between)
+        return (Spiral(start, end, fixed_ends(scene, *self.between)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         if self.acts is None:

@@ -9,8 +9,10 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.headings import heading
 from planar_cli.problem.keys import BodyKey, Choice, Flow, FlowKey, MagnitudeKey, Table, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Push, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,6 +93,12 @@ class Stream(Load):
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return tuple((flow.at, self.body) for flow, _ in self._flows())
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        return tuple(
+            Push(scene.point(flow.at), heading(scene, flow.angle), None, inward=sense > 0)
+            for flow, sense in self._flows()
+        )
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         rate = scene.size(self.rate, self.mark)

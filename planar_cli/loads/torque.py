@@ -9,7 +9,8 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PartnersKey, Table, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.sketches import Sketch, Twist
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,6 +57,10 @@ class Torque(Load):
     body: str | None = key(BodyKey(), "the body it turns; left out where one alone can be meant", default=None)
     between: tuple[str, ...] | None = key(PartnersKey(), "on the second body, reversed on the first", default=None)
     moment: Side | Table = key(MagnitudeKey("N*m"), "the moment, counterclockwise positive, or a table over time")
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        body = self.body if self.body is not None else (self.between or ("", ""))[1]
+        return (Twist(scene.center(body), self.moment),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         moment = scene.size(self.moment, self.mark)

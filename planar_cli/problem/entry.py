@@ -15,6 +15,8 @@ from typing import ClassVar
 
 from planar_cli.errors import Mark
 from planar_cli.problem.keys import Choice
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.sketches import Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,4 +68,8 @@ class Entry:
 
     def rims(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
+        return ()
+
+    def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        """How it looks in a drawing; nothing where the bodies and surfaces show it, as they do a contact."""
         return ()

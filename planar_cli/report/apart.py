@@ -70,7 +70,7 @@ def _apart(value: Any, taken: Collection[str], arrows: bool, vectorial: bool) ->
             ends = [isinstance(p, Text) and p.text.startswith(WITHOUT) for p in (*value[1:], None)]
             told = zip(value, ends, strict=False)
             return tuple(_apart(part, taken, arrows, vectorial or (arrows and end)) for part, end in told)
-        case Math() | Value():
+        case Math() | Value() | Text():
             return value
     if isinstance(value, str) or not hasattr(value, "__slots__"):
         return value

@@ -1,85 +1,23 @@
 """The document of neutral blocks: what a solution says, without saying how it looks.
 
 Everything that reports makes a `Document`; every format turns one into text. The vocabulary is closed on purpose: a new
-block makes every format fail type checking until it can print it. Formulas are carried as SymPy expressions, but this
-module does not need SymPy.
+block makes every format fail type checking until it can print it. Of what a line is made stands in `lines.py`, of what
+a figure in `marks.py`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import field
-from decimal import Decimal
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from planar_cli.records import record
+from planar_cli.report.lines import Inline, Line, Math, Name, Relation, Term, Text, TextStyle, Value, Way, line
+from planar_cli.report.marks import Figure
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
+    from planar_cli.equation.scene import Scene
 
-TextStyle = Literal["plain", "strong", "muted"]
-
-
-@record
-class Text:
-    """Words; they may come from a file, so a format escapes them."""
-
-    text: str
-    style: TextStyle = "plain"
-
-
-@record
-class Name:
-    """A name of the file or of a principle in mathematical notation: `omega_AB`, `ΣM_C`. `of_thing`: is it that of a
-    quantity of a body or a point, which gives way where the file calls a letter so?
-    """
-
-    name: str
-    of_thing: bool = field(default=False, compare=False)
-
-
-@record
-class Math:
-    """A formula. `values`: texts to print in place of symbols, for the side that shows the substituted numbers."""
-
-    expr: Expr
-    values: Mapping[Symbol, str] | None = field(default=None, hash=False)
-
-
-@record
-class Value:
-    """A number with its unit as the author writes units (`rad/s^2`; empty: none), printed to so many figures."""
-
-    number: Decimal
-    unit: str = ""
-    figures: int = 4
-
-
-Term = Text | Name | Math | Value
-
-
-@record
-class Relation:
-    """A short relation inside a line; `relation` is one of = ≠ < ≤ > ≥ ≈ →."""
-
-    left: Term
-    relation: str
-    right: Term
-
-
-Inline = Term | Relation
-Line = tuple[Inline, ...]
-
-
-def line(*parts: str | Inline | Line) -> Line:
-    """A line from pieces: a string is plain text, a line is spliced in."""
-    pieces: list[Inline] = []
-    for part in parts:
-        if isinstance(part, tuple):
-            pieces.extend(part)
-        else:
-            pieces.append(Text(part) if isinstance(part, str) else part)
-    return tuple(pieces)
+__all__ = ["Inline", "Line", "Math", "Name", "Relation", "Term", "Text", "TextStyle", "Value", "Way", "line"]
 
 
 @record
@@ -139,12 +77,14 @@ class Forces:
     """One row of a free-body diagram = kinetic diagram: the body, what acts on it, what that amounts to.
 
     Without a right-hand line it is a free-body diagram alone. `heads`: what stands over both sides in a table.
+    `scene`: where the body is found by who draws it.
     """
 
     body: str
     left: Line
     right: Line = ()
     heads: tuple[str, str] = ("free-body diagram", "kinetic diagram")
+    scene: Scene | None = field(default=None, compare=False)
 
 
 @record
@@ -179,7 +119,14 @@ class Note:
     line: Line
 
 
-Block = Title | Heading | Paragraph | Bullet | Equation | Result | Forces | Table | Answer | Check | Note
+@record
+class Drawing:
+    """A figure; a format that cannot show one leaves it out."""
+
+    figure: Figure
+
+
+Block = Drawing | Title | Heading | Paragraph | Bullet | Equation | Result | Forces | Table | Answer | Check | Note
 
 
 @record

@@ -22,6 +22,7 @@ from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.report.about_fixed_point import about_fixed_point
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
@@ -30,6 +31,7 @@ from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
@@ -74,7 +76,7 @@ def force_rows(
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
             acting, inertia = (*acting, Text(",  "), *inertia) if inertia else acting, ()
-        rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),)))
+        rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),), scene=instant.instant.scene))
     return rows
 
 
@@ -103,12 +105,12 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 plain = replace(phrases, ways={})
                 # A letter that no equation has stands for the size of its force.
                 idle = sp.sympify(size).is_Symbol and size not in used
-                parts.append([_amount(size, FORCE * lasting, plain), Text(f" {_sense(w, phrases, back, idle)}{where}")])
+                told = f" {_sense(w, phrases, back, idle)}{where}"
+                parts.append([_amount(size, FORCE * lasting, plain), pointing(phrases, told, w.point, w.force)])
             elif w.couple != 0:
                 back = sp.sympify(w.couple).could_extract_minus_sign()
-                parts.append(
-                    [_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), Text(" ↻" if back else " ↺")]
-                )
+                sense = pointing(phrases, " ↻" if back else " ↺", w.point)
+                parts.append([_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), sense])
     assert system.reactions is not None
     absent, at_limit = _absent(instant, stage), impending(stage)
     for push, expr in system.reactions.pushes:
@@ -211,15 +213,18 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str, 
         turning = sp.sympify(expr * action.couple)
         back = turning.could_extract_minus_sign()
         size = _amount(-turning if back else turning, ENERGY, phrases)
-        return [size, Text(f" {'↻' if back else '↺'} by the belt")]
+        return [size, pointing(phrases, f" {'↻' if back else '↺'} by the belt", action.point)]
     if action.force is None:
         back = expr.could_extract_minus_sign()
         counterclockwise = (phrases.value(sp.sympify(action.couple)) > 0) != back
-        return [_amount(-expr if back else expr, ENERGY, phrases), Text(" ↺" if counterclockwise else " ↻")]
+        turning = pointing(phrases, " ↺" if counterclockwise else " ↻", action.point)
+        return [_amount(-expr if back else expr, ENERGY, phrases), turning]
     if expr.could_extract_minus_sign():
-        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)}{where}")]
+        told = f" {phrases.arrow(-action.force.x, -action.force.y)}{where}"
+        return [phrases.math(-expr), pointing(phrases, told, action.point, action.force)]
     assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol and not sure else ""
-    return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}")]
+    told = f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}"
+    return [Math(expr), pointing(phrases, told, action.point, action.force)]
 
 
 def _at(instant: InstantSolution, point: Any, body: str) -> str:
@@ -253,10 +258,10 @@ def _inertia(
     model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
     place, at = centre_of(instant.instant.scene, body), _centre(instant.instant.scene, body) if model.rigid else ""
-    forces: list[tuple[sp.Expr, str]] = []
+    forces: list[tuple[sp.Expr, Text]] = []
     still = vanishing(stage)
     idle = _idle(instant, stage)
-    components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
+    components = stage.accelerations.get(body) or about_fixed_point(instant, body)
     apart = [positive(p) for direction, component in components for p in _apart(direction, component, instant, body)]
     for direction, component in apart if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
@@ -273,40 +278,25 @@ def _inertia(
             if size != 1
             else sp.Mul(model.mass, component, evaluate=False)
         )
-        forces.append((force, phrases.arrow(v.x, v.y)))
-    along = _straight(instant, body, phrases) if len(forces) > 1 else ""
-    if along and not reversed_sense:
-        parts += [phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), Text(f" {along}{at}")]
+        forces.append((force, pointing(phrases, f" {phrases.arrow(v.x, v.y)}{at}", model.center, v)))
+    along = _straight(instant, body) if len(forces) > 1 else None
+    if along is not None and not reversed_sense:
+        straight = pointing(phrases, f" {phrases.arrow(along.x, along.y)}{at}", model.center, along)
+        parts += [phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), straight]
     elif any(longer(force, LONGEST) for force, _ in forces) or (not forces and _moves(instant, stage, body, phrases)):
         sign = "-" if reversed_sense else ""
         parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), Text(at)]
     else:
         for force, arrow in forces:
             told = _clean(force, stage, phrases, kinds[0])
-            parts += [Text(",  ")] * bool(parts) + [*told, Text(f" {arrow}{at}")]
+            parts += [Text(",  ")] * bool(parts) + [*told, arrow]
     alpha = _turns(instant, stage, body)
     if model.inertia != 0 and alpha != 0:
         back = clockwise_letter(alpha, instant) is not None
         told = _clean(model.inertia * (-alpha if back else alpha), stage, phrases, kinds[1])
-        parts += [Text(",  ")] * bool(parts) + [*told, Text(" ↻" if reversed_sense != back else " ↺")]
+        turning = " ↻" if reversed_sense != back else " ↺"
+        parts += [Text(",  ")] * bool(parts) + [*told, pointing(phrases, turning, model.center)]
     return tuple(parts)
-
-
-def _about_fixed_point(instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
-    """α × r and -ω² r of the mass centre of a body of which a point rests, where no equation of the plan has them."""
-    scene, motion = instant.instant.scene, instant.trial.system.motion
-    model = scene.bodies[body]
-    if motion is None or not scene.rigid(body):
-        return []
-    for name, point in scene.points.items():
-        if body not in scene.owners.get(name, ()) or motion.acceleration(point, body) != Vec(sp.S.Zero, sp.S.Zero):
-            continue
-        arm = model.center - point
-        twist = motion.accelerations[body].angular, motion.velocities[body].angular
-        parts = [(Vec(-arm.y, arm.x), sp.sympify(twist[0])), (Vec(-arm.x, -arm.y), sp.sympify(twist[1]) ** 2)]
-        rests = all(instant.value.known(p) == 0 for p in (arm.x, arm.y))
-        return [] if rests else [(way, part) for way, part in parts if instant.value.known(part) != 0]
-    return []
 
 
 def _turns(instant: InstantSolution, stage: Stage, body: str) -> sp.Expr:
@@ -316,16 +306,14 @@ def _turns(instant: InstantSolution, stage: Stage, body: str) -> sp.Expr:
     return sp.S.Zero if alpha in vanishing(stage) else sp.sympify(alpha)
 
 
-def _straight(instant: InstantSolution, body: str, phrases: Phrases) -> str:
-    """The arrow of the straight line along which a body that is a particle moves; empty: it has none."""
+def _straight(instant: InstantSolution, body: str) -> Vec | None:
+    """The direction of the straight line along which a body that is a particle moves; None: it has none."""
     system = instant.trial.system
     joinings = (
         j for mode in system.modes.values() for j in mode.facts.joinings if j.mover == body and j.base == GROUND
     )
     path = next((j.path for j in joinings if j.path is not None and j.path.curvature == 0), None)
-    if path is None or instant.instant.scene.rigid(body):
-        return ""
-    return phrases.arrow(path.tangent.x, path.tangent.y)
+    return None if path is None or instant.instant.scene.rigid(body) else path.tangent
 
 
 def _moves(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> bool:

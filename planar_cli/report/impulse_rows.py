@@ -62,7 +62,7 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
         if row.body in bodies and (left is None or right is None):
             return
         if row.body in bodies and left is not None and right is not None:
-            rows.append(Forces(row.body, left, right, IMPULSES))
+            rows.append(Forces(row.body, left, right, IMPULSES, row.scene))
     level = [_level(row) for row in rows]
     upright = {s.name for row, kept in zip(rows, level, strict=True) for s in _letters(row) - _letters(kept)}
     left_out = any(row != kept for row, kept in zip(rows, level, strict=True)) and not used & upright
@@ -121,7 +121,7 @@ def _impulses(row: Line, letters: Mapping[sp.Symbol, sp.Symbol], time: sp.Expr, 
             put = piece.expr.xreplace(dict(letters)) if reaction else piece.expr * time
             pieces.append(Math(put))
         else:
-            pieces.append(Text(piece.text.replace(ASSUMED, "")) if isinstance(piece, Text) else piece)
+            pieces.append(replace(piece, text=piece.text.replace(ASSUMED, "")) if isinstance(piece, Text) else piece)
     return tuple(pieces)
 
 

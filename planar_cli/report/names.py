@@ -11,41 +11,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from planar_cli.greek import GREEK
 from planar_cli.records import record
 
-GREEK = {
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "delta": "δ",
-    "epsilon": "ε",
-    "zeta": "ζ",
-    "eta": "η",
-    "theta": "θ",
-    "kappa": "κ",
-    "lambda": "λ",
-    "mu": "μ",
-    "nu": "ν",
-    "xi": "ξ",
-    "pi": "π",
-    "rho": "ρ",
-    "sigma": "σ",
-    "tau": "τ",
-    "phi": "φ",
-    "chi": "χ",
-    "psi": "ψ",
-    "omega": "ω",
-    "Gamma": "Γ",
-    "Delta": "Δ",
-    "Theta": "Θ",
-    "Lambda": "Λ",
-    "Xi": "Ξ",
-    "Pi": "Π",
-    "Sigma": "Σ",
-    "Phi": "Φ",
-    "Psi": "Ψ",
-    "Omega": "Ω",
-}
 _WORD = re.compile(r"[a-z]{3,}")
 _OF_CASE = re.compile(r"^[^\W\d]\w*\.(?=[^\W\d])")
 _LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()} | {"ṙ": r"\dot{r}"}

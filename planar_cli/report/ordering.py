@@ -11,7 +11,8 @@ from typing import Any
 
 from sympy import Function
 
-from planar_cli.report.names import GREEK, stem
+from planar_cli.greek import GREEK
+from planar_cli.report.names import stem
 
 _GROUPS = (
     ("mu", "e", "eta", "zeta"),

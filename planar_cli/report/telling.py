@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
+from planar_cli.greek import GREEK
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
@@ -24,7 +25,6 @@ from planar_cli.report.geometry import constructed, in_numbers, places, with_coo
 from planar_cli.report.given_components import vector_before
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
-from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product, with_direction

@@ -11,7 +11,7 @@ import re
 from collections.abc import Sequence
 from html import escape
 
-from planar_cli.homework.printed_names import GREEK
+from planar_cli.greek import GREEK
 from planar_cli.records import record
 
 LONG = 40

@@ -1,0 +1,143 @@
+"""The arrangement: bodies, what joins and moves them, what the file gives, in the position in which it draws them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from planar_cli.errors import PlanarError
+from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.joints_drawn import sketch_marks
+from planar_cli.figures.measures import measure_marks
+from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.surfaces import surface_marks
+from planar_cli.joints.base import Joint
+from planar_cli.problem import expression
+from planar_cli.problem.entry import Entry
+from planar_cli.problem.scene import Line, Particle, Problem, Surface
+from planar_cli.problem.sketches import Sketch
+from planar_cli.report.blocks import line
+from planar_cli.report.marks import Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, spots_of
+from planar_cli.solve.solution import InstantSolution
+
+ALONE = 1.0
+"""The size of a scene that is one point, m."""
+
+
+def arrangement(instant: InstantSolution) -> Panel:
+    """The scene of an instant, or of the general position of a motion, where the file draws it."""
+    drawn = Drawn.as_in_the_file(instant)
+    return Panel(tuple(_marks(drawn, drawn.scene.problem)))
+
+
+def _marks(drawn: Drawn, problem: Problem) -> Iterator[Mark]:
+    scene = drawn.scene
+    points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
+    centers = [s for b in scene.bodies.values() if (s := drawn.spot(b.center)) is not None]
+    size = extent([*points.values(), *centers]) or ALONE
+    standing: dict[str, Symbol] = {}
+    for surface in problem.surfaces:
+        touching = [points[p] for p in _touching(problem, surface) if p in points]
+        beside = [scene.bodies[b] for b in _partners(problem, surface) if b in scene.bodies]
+        near = [s for b in beside if (s := drawn.spot(b.center)) is not None]
+        touching += [s for b in beside for m in body_marks(drawn, b) for s in spots_of(m)]
+        for mark in surface_marks(drawn, surface, touching, near or centers, size):
+            yield mark
+            if isinstance(mark, Hatched):
+                standing.update(_standing(drawn, problem, surface, mark))
+    sketches = [(entry, _sketch(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
+    sketched = [m for entry, found in sketches for s in found for m in sketch_marks(drawn, s, line(entry.name))]
+    sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail")}
+    for name, body in scene.bodies.items():
+        for mark in body_marks(drawn, body):
+            if isinstance(mark, Symbol) and mark.at in sliding:
+                continue
+            yield standing.get(name, mark) if isinstance(mark, Symbol) else mark
+    yield from sketched
+    shown = {p.name: points[p.name] for p in problem.points if p.name in points and not p.unnamed}
+    yield from (Symbol("point", s) for s in shown.values())
+    tagged = {**shown, **_particles(drawn, problem, shown)}
+    yield from measure_marks(drawn, problem, tagged)
+    yield Axes(problem.plane == "vertical")
+    yield from _bodies_named(drawn, problem, tagged)
+
+
+def _sketch(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
+    try:
+        return entry.sketch(drawn.scene)
+    except PlanarError:
+        # Where a joint does not hold yet, or a direction rests on what moves, the drawing has no sign of it.
+        return ()
+
+
+def _touching(problem: Problem, surface: Surface) -> Iterator[str]:
+    """The points of the file on a surface: where bodies touch it, and through which it is drawn."""
+    shape = surface.shape
+    if isinstance(shape, Line):
+        yield shape.through
+    for joint in problem.joints:
+        if surface.name in _between(joint):
+            yield from (p for p in (getattr(joint, "at", ""), getattr(joint, "point", "")) if p)
+    yield from _partners(problem, surface)
+
+
+def _partners(problem: Problem, surface: Surface) -> Iterator[str]:
+    """The bodies that touch a surface, or slide along it."""
+    for joint in problem.joints:
+        partners = _between(joint)
+        if surface.name in partners:
+            yield from (p for p in partners if p != surface.name)
+
+
+def _between(joint: Joint) -> tuple[str, ...]:
+    """What a joint is between, by name."""
+    along = getattr(joint, "along", None)
+    track = along if isinstance(along, str) else along.name if isinstance(along, expression.Name) else ""
+    named = (*getattr(joint, "between", ()), track, getattr(joint, "body", None))
+    return tuple(n for n in named if isinstance(n, str) and n)
+
+
+def _standing(drawn: Drawn, problem: Problem, surface: Surface, mark: Hatched) -> dict[str, Symbol]:
+    """Particles on a fixed straight line are blocks that stand on it."""
+    if not isinstance(surface.shape, Line):
+        return {}
+    (a, b) = mark.places[0], mark.places[-1]
+    along = math.atan2(b[1] - a[1], b[0] - a[0])
+    found = {}
+    for joint in problem.joints:
+        between = getattr(joint, "between", ())
+        for name in between if surface.name in between else ():
+            body = drawn.scene.bodies.get(name)
+            if body is not None and isinstance(body.shape, Particle) and (spot := drawn.spot(body.center)) is not None:
+                found[name] = Symbol("block", spot, along)
+    return found
+
+
+def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot]) -> dict[str, Spot]:
+    """Particles that are at no point with a name of its own, by their names."""
+    found = {}
+    for body in problem.bodies:
+        spot = drawn.spot(drawn.scene.bodies[body.name].center)
+        if isinstance(body.shape, Particle) and spot is not None and spot not in shown.values():
+            found[body.name] = spot
+    return found
+
+
+def _bodies_named(drawn: Drawn, problem: Problem, tagged: dict[str, Spot]) -> Iterator[Mark]:
+    """The names of bodies that are not called by their points."""
+    names = set(tagged)
+    for body in problem.bodies:
+        model = drawn.scene.bodies[body.name]
+        spot = drawn.spot(model.center)
+        by_points = body.name in names or any(a + b == body.name for a in names for b in names)
+        pointed = isinstance(body.shape, Particle) and spot in tagged.values()
+        if spot is not None and not by_points and not pointed:
+            yield Tag(spot, line(body.name.replace("_", " ")))
+
+
+def extent(spots: list[Spot]) -> float:
+    """The larger side of the box round some places, m."""
+    if not spots:
+        return 0.0
+    xs, ys = [x for x, _ in spots], [y for _, y in spots]
+    return max(max(xs) - min(xs), max(ys) - min(ys))

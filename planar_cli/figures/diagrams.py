@@ -1,0 +1,112 @@
+"""Free-body diagram = kinetic diagram: each list of forces of a page as a pair of drawings, in the position in which
+the page tells their ways.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from itertools import groupby
+
+from planar_cli.equation.arrows import vector_arrow
+from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.shapes import body_marks
+from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
+from planar_cli.report.blocks import Forces, Inline, Line, Name, Text, Way, line
+from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Spot, Style, Symbol, Tag, Turn
+
+BREAK = ",  "
+"""Between two vectors of a list."""
+ARROWS = frozenset("↑→↓←↗↖↙↘")
+_AT = re.compile(r" at ([^ ,()]+)")
+STACKED = 0.6
+"""By so much longer is an arrow that lies on another one."""
+INWARD = 0.35
+"""The cosine of the angle to the way to the mass centre from which on a force at the edge is drawn as a push."""
+
+
+@record
+class _Vector:
+    """One entry of a list: its size, where it is and which way."""
+
+    words: Line
+    told: str
+    way: Way
+
+
+def diagram(row: Forces) -> Figure | None:
+    """A list of forces as drawings; None: nothing of it can be drawn."""
+    left, right = list(_vectors(row.left)), list(_vectors(row.right))
+    if row.scene is None or not left:
+        return None
+    drawn = Drawn(row.scene, left[0].way.value, {})
+    panels = [_panel(drawn, row, left, "force", row.heads[0])]
+    if row.right:
+        panels.append(_panel(drawn, row, right, "inertia", row.heads[1]))
+    return Figure(tuple(panels), f"{row.heads[0]} of {row.body}", "=")
+
+
+def _vectors(listed: Line) -> Iterator[_Vector]:
+    """The entries of a list that have a way."""
+    for apart, pieces in groupby(listed, key=lambda p: isinstance(p, Text) and p.text == BREAK):
+        entry: list[Inline] = list(pieces)
+        last = entry[-1]
+        if not apart and isinstance(last, Text) and last.way is not None:
+            yield _Vector(tuple(entry[:-1]), last.text, last.way)
+
+
+def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
+    assert drawn.scene is not None
+    body = drawn.scene.bodies[row.body]
+    marks: list[Mark] = list(body_marks(drawn, body))
+    center = drawn.spot(body.center)
+    if body.rigid and center is not None:
+        marks.append(Symbol("centre", center))
+    taken: dict[tuple[float, ...], int] = {}
+    tags: dict[str, Spot] = {}
+    for vector in vectors:
+        at = _spot(drawn, vector.way, vector.way.place)
+        if at is None:
+            continue
+        if (named := _AT.search(vector.told)) is not None:
+            tags[named[1]] = at
+        marks += _mark(drawn, vector, at, center, style, taken)
+    marks += [Symbol("point", at) for at in tags.values() if at != center]
+    marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
+    return Panel(tuple(marks), line(head))
+
+
+def _mark(
+    drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: Style, taken: dict[tuple[float, ...], int]
+) -> Iterator[Mark]:
+    if vector.way.direction is None:
+        yield Turn(at, -1 if "↻" in vector.told else 1, style, vector.words)
+        return
+    way = _spot(drawn, vector.way, vector.way.direction)
+    if way is None or not any(way):
+        return
+    glyph = next((c for c in vector.told if c in ARROWS), "")
+    if glyph == vector_arrow(Decimal(-way[0]), Decimal(-way[1])):
+        way = (-way[0], -way[1])
+    angle = math.atan2(way[1], way[0])
+    inward = _is_push(way, at, center)
+    # Several along one line lie one behind the other.
+    key = (round(at[0], 9), round(at[1], 9), round(angle, 3), inward)
+    again = taken[key] = taken.get(key, -1) + 1
+    yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward)
+
+
+def _spot(drawn: Drawn, way: Way, place: Vec) -> Spot | None:
+    return Drawn(drawn.scene, way.value, {}).spot(place)
+
+
+def _is_push(way: Spot, at: Spot, center: Spot | None) -> bool:
+    """Does it press on the edge, towards the mass centre?"""
+    if center is None or math.dist(at, center) < 1e-9:
+        return False
+    inside = (center[0] - at[0], center[1] - at[1])
+    cosine = (way[0] * inside[0] + way[1] * inside[1]) / (math.hypot(*way) * math.hypot(*inside))
+    return cosine > INWARD

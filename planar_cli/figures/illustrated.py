@@ -1,0 +1,46 @@
+"""A page with its figures: the arrangement at its top, each pair of diagrams beside its list of forces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from planar_cli.figures.arrangement import arrangement
+from planar_cli.figures.diagrams import diagram
+from planar_cli.report.blocks import Block, Document, Drawing, Forces, Heading, Paragraph
+from planar_cli.report.marks import Figure
+from planar_cli.solve.solved_problem import Solution
+
+
+def illustrated(document: Document, solution: Solution) -> Document:
+    """The worked solution of a file with what a lecturer would draw beside it."""
+    return replace(document, blocks=tuple(_blocks(document, solution)))
+
+
+def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
+    first = _arrangement(solution)
+    for block in document.blocks:
+        if first is not None and not isinstance(block, Paragraph):
+            yield Drawing(first)
+            first = None
+        yield block
+        if isinstance(block, Forces) and (figure := diagram(block)) is not None:
+            yield Drawing(figure)
+
+
+def _arrangement(solution: Solution) -> Figure | None:
+    """The scene of the file; None: no part of it is worked out at an instant."""
+    instant = next((i for part in solution.parts for i in part.instants), None)
+    return None if instant is None else Figure((arrangement(instant),), solution.problem.title)
+
+
+def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:
+    """The figures of an illustrated page with names for files: scene, then the bodies of the diagrams."""
+    seen: dict[str, int] = {}
+    before: Block = Heading("", "")
+    for block in document.blocks:
+        if isinstance(block, Drawing):
+            name = before.body if isinstance(before, Forces) else "scene"
+            seen[name] = seen.get(name, 0) + 1
+            yield name if seen[name] == 1 else f"{name}-{seen[name]}", block.figure
+        before = block

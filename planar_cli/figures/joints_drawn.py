@@ -1,0 +1,190 @@
+"""Joints and loads as they are drawn: what each kind says of its looks (problem/sketches.py), in numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import singledispatch
+from itertools import pairwise
+from typing import Any
+
+from planar_cli.figures.drawn import Drawn, words_of
+from planar_cli.figures.shapes import moved
+from planar_cli.problem.keys import Table
+from planar_cli.problem.sketches import (
+    Absorber,
+    Bar,
+    Cord,
+    CordStop,
+    Fastening,
+    Hinge,
+    Loop,
+    Push,
+    Sketch,
+    Slide,
+    Spiral,
+    Twist,
+)
+from planar_cli.records import record
+from planar_cli.report.blocks import Line
+from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
+
+
+def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line) -> Iterator[Mark]:
+    """What a joint or load looks like. `name`: what a force is called whose size the file does not give in short."""
+    return _drawn(sketch, drawn, name)
+
+
+@singledispatch
+def _drawn(sketch: Any, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    raise TypeError(type(sketch).__name__)
+
+
+@_drawn.register
+def _hinge(sketch: Hinge, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    at = drawn.spot(sketch.at)
+    if at is not None:
+        yield Symbol("support" if sketch.grounded else "pin", at)
+
+
+@_drawn.register
+def _slide(sketch: Slide, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    at, along = drawn.spot(sketch.at), drawn.angle(sketch.along)
+    if at is not None and along is not None:
+        yield Symbol("rail" if sketch.grounded else "slider", at, along)
+
+
+@_drawn.register
+def _fastening(sketch: Fastening, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    at = drawn.spot(sketch.at)
+    if at is not None:
+        yield Symbol("weld", at)
+
+
+@_drawn.register
+def _bar(sketch: Bar, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    ends = _ends(drawn, sketch)
+    if ends is not None:
+        yield Polyline(ends, "body")
+        yield from (Symbol("support" if f else "pin", end) for end, f in zip(ends, sketch.fixed, strict=True))
+
+
+@_drawn.register
+def _spiral(sketch: Spiral, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    ends = _ends(drawn, sketch)
+    if ends is not None:
+        yield Coil(*ends)
+        yield from _walls(ends, sketch.fixed)
+
+
+@_drawn.register
+def _absorber(sketch: Absorber, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    ends = _ends(drawn, sketch)
+    if ends is not None:
+        yield Dashpot(*ends)
+        yield from _walls(ends, sketch.fixed)
+
+
+def _walls(ends: tuple[Spot, Spot], fixed: tuple[bool, bool]) -> Iterator[Mark]:
+    """What the ends of something straight are fastened to: a piece of wall across it, behind each end."""
+    for (at, other), held in zip((ends, ends[::-1]), fixed, strict=True):
+        if held:
+            yield Symbol("wall", at, math.atan2(other[1] - at[1], other[0] - at[0]))
+
+
+def _ends(drawn: Drawn, sketch: Bar | Spiral | Absorber) -> tuple[Spot, Spot] | None:
+    """The two ends, where they are told and apart."""
+    start, end = drawn.spot(sketch.start), drawn.spot(sketch.end)
+    return None if start is None or end is None or start == end else (start, end)
+
+
+@_drawn.register
+def _loop(sketch: Loop, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    (a, b), radii = (drawn.spot(c) for c in sketch.centers), [drawn.number(r) for r in sketch.radii]
+    if a is None or b is None or radii[0] is None or radii[1] is None:
+        return
+    for side in (1, -1):
+        ends = (_Stop(a, radii[0], side), _Stop(b, radii[1], -side if sketch.crossed else side))
+        yield Polyline(_straight(*ends), "rope")
+
+
+@_drawn.register
+def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    at, angle = drawn.spot(sketch.at), drawn.angle(sketch.direction)
+    if at is not None and angle is not None:
+        words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
+        yield Arrow(at, angle, "force", words, inward=sketch.inward)
+
+
+@_drawn.register
+def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    at = drawn.spot(sketch.at)
+    size = None if isinstance(sketch.size, Table) else drawn.length(sketch.size)
+    if at is not None:
+        words = name if isinstance(sketch.size, Table) else words_of(sketch.size) or name
+        yield Turn(at, -1 if size is not None and size < 0 else 1, "force", words)
+
+
+@record
+class _Stop:
+    """A stop of a cord in numbers; `side` as in `CordStop`."""
+
+    center: Spot
+    radius: float = 0.0
+    side: int = 0
+    rim: Spot | None = None
+
+
+@_drawn.register
+def _cord(sketch: Cord, drawn: Drawn, name: Line) -> Iterator[Mark]:
+    stops = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
+    if len(stops) < len(sketch.stops):
+        return
+    parts = [_straight(a, b) for a, b in pairwise(stops) if (a.rim or a.center) != (b.rim or b.center)]
+    for part in parts:
+        yield Polyline(part, "rope")
+    if len(parts) == len(stops) - 1:
+        for (before, after), stop in zip(pairwise(parts), stops[1:-1], strict=True):
+            if stop.radius:
+                yield _wrapped(stop, before[1], after[0])
+    if parts:
+        yield from list(_walls(parts[0], (sketch.fixed[0], False))) + list(_walls(parts[-1], (False, sketch.fixed[1])))
+
+
+def _stop(drawn: Drawn, stop: CordStop) -> _Stop | None:
+    center = drawn.spot(stop.center)
+    if center is None:
+        return None
+    return _Stop(
+        center, drawn.number(stop.radius) or 0.0, stop.side, None if stop.rim is None else drawn.spot(stop.rim)
+    )
+
+
+def _straight(a: _Stop, b: _Stop) -> tuple[Spot, Spot]:
+    """The straight part between two stops: from rim to rim, as a tangent."""
+    if a.rim is not None or b.rim is not None:
+        return (a.rim or _touch(a, b.rim or b.center, 1), b.rim or _touch(b, a.rim or a.center, -1))
+    reach = math.dist(a.center, b.center)
+    along = math.atan2(b.center[1] - a.center[1], b.center[0] - a.center[0])
+    offset = b.side * b.radius - a.side * a.radius
+    if reach <= abs(offset):
+        return a.center, b.center
+    # The rope is to the right of a centre that lies to its left.
+    way = along - math.asin(offset / reach)
+    return moved(a.center, way, 0.0, -a.side * a.radius), moved(b.center, way, 0.0, -b.side * b.radius)
+
+
+def _touch(stop: _Stop, other: Spot, sense: int) -> Spot:
+    """Where the tangent from a stop to a place leaves its rim; `sense` -1: the rope comes from that place."""
+    if not stop.radius:
+        return stop.center
+    ends = _straight(_Stop(stop.center, stop.radius, stop.side * sense), _Stop(other))
+    return ends[0]
+
+
+def _wrapped(stop: _Stop, comes: Spot, goes: Spot) -> Arc:
+    """The part of a rim on which a rope lies."""
+    first, last = (math.atan2(p[1] - stop.center[1], p[0] - stop.center[0]) for p in (comes, goes))
+    # With its centre to the left of it the rope turns counterclockwise.
+    sweep = (last - first) % (2 * math.pi) if stop.side > 0 else -((first - last) % (2 * math.pi))
+    return Arc(stop.center, stop.radius, "rope", first, sweep)

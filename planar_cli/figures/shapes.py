@@ -1,0 +1,136 @@
+"""Bodies as they are drawn: each by its shape, in the position of the scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import singledispatch
+from typing import Any
+
+from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.drawn import Drawn
+from planar_cli.problem.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
+from planar_cli.problem.shapes import drawn_by
+from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Style, Symbol
+
+SMOOTH = 36
+"""So many strokes make an arc."""
+
+
+def body_marks(drawn: Drawn, body: BodyModel, style: Style = "body") -> Iterator[Mark]:
+    """The shape of a body; nothing of one whose place nobody knows."""
+    yield from _shape(body.shape, drawn, body, style)
+
+
+@singledispatch
+def _shape(shape: Any, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    raise TypeError(type(shape).__name__)
+
+
+@_shape.register
+def _particle(shape: Particle, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    at = drawn.spot(body.center)
+    if at is not None:
+        yield Symbol("particle", at)
+
+
+@_shape.register
+def _rod(shape: Rod, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    start, center = drawn.carried(body.name, shape.start), drawn.spot(body.center)
+    if start is not None and center is not None:
+        end = (2 * center[0] - start[0], 2 * center[1] - start[1])
+        yield Polyline((start, end), style)
+
+
+@_shape.register
+def _round(shape: Round, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    center = drawn.carried(body.name, shape.center)
+    for side in (shape.radius, shape.hub):
+        radius = drawn.length(side) if side is not None else None
+        if center is not None and radius:
+            yield Arc(center, radius, style if side is shape.radius else "thin")
+
+
+@_shape.register
+def _sector(shape: Sector, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    apex, radius = drawn.carried(body.name, shape.apex), drawn.length(shape.radius)
+    span = drawn.length(shape.span)
+    axis = drawn.number(body.theta)
+    if apex is None or not radius or span is None or axis is None:
+        return
+    start = axis - span / 2
+    rim = tuple(moved(apex, start + span * i / SMOOTH, radius) for i in range(SMOOTH + 1))
+    # A half disk has its apex on its edge.
+    yield Polyline(rim if abs(span - math.pi) < 1e-9 else (apex, *rim), style, closed=True)
+
+
+@_shape.register
+def _plate(shape: Plate, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    center = drawn.carried(body.name, shape.center)
+    along = drawn.angle(drawn.scene.along_plate(body.name, shape))
+    width, height = drawn.length(shape.width), drawn.length(shape.height)
+    if center is None or along is None or not width or not height:
+        return
+    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    places = tuple(moved(center, along, i * width / 2, j * height / 2) for i, j in corners)
+    yield Polyline(places, style, closed=True)
+
+
+@_shape.register
+def _any(shape: Outline, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    if shape.rim is not None:
+        yield from _round(shape.rim, drawn, body, style)
+        return
+    written = next(b for b in drawn.scene.problem.bodies if b.name == body.name)
+    places = [p for name in drawn_by(written) if (p := drawn.carried(body.name, name)) is not None]
+    ring = _around(places)
+    if len(ring) > 1:
+        yield Polyline(tuple(ring), style, closed=len(ring) > 2)
+
+
+@_shape.register
+def _composite(shape: Composite, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
+    for piece in shape.pieces:
+        part = BodyModel(
+            body.name, piece.shape, True, body.mass, body.inertia, _centre_of(drawn, body, piece), "", body.theta
+        )
+        yield from _shape(piece.shape, drawn, part, style)
+
+
+def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
+    """The mass centre of a part, which tells where a rod has its other end."""
+    shapes = drawn.scene
+    shape = piece.shape
+    if isinstance(shape, Rod) and shape.end is not None:
+        ends = [shapes.carried(body.name, p) for p in (shape.start, shape.end)]
+        return (ends[0] + ends[1]) / 2
+    for (_, _, center), other in zip(body.parts, getattr(body.shape, "pieces", ()), strict=False):
+        if other is piece:
+            return center
+    return body.center
+
+
+def _around(places: list[Spot]) -> list[Spot]:
+    """The corners of the smallest convex outline round some places, counterclockwise."""
+    ordered = sorted(set(places))
+    if len(ordered) < 3:
+        return ordered
+    halves: list[list[Spot]] = []
+    for way in (ordered, ordered[::-1]):
+        half: list[Spot] = []
+        for p in way:
+            while len(half) > 1 and _turn(half[-2], half[-1], p) <= 0:
+                half.pop()
+            half.append(p)
+        halves.append(half[:-1])
+    return halves[0] + halves[1]
+
+
+def _turn(a: Spot, b: Spot, c: Spot) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def moved(start: Spot, along: float, ahead: float, left: float = 0.0) -> Spot:
+    """The place `ahead` in a direction, and `left` of it."""
+    cos, sin = math.cos(along), math.sin(along)
+    return (start[0] + ahead * cos - left * sin, start[1] + ahead * sin + left * cos)

@@ -1,0 +1,180 @@
+"""Figures as SVG, written by the standard library, which escapes every word."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from typing import Literal
+from xml.etree import ElementTree as ET
+
+from planar_cli.formats._labels import with_labels
+from planar_cli.formats._on_paper import Scale, on_paper, world_box
+from planar_cli.formats._paper import (
+    SIZE,
+    SMALL,
+    Box,
+    Disc,
+    Paper,
+    Placed,
+    Run,
+    Spot,
+    Stroke,
+    along,
+    box_of,
+    runs_of,
+)
+from planar_cli.report.marks import Figure
+
+SPACE = "http://www.w3.org/2000/svg"
+WIDE, HIGH = 400.0, 300.0
+"""A panel is drawn so large, to scale, at most; of several panels each has its part of the width."""
+PART = (1.0, 0.7, 0.55, 0.45)
+MARGIN, BETWEEN, HEADED = 8.0, 46.0, 24.0
+LIGHT = {
+    "ink": "#1b1b1b",
+    "faint": "#6d6d6d",
+    "body": "#e9edf3",
+    "force": "#b3261e",
+    "inertia": "#1555a5",
+    "velocity": "#1e7d32",
+    "accel": "#8a4b00",
+    "paper": "#ffffff",
+}
+DARK = {
+    "ink": "#e8e8e8",
+    "faint": "#9a9a9a",
+    "body": "#2c3440",
+    "force": "#ff8a80",
+    "inertia": "#82b1ff",
+    "velocity": "#81c784",
+    "accel": "#ffb74d",
+    "paper": "#111418",
+}
+RULES = """
+.stroke{fill:none;stroke:var(--ink);stroke-width:1.2;stroke-linejoin:round;stroke-linecap:round}
+.area{fill:var(--body);fill-opacity:.75}.bar{stroke-width:4.5}.thin{stroke-width:.9;fill:none}
+.hidden,.dashed{stroke-dasharray:4 3}.ground{stroke-width:1.6}.hatch{stroke:var(--faint);stroke-width:.8}
+.rope{stroke-width:1.6}.spring{stroke-width:1.3}.pin,.centre{fill:var(--paper)}.mass,.dot{fill:var(--ink)}
+.support{fill:var(--paper)}.measure{stroke:var(--faint);stroke-width:.8}.axis{stroke:var(--faint)}
+.force{stroke:var(--force);stroke-width:1.8}.inertia{stroke:var(--inertia);stroke-width:1.8}
+.velocity{stroke:var(--velocity);stroke-width:1.8}.acceleration{stroke:var(--accel);stroke-width:1.8}
+.head{stroke-width:.6}.force.head{fill:var(--force)}.inertia.head{fill:var(--inertia)}
+.velocity.head{fill:var(--velocity)}.acceleration.head{fill:var(--accel)}.measure.head{fill:var(--faint)}
+.axis.head{fill:var(--faint)}
+.words{font-family:"DejaVu Sans","Segoe UI",Helvetica,Arial,sans-serif;fill:var(--ink);stroke:none}
+.force-words{fill:var(--force)}.inertia-words{fill:var(--inertia)}.axis-words{fill:var(--faint)}
+.velocity-words{fill:var(--velocity)}.acceleration-words{fill:var(--accel)}.formula{font-style:italic}
+"""
+Look = Literal["own", "page", "print"]
+"""Whence a figure has its colours: its own style, light and dark; that of the page; its own, for white paper."""
+
+
+def _variables(colours: dict[str, str]) -> str:
+    return "".join(f"--{name}:{colour};" for name, colour in colours.items())
+
+
+STYLE = f"svg{{{_variables(LIGHT)}}}@media (prefers-color-scheme:dark){{svg{{{_variables(DARK)}}}}}{RULES}"
+"""For a page with figures, on a screen."""
+PRINT = re.sub(r"var\(--(\w+)\)", lambda m: LIGHT[m[1]], RULES)
+"""For paper, and for readers of SVG that know no variables."""
+
+
+def svg(figure: Figure, look: Look = "own") -> str:
+    """A figure as one SVG element."""
+    papers = papers_of(figure)
+    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": figure.words})
+    ET.SubElement(root, "title").text = figure.words
+    if look != "page":
+        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+    heads = [runs_of(p.head) for p in figure.panels]
+    over = HEADED if any(heads) else 0.0
+    boxes = [_box(p, sum(r.width for r in head)) for p, head in zip(papers, heads, strict=True)]
+    top, bottom = min(b.top for b in boxes), max(b.bottom for b in boxes)
+    left = 0.0
+    for paper, box, head in zip(papers, boxes, heads, strict=True):
+        if left:
+            _between(root, figure.between, left - BETWEEN / 2, (bottom - top) / 2)
+        # One scale and one height: what is the same in two panels is level.
+        group = ET.SubElement(root, "g", {"transform": f"translate({_n(left - box.left)} {_n(-top)})"})
+        _fill(group, paper)
+        if head:
+            middle = (box.left + box.right - sum(r.width for r in head)) / 2
+            _write(group, head, (middle, top - HEADED / 3), "head-line")
+        left += box.right - box.left + BETWEEN
+    width, height = left - BETWEEN, bottom - top
+    root.set("viewBox", f"{_n(-MARGIN)} {_n(-MARGIN - over)} {_n(width + 2 * MARGIN)} {_n(height + over + 2 * MARGIN)}")
+    root.set("width", _n(width + 2 * MARGIN))
+    root.set("height", _n(height + over + 2 * MARGIN))
+    for element in root.iter():
+        # A line feed between letters would be a space.
+        if element.tag != "tspan":
+            element.tail = "\n"
+    return ET.tostring(root, encoding="unicode")
+
+
+def papers_of(figure: Figure) -> list[Paper]:
+    """The panels on paper in one scale, with all words at their places."""
+    part = PART[min(len(figure.panels), len(PART)) - 1]
+    sizes = [world_box(p) for p in figure.panels]
+    wide, high = max(w for w, _ in sizes), max(h for _, h in sizes)
+    pixels = min(WIDE * part / wide if wide else math.inf, HIGH * part / high if high else math.inf)
+    scale = Scale(pixels if math.isfinite(pixels) else 100.0)
+    return [with_labels(on_paper(p, scale)) for p in figure.panels]
+
+
+def _box(paper: Paper, least: float) -> Box:
+    """The box round all that is on paper, at least so wide."""
+    ink = box_of(spot for s in paper.strokes for spot in along(s, 8.0)) or Box(0, 0, 1, 1)
+    for placed in paper.placed:
+        ink = ink.around(placed.box)
+    short = max(least - (ink.right - ink.left), 0.0) / 2
+    return Box(ink.left - short, ink.top, ink.right + short, ink.bottom).grown(3.0)
+
+
+def _between(root: ET.Element, sign: str, x: float, y: float) -> None:
+    text = ET.SubElement(root, "text", {"x": _n(x), "y": _n(y), "font-size": _n(SIZE * 1.6), "text-anchor": "middle"})
+    text.text = sign
+
+
+def _fill(group: ET.Element, paper: Paper) -> None:
+    for stroke in paper.strokes:
+        if isinstance(stroke, Disc):
+            (x, y), kind = stroke.center, f"stroke {stroke.kind}"
+            ET.SubElement(group, "circle", {"cx": _n(x), "cy": _n(y), "r": _n(stroke.radius), "class": kind})
+        else:
+            ET.SubElement(group, "path", {"d": _path(stroke), "class": f"stroke {stroke.kind}"})
+    for placed in paper.placed:
+        _write(group, placed.words.runs, _start(placed), placed.words.kind)
+
+
+def _start(placed: Placed) -> Spot:
+    """Where the first letter stands: its foot on the base line."""
+    return placed.box.left, placed.box.bottom - SIZE * 0.38
+
+
+def _write(group: ET.Element, runs: Sequence[Run], at: Spot, kind: str) -> None:
+    text = ET.SubElement(
+        group, "text", {"x": _n(at[0]), "y": _n(at[1]), "class": f"words {kind}-words", "font-size": _n(SIZE)}
+    )
+    low = False
+    for run in runs:
+        piece = ET.SubElement(text, "tspan")
+        if run.index != low:
+            piece.set("dy", _n(SIZE * 0.25 * (1 if run.index else -1)))
+            low = run.index
+        if run.index:
+            piece.set("font-size", _n(SIZE * SMALL))
+        if run.formula:
+            piece.set("class", "formula")
+        piece.text = run.text
+
+
+def _path(stroke: Stroke) -> str:
+    moves = " L".join(f"{_n(x)} {_n(y)}" for x, y in stroke.places)
+    return f"M{moves}{' Z' if stroke.closed else ''}"
+
+
+def _n(x: float) -> str:
+    """A number with at most two decimals."""
+    return f"{round(x, 2) + 0.0:.2f}".rstrip("0").rstrip(".")

@@ -1,0 +1,116 @@
+"""How a joint or load of the file looks in a drawing: the closed vocabulary in which each kind says so.
+
+Places are vectors of exact expressions, as in `facts.py`; a body's own shape is drawn from the scene, and so is a
+surface, so that a contact needs no sign.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_cli.problem.expression import Side
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import Table
+from planar_cli.records import record
+
+
+@record
+class Hinge:
+    """A pin at a place; `grounded`: on a fixed support."""
+
+    at: Vec
+    grounded: bool
+
+
+@record
+class Slide:
+    """A slider at a place on a straight track along a direction. `grounded`: the track is fixed."""
+
+    at: Vec
+    along: Vec
+    grounded: bool
+
+
+@record
+class Fastening:
+    """Bodies fixed to each other at a place."""
+
+    at: Vec
+
+
+@record
+class CordStop:
+    """Where a cord passes: a point, a circle about it (`side` +1: its centre lies to the left of the running cord), or
+    the place `rim` where the cord leaves a drum on which it is wound.
+    """
+
+    center: Vec
+    radius: Any = 0
+    side: int = 0
+    rim: Vec | None = None
+
+
+@record
+class Cord:
+    """A rope from stop to stop. `fixed`: are its ends fastened to the ground?"""
+
+    stops: tuple[CordStop, ...]
+    fixed: tuple[bool, bool] = (False, False)
+
+
+@record
+class Bar:
+    """A light rod from pin to pin; `fixed`: which of them are supports?"""
+
+    start: Vec
+    end: Vec
+    fixed: tuple[bool, bool] = (False, False)
+
+
+@record
+class Spiral:
+    """A helical spring; `fixed`: which of its ends are fastened to the ground?"""
+
+    start: Vec
+    end: Vec
+    fixed: tuple[bool, bool] = (False, False)
+
+
+@record
+class Absorber:
+    """A viscous damper; `fixed`: which of its ends are fastened to the ground?"""
+
+    start: Vec
+    end: Vec
+    fixed: tuple[bool, bool] = (False, False)
+
+
+@record
+class Loop:
+    """An endless belt round two disks."""
+
+    centers: tuple[Vec, Vec]
+    radii: tuple[Any, Any]
+    crossed: bool
+
+
+@record
+class Push:
+    """A force, an impulse or a jet at a place, in a direction, with its size as the file writes it."""
+
+    at: Vec
+    direction: Vec
+    size: Side | Table | None
+    inward: bool = False
+    """Does it come to the place, as a jet that enters?"""
+
+
+@record
+class Twist:
+    """A couple about a place, counterclockwise where its size is positive, with its size as the file writes it."""
+
+    at: Vec
+    size: Side | Table
+
+
+Sketch = Hinge | Slide | Fastening | Cord | Bar | Spiral | Absorber | Loop | Push | Twist

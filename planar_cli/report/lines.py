@@ -1,0 +1,95 @@
+"""The pieces of a line: words, names, formulas and values, without saying how they look.
+
+Formulas are carried as SymPy expressions, but this module does not need SymPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from decimal import Decimal
+from typing import TYPE_CHECKING, Literal
+
+from planar_cli.records import record
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+    from planar_cli.equation.exact import Valuation
+    from planar_cli.problem.geometry import Vec
+
+TextStyle = Literal["plain", "strong", "muted"]
+
+
+@record
+class Way:
+    """Where a vector is drawn, in exact expressions: at a place, in a direction (None: it is a couple, whose sense the
+    words tell), with the numbers of the position in which the words tell its way.
+    """
+
+    place: Vec
+    direction: Vec | None
+    value: Valuation
+
+
+@record
+class Text:
+    """Words; they may come from a file, so a format escapes them. `way`: of those that tell how a vector is drawn."""
+
+    text: str
+    style: TextStyle = "plain"
+    way: Way | None = field(default=None, compare=False)
+
+
+@record
+class Name:
+    """A name of the file or of a principle in mathematical notation: `omega_AB`, `ΣM_C`. `of_thing`: is it that of a
+    quantity of a body or a point, which gives way where the file calls a letter so?
+    """
+
+    name: str
+    of_thing: bool = field(default=False, compare=False)
+
+
+@record
+class Math:
+    """A formula. `values`: texts to print in place of symbols, for the side that shows the substituted numbers."""
+
+    expr: Expr
+    values: Mapping[Symbol, str] | None = field(default=None, hash=False)
+
+
+@record
+class Value:
+    """A number with its unit as the author writes units (`rad/s^2`; empty: none), printed to so many figures."""
+
+    number: Decimal
+    unit: str = ""
+    figures: int = 4
+
+
+Term = Text | Name | Math | Value
+
+
+@record
+class Relation:
+    """A short relation inside a line; `relation` is one of = ≠ < ≤ > ≥ ≈ →."""
+
+    left: Term
+    relation: str
+    right: Term
+
+
+Inline = Term | Relation
+Line = tuple[Inline, ...]
+
+
+def line(*parts: str | Inline | Line) -> Line:
+    """A line from pieces: a string is plain text, a line is spliced in."""
+    pieces: list[Inline] = []
+    for part in parts:
+        if isinstance(part, tuple):
+            pieces.extend(part)
+        else:
+            pieces.append(Text(part) if isinstance(part, str) else part)
+    return tuple(pieces)

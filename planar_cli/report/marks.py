@@ -1,0 +1,183 @@
+"""What a figure is made of, without saying how it is drawn on paper.
+
+Places are in metres, x to the right, y upward; angles in radians, counterclockwise from the x axis. What has a size on
+paper alone (arrows, supports, hatching) gets it from whoever draws. Words of a mark are a `Line` of neutral pieces, so
+that each format sets them as it sets the page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from planar_cli.records import record
+from planar_cli.report.lines import Line
+
+Spot = tuple[float, float]
+"""A place, m."""
+Style = Literal["body", "thin", "hidden", "ground", "rope", "force", "inertia", "velocity", "acceleration", "axis"]
+"""What a line stands for; each has its own look."""
+SymbolKind = Literal["pin", "support", "particle", "block", "centre", "point", "slider", "rail", "weld", "wall"]
+
+
+@record
+class Polyline:
+    """Straight strokes from place to place; `closed`: back to the first one, with the area of a body."""
+
+    places: tuple[Spot, ...]
+    style: Style
+    closed: bool = False
+
+
+@record
+class Arc:
+    """Part of a circle, from the angle `start` on through `sweep` (2π: all of it, with the area of a body)."""
+
+    center: Spot
+    radius: float
+    style: Style
+    start: float = 0.0
+    sweep: float = 6.283185307179586
+
+
+@record
+class Hatched:
+    """A fixed edge, through these places; its hatching lies to the right of the way along it."""
+
+    places: tuple[Spot, ...]
+
+
+@record
+class Coil:
+    """A helical spring between two places."""
+
+    start: Spot
+    end: Spot
+
+
+@record
+class Dashpot:
+    """A viscous damper between two places."""
+
+    start: Spot
+    end: Spot
+
+
+@record
+class Symbol:
+    """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
+    along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
+    behind the end of something that goes on along `angle`.
+    """
+
+    kind: SymbolKind
+    at: Spot
+    angle: float = 0.0
+
+
+@record
+class Arrow:
+    """A vector at a place, in the direction `angle`. `reach`: its length in parts of the usual one. `inward`: its tip
+    is at the place, as that of what pushes.
+    """
+
+    at: Spot
+    angle: float
+    style: Style
+    words: Line = ()
+    reach: float = 1.0
+    inward: bool = False
+
+
+@record
+class Span:
+    """An arrow from one place to another, to the scale of the figure, as in a polygon of velocities."""
+
+    start: Spot
+    end: Spot
+    style: Style
+    words: Line = ()
+
+
+@record
+class Turn:
+    """A couple, or a rotation, about a place: +1 counterclockwise, -1 clockwise."""
+
+    at: Spot
+    sense: int
+    style: Style
+    words: Line = ()
+
+
+@record
+class Dimension:
+    """A distance between two places, drawn beside them on the left of the way from one to the other (`side` 1), on the
+    right (-1), or from the first to the second (0, a radius). `level`: it is along an axis, and drawn beside all else.
+    """
+
+    start: Spot
+    end: Spot
+    words: Line
+    side: int = 1
+    level: bool = False
+
+
+@record
+class Angle:
+    """An angle at a vertex, from the direction `start` through `sweep`."""
+
+    vertex: Spot
+    start: float
+    sweep: float
+    words: Line
+
+
+@record
+class Tag:
+    """The name of a place."""
+
+    at: Spot
+    words: Line
+
+
+@record
+class Axes:
+    """The directions x and y, beside everything, and that of the weight where there is one."""
+
+    heavy: bool
+
+
+Mark = Axes | Polyline | Arc | Hatched | Coil | Dashpot | Symbol | Arrow | Span | Turn | Dimension | Angle | Tag
+
+
+@record
+class Panel:
+    """One drawing, and what stands over it."""
+
+    marks: tuple[Mark, ...]
+    head: Line = ()
+
+
+@record
+class Figure:
+    """Panels side by side, in one scale; between them stands `between` (an = of two diagrams that are equal).
+
+    `words`: what it shows, for who cannot see it.
+    """
+
+    panels: tuple[Panel, ...]
+    words: str
+    between: str = ""
+
+
+def spots_of(mark: Mark) -> Iterator[Spot]:
+    """The places, to scale, between which a mark lies."""
+    match mark:
+        case Polyline(places=places) | Hatched(places=places):
+            yield from places
+        case Arc(center=(x, y), radius=r):
+            yield from ((x - r, y - r), (x + r, y + r))
+        case Coil(start=a, end=b) | Dashpot(start=a, end=b) | Span(start=a, end=b) | Dimension(start=a, end=b):
+            yield from (a, b)
+        case Symbol(at=at) | Arrow(at=at) | Turn(at=at) | Tag(at=at) | Angle(vertex=at):
+            yield at

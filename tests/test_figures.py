@@ -1,0 +1,104 @@
+"""Figures: everything that a page names is drawn, inside the picture, and no two words overlap."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+from conftest import PROBLEMS
+from worked import name_of, worked
+
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.formats._labels import clashes
+from planar_cli.formats._svg import papers_of, svg
+from planar_cli.formats.html import Html
+from planar_cli.report.blocks import Document, Drawing, Forces, Name, Text, line
+from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Tag, Turn
+from planar_cli.report.narrate import narrate
+
+EVERY = 12
+"""Every twelfth problem file is drawn in each run, all of them in the slow studies."""
+SPACE = "{http://www.w3.org/2000/svg}"
+
+
+def illustrated_page(path: Path) -> Document:
+    solution = worked(path)[0]
+    return illustrated(narrate(solution), solution)
+
+
+def demand_whole(path: Path) -> None:
+    """Every vector of a list stands in the diagram beside it; points, names and vectors lie within the picture."""
+    page = illustrated_page(path)
+    for before, block in zip(page.blocks, page.blocks[1:], strict=False):
+        if isinstance(block, Drawing) and isinstance(before, Forces):
+            pieces = (*before.left, *before.right)
+            ways = [p.text for p in pieces if isinstance(p, Text) and p.way is not None]
+            told = [t for t in ways if re.search("[↑→↓←↗↖↙↘↺↻]", t)]
+            drawn = [m for panel in block.figure.panels for m in panel.marks if isinstance(m, Arrow | Turn)]
+            assert len(drawn) == len(told), (before, drawn)
+    figures = dict(figures_of(page))
+    for figure in figures.values():
+        for paper in papers_of(figure):
+            assert not clashes(paper)
+        demand_inside(figure)
+    solution = worked(path)[0]
+    if "scene" in figures:
+        words = [m.words[0] for m in figures["scene"].panels[0].marks if isinstance(m, Tag)]
+        tags = {w.name for w in words if isinstance(w, Name)}
+        named = {p.name for p in solution.problem.points if not p.unnamed}
+        missing = named - tags
+        scene = next(i for part in solution.parts for i in part.instants).instant.scene
+        assert all(scene.valuations[0].known(scene.points[n].x) is None for n in missing)
+
+
+def demand_inside(figure: Figure) -> None:
+    root = ET.fromstring(svg(figure))
+    left, top, width, height = map(float, root.attrib["viewBox"].split())
+    for x, y in _spots(root):
+        assert left <= x <= left + width
+        assert top <= y <= top + height
+
+
+def _spots(root: ET.Element) -> Iterator[tuple[float, float]]:
+    for group in root.iter(f"{SPACE}g"):
+        dx, dy = map(float, re.findall(r"-?[\d.]+", group.attrib["transform"]))
+        for element in group.iter():
+            if element.tag == f"{SPACE}path":
+                for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", element.attrib["d"]):
+                    yield float(x) + dx, float(y) + dy
+            if element.tag == f"{SPACE}text":
+                yield float(element.attrib["x"]) + dx, float(element.attrib["y"]) + dy
+
+
+@pytest.mark.parametrize("path", PROBLEMS[::EVERY], ids=name_of)
+def test_a_figure_shows_what_the_page_names(path: Path) -> None:
+    demand_whole(path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", PROBLEMS, ids=name_of)
+def test_every_figure_shows_what_the_page_names(path: Path) -> None:
+    demand_whole(path)
+
+
+HOSTILE = "<script>alert(1)</script>\"'&]]>$\\u202e"
+
+
+def test_words_of_a_file_do_nothing() -> None:
+    panel = Panel((Polyline(((0.0, 0.0), (1.0, 0.0)), "body"), Tag((0.0, 0.0), line(HOSTILE))), line(HOSTILE))
+    figure = Figure((panel,), HOSTILE)
+    drawn = svg(figure)
+    assert "<script" not in drawn
+    assert [e.tag for e in ET.fromstring(drawn).iter() if "script" in e.tag] == []
+    page = Html().render(Document(HOSTILE, (Drawing(figure),)))
+    assert "<script" not in page
+    assert "default-src 'none'" in page.replace("&#x27;", "'")
+
+
+def test_the_same_input_gives_the_same_bytes() -> None:
+    path = next(p for p in PROBLEMS if p.stem == "ex-4-05")
+    once, again = ([svg(f) for _, f in figures_of(illustrated_page(path))] for _ in range(2))
+    assert once == again
