@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 FORMS = ("terminal", "json", "jsonl", "csv", "markdown")
 PAPERS, RESULTS = "papers", "results"
+SHARED = 2
+"""A variant of fewer submissions says nothing about itself."""
 EACH = 200
 """Random wrong numbers for each find, where false matches are counted."""
 
@@ -229,7 +231,7 @@ def _lines(result: Result, for_student: bool) -> list[str]:
 
 
 def _print_report(report: ClassReport) -> None:
-    from planar_cli.homework.class_report import rows
+    from planar_cli.homework.class_report import by_variant, rows
 
     echo("")
     for row in rows(report):
@@ -238,6 +240,12 @@ def _print_report(report: ClassReport) -> None:
         mistakes = f"; {row.mistakes}" if row.mistakes else ""
         name = f"{row.problem}.{row.find}"
         echo(visible(f"{name:<28} {row.right} of {row.answers} right{ungradable}{carried}{mistakes}"))
+    shared = by_variant(report, SHARED)
+    if len(shared) > 1:
+        echo("")
+    for variant, counts in shared.items() if len(shared) > 1 else ():
+        told = ", ".join(f"{problem}.{find} {right}/{answers}" for (problem, find), (right, answers) in counts.items())
+        echo(visible(f"variant {variant}: {told} right"))
     for problem, find, why in report.suspicious():
         echo(visible(f"suspicious: {problem}.{find}: {why}"))
     plural = "" if report.submissions == 1 else "s"
@@ -249,7 +257,7 @@ def _print_report(report: ClassReport) -> None:
 
 
 def _report_markdown(title: str, report: ClassReport) -> str:
-    from planar_cli.homework.class_report import rows
+    from planar_cli.homework.class_report import by_variant, rows
     from planar_cli.homework.sheets import plain
 
     lines = [
@@ -261,6 +269,18 @@ def _report_markdown(title: str, report: ClassReport) -> str:
     for r in rows(report):
         cells = (plain(r.problem), plain(r.find), r.answers, r.right, r.ungradable, r.carried, plain(r.mistakes))
         lines.append(f"| {' | '.join(map(str, cells))} |")
+    variants = by_variant(report)
+    if len(variants) > 1:
+        names = [f"{plain(r.problem)}.{plain(r.find)}" for r in rows(report)]
+        lines += [
+            "",
+            "Right answers by variant:",
+            "",
+            f"| Variant | {' | '.join(names)} |",
+            "| --- |" + " --- |" * len(names),
+        ]
+        for variant, counts in variants.items():
+            lines.append(f"| {variant} | {' | '.join(f'{right} of {answers}' for right, answers in counts.values())} |")
     lines += ["", *(f"- suspicious: {plain(f'{p}.{f}: {why}')}" for p, f, why in report.suspicious()), ""]
     return "\n".join(lines)
 

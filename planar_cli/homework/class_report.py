@@ -118,3 +118,15 @@ def rows(report: ClassReport) -> Iterable[Row]:
     for (problem, find), tally in report.finds.items():
         told = ", ".join(f"{name} {count}" for name, count in tally.mistakes.most_common(4))
         yield Row(problem, find, tally.answers, tally.right, tally.ungradable, tally.carried, told)
+
+
+def by_variant(report: ClassReport, least: int = 1) -> dict[int, dict[tuple[str, str], tuple[int, int]]]:
+    """Of each variant that at least so many answered: of every find, by problem and name, how many were right and how
+    many answers there are.
+    """
+    found: dict[int, dict[tuple[str, str], tuple[int, int]]] = {}
+    for variant in sorted({v for tally in report.finds.values() for v in tally.by_variant}):
+        counts = {name: tally.by_variant.get(variant, [0, 0]) for name, tally in report.finds.items()}
+        if max(answers for answers, _ in counts.values()) >= least:
+            found[variant] = {name: (right, answers) for name, (answers, right) in counts.items()}
+    return found

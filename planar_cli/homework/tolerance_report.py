@@ -15,9 +15,11 @@ from planar_cli.homework.worked_problem import Part, WorkedProblem, base_expecte
 from planar_cli.records import record
 from planar_cli.replay.numbers import Numbers, Rounding
 from planar_cli.solve.solution import Found
+from planar_cli.units import parse_unit
 
 FIGURES = 3
 DRAWS = 400
+LENGTH = parse_unit("m").dimension
 DIFFERENT = 1e-9
 """Relative: a model gives another number."""
 
@@ -62,7 +64,7 @@ def _danger(problem: WorkedProblem, part: Part, one: Found, expected: Expected) 
     assert part.replay is not None
     factor = in_base(one.unit, problem.problem.us)
     due = np.array(expected.values)
-    run = part.replay.run(_inputs(part), rounding=_rounding())
+    run = part.replay.run(_inputs(part), rounding=_rounding(), exact=_places(part))
     rounded = [n / factor for n in run.asked(one.name)]
     honest = float(np.nanmax(_off(rounded, due)))
     nearest, mistake = None, ""
@@ -89,6 +91,15 @@ def _inputs(part: Part) -> dict[sp.Symbol, Numbers]:
     assert part.replay is not None
     equations = part.replay.equations
     return {s: np.full(DRAWS, equations.value[s]) for s in list(equations.inputs.values())[:1]}
+
+
+def _places(part: Part) -> frozenset[sp.Symbol]:
+    """Lengths that the drawing gives: nobody rounds coordinates and takes their differences afterwards."""
+    assert part.replay is not None
+    equations = part.replay.equations
+    lengths = (s for s in equations.defined if (u := equations.units.get(s)) is not None and u.dimension == LENGTH)
+    unknowns = set(equations.unknowns)
+    return frozenset(s for s in lengths if unknowns.isdisjoint(equations.rests_on([s])))
 
 
 def _rounding() -> Rounding:

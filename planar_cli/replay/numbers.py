@@ -107,10 +107,11 @@ class Replay:
         fixed: Mapping[sp.Symbol, Numbers] | None = None,
         start: Mapping[sp.Symbol, float] | None = None,
         rounding: Rounding | None = None,
+        exact: frozenset[sp.Symbol] = frozenset(),
     ) -> Run:
         """All unknowns for inputs that differ from those of the solution. `fixed`: unknowns that are not solved for;
         `start`: where the search for others begins, if not at the values of the solution; `rounding`: what is done to
-        every number that comes out on the way.
+        every number that comes out on the way, but for those that are `exact`.
         """
         count = max((np.size(v) for v in (*inputs.values(), *(fixed or {}).values())), default=1)
         base = self.equations.value
@@ -125,7 +126,7 @@ class Replay:
                 else np.full(count, base[s])
                 for s in self.equations.inputs.values()
             }
-            run = self._once(at, fixed or {}, from_here, count, rounding)
+            run = self._once(at, fixed or {}, from_here, count, (rounding, exact))
             from_here = {u: run.values[u] for u in self.equations.unknowns}
         return run
 
@@ -149,14 +150,14 @@ class Replay:
         fixed: Mapping[sp.Symbol, Numbers],
         start: dict[sp.Symbol, Numbers],
         count: int,
-        rounding: Rounding | None,
+        rounded: tuple[Rounding | None, frozenset[sp.Symbol]],
     ) -> Run:
-        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, rounding)
+        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, *rounded)
         for solver in self.solvers(frozenset(fixed)):
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([start[u] for u in solver.unknowns]))
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
-                run.values.setdefault(unknown, numbers if rounding is None else rounding(numbers))
+                run.values.setdefault(unknown, run.rounded(unknown, numbers))
         return run
 
     def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> Solver:
@@ -194,15 +195,25 @@ class Run:
     """Numbers of one carrying out: of inputs and unknowns, and through them of any expression."""
 
     def __init__(
-        self, replay: Replay, values: dict[sp.Symbol, Numbers], count: int, rounding: Rounding | None = None
+        self,
+        replay: Replay,
+        values: dict[sp.Symbol, Numbers],
+        count: int,
+        rounding: Rounding | None = None,
+        exact: frozenset[sp.Symbol] = frozenset(),
     ) -> None:
-        self.replay, self.values, self.count, self.rounding = replay, values, count, rounding
+        self.replay, self.values, self.count = replay, values, count
+        self.rounding, self.exact = rounding, exact
+
+    def rounded(self, symbol: sp.Symbol, numbers: Numbers) -> Numbers:
+        """A result as it is carried on."""
+        return numbers if self.rounding is None or symbol in self.exact else self.rounding(numbers)
 
     def number(self, symbol: sp.Symbol) -> Numbers:
         """Of a symbol that is known by now."""
         if symbol not in self.values:
             found = self.of(self.replay.equations.defined[symbol])
-            self.values[symbol] = found if self.rounding is None else self.rounding(found)
+            self.values[symbol] = self.rounded(symbol, found)
         return self.values[symbol]
 
     def of(self, expr: sp.Expr) -> Numbers:
