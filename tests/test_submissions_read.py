@@ -10,7 +10,7 @@ import pytest
 
 from planar_cli.errors import PlanarError
 from planar_cli.homework.paper import Submission
-from planar_cli.homework.submissions import contents, submission_files, submissions
+from planar_cli.homework.submissions import contents, passed_over, submission_files, submissions
 from planar_cli.homework.submitted import with_unit
 
 
@@ -309,6 +309,16 @@ def test_folders_in_order(tmp_path: Path) -> None:
     (tmp_path / "away").symlink_to(tmp_path / "a")
     found = [str(Path(f).relative_to(tmp_path)) for f in submission_files([str(tmp_path)])]
     assert found == ["a/b/x.csv", "a/z.json", "b.yaml", "c.yaml/d.yml", "link.yaml"]
+
+
+def test_what_is_no_submission_is_told(tmp_path: Path) -> None:
+    (tmp_path / "more").mkdir()
+    for name in ("a.yaml", "scan.pdf", ".hidden.txt", "more/b.txt"):
+        (tmp_path / name).write_text("")
+    told = passed_over([str(tmp_path), str(tmp_path / "scan.pdf")])
+    assert told.endswith(f".csv: {tmp_path}/more/b.txt, {tmp_path}/scan.pdf")
+    (tmp_path / "clean").mkdir()
+    assert passed_over([str(tmp_path / "clean"), str(tmp_path / "none")]) == ""
 
 
 def test_names_that_are_not_there(tmp_path: Path) -> None:

@@ -84,6 +84,7 @@ class _Class:
         from planar_cli.homework.batches import grade_files, shard_of
         from planar_cli.homework.grader import Grading
         from planar_cli.homework.grading_made import grading_of
+        from planar_cli.homework.submissions import passed_over
 
         grading = Grading(grading_of(self.homework_set, self.homework), self.homework.digest)
         shard = shard_of(self.options["shard"])
@@ -93,6 +94,8 @@ class _Class:
             ran = grade_files(files, grading, jobs, self.options["results"], shard, executor, self._take)
         if self.options["results"]:
             self._count_done_before(ran)
+        if shard == (1, 1) and (told := passed_over(files)):
+            echo(f"note: {told}", err=True)
         self._close(ran)
         if ran.interrupted:
             return 128 + ran.interrupted

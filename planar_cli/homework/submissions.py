@@ -14,7 +14,7 @@ from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, Mark, PlanarError
 from planar_cli.homework.paper import Submission
-from planar_cli.homework.submitted import LONGEST_NAME, from_tree, sentence, student_of_file
+from planar_cli.homework.submitted import LONGEST_NAME, MOST_TOLD, from_tree, sentence, student_of_file
 from planar_cli.homework.submitted_csv import from_csv
 from planar_cli.homework.submitted_json import json_tree
 from planar_cli.homework.submitted_yaml import student_told, variant_told, yaml_tree
@@ -61,14 +61,25 @@ def submission_files(names: Iterable[str]) -> Iterator[str]:
             raise PlanarError(f"the folder {visible(name)} has no submissions (*{', *'.join(SUFFIXES)})")
 
 
-def _below(folder: str) -> Iterator[str]:
+def _below(folder: str, read: bool = True) -> Iterator[str]:
+    """The files that are `read`, or those that are not."""
     with os.scandir(folder) as entries:
         found = sorted((e for e in entries if not e.name.startswith(".")), key=lambda e: e.name)
     for entry in found:
         if entry.is_dir(follow_symlinks=False):
-            yield from _below(entry.path)
-        elif entry.name.lower().endswith(SUFFIXES):
+            yield from _below(entry.path, read)
+        elif entry.name.lower().endswith(SUFFIXES) == read:
             yield entry.path
+
+
+def passed_over(names: Iterable[str]) -> str:
+    """A sentence on files of the folders that are no submissions by their names, as scans are; "" of none."""
+    found = [p for n in names if os.path.isdir(n) and not os.path.islink(n) for p in _below(n, read=False)]
+    if not found:
+        return ""
+    more = f", and {len(found) - MOST_TOLD} more" if len(found) > MOST_TOLD else ""
+    listed = ", ".join(found[:MOST_TOLD])
+    return visible(f"not read, as the name of a submission ends in {', '.join(SUFFIXES)}: {listed}{more}")
 
 
 def contents(path: str) -> Contents:
