@@ -64,17 +64,18 @@ def test_a_mistake_at_the_right_answer_is_left_out_and_told() -> None:
     (one,) = found(number("a", 3.2, "N", wrong(3.205), wrong(5.0, "other-root")), left_out)
     assert [m.name for m in one.mistakes] == ["other-root"]
     (sentence,) = left_out.sentences()
-    assert "weight-left-out" in sentence
-    assert "the right answer" in sentence
-    assert sentence.endswith("(variant 0)")
+    assert sentence.startswith("1 mistake has no feedback of its own")
+    assert "p, a" in sentence
 
 
 def test_mistakes_with_one_number_are_both_left_out_and_told() -> None:
     left_out = LeftOut()
     (one,) = found(number("a", 3.2, "N", wrong(5.0), wrong(5.001, "other-root")), left_out)
     assert not one.mistakes
-    assert all("that of another mistake" in s for s in left_out.sentences())
-    assert len(left_out.sentences()) == 2
+    found(number("b", 3.2, "N", wrong(3.205)), left_out)
+    (sentence,) = left_out.sentences()
+    assert sentence.startswith("3 mistakes have no feedback of their own")
+    assert "p, a; p, b" in sentence
 
 
 def test_a_component_that_a_mistake_leaves_as_it_is_has_none() -> None:
@@ -106,4 +107,6 @@ def test_sentences_name_their_variants_once() -> None:
 def test_signs_are_told() -> None:
     assert "Counterclockwise is positive." in question_of(number("omega", 1.0, "rad/s", rotation=True))
     assert "Positive upward." in question_of(number("a", 1.0, "m/s^2", axis="y"))
+    said = replace(number("a", 1.0, "m/s^2", axis="y"), asked="the acceleration of the crate, up the ramp positive")
+    assert "Positive upward." not in question_of(said)
     assert "in m/s²" in question_of(number("a", 1.0, "m/s^2"))

@@ -274,7 +274,16 @@ def sheet_csv(homework: Homework, variant: int) -> str:
 def key_csv(homework: Homework, variants: Iterable[int]) -> str:
     """The key of some variants as a table."""
     rows = [
-        (k, t.problem, e.find, e.text, *(list(e.values) + [""] * (2 - len(e.values)))[:2], e.unit, e.points)
+        # A spreadsheet takes a hyphen, but no minus sign, for the beginning of a formula.
+        (
+            k,
+            t.problem,
+            e.find,
+            re.sub("^-", "\N{MINUS SIGN}", e.text),
+            *(list(e.values) + [""] * (2 - len(e.values)))[:2],
+            e.unit,
+            e.points,
+        )
         for k in variants
         for t in homework.papers[k].tasks
         for e in t.expected

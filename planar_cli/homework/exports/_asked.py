@@ -70,6 +70,11 @@ class LeftOut:
 
     def __init__(self) -> None:
         self._found: dict[str, list[int]] = {}
+        self._close: dict[str, set[tuple[str, int]]] = {}
+
+    def too_close(self, place: str, mistake: str, variant: int) -> None:
+        """The number of a mistake cannot be told from another one there."""
+        self._close.setdefault(one_line(place), set()).add((mistake, variant))
 
     def tell(self, sentence: str, variant: int) -> None:
         variants = self._found.setdefault(one_line(sentence), [])
@@ -77,7 +82,14 @@ class LeftOut:
             variants.append(variant)
 
     def sentences(self) -> tuple[str, ...]:
-        return tuple(f"{sentence} ({_variants(v)})" for sentence, v in self._found.items())
+        told = [f"{sentence} ({_variants(v)})" for sentence, v in self._found.items()]
+        if self._close:
+            count, places = sum(map(len, self._close.values())), "; ".join(self._close)
+            one = "1 mistake has no feedback of its" if count == 1 else f"{count} mistakes have no feedback of their"
+            told.append(
+                f"{one} own, being too close to another number ({places}); `planar check --set` tells such mistakes too"
+            )
+        return tuple(told)
 
 
 def _variants(numbers: Sequence[int]) -> str:
@@ -185,9 +197,7 @@ def _apart(
         if widest >= THINNEST * one.tolerance and min(room) > 0:
             kept.append(replace(one, tolerance=widest))
         else:
-            beside = "the right answer" if min(room[: len(right)]) == min(room) else "that of another mistake"
-            why = f"its number is too close to {beside}"
-            left_out.tell(f"{place}: the mistake '{one.name}' is not diagnosed, as {why}", asked.variant)
+            left_out.too_close(place, one.name, asked.variant)
     return tuple(kept)
 
 
@@ -230,9 +240,11 @@ def _signs(expected: Expected) -> Iterator[str]:
     elif expected.kind == "formula":
         letters = ", ".join(one_line(name) for name, _ in expected.letters)
         yield f"Give a formula{f' in {letters}' if letters else ''}."
-    if expected.rotation:
+    said = expected.asked.lower()
+    # The lecturer's own words may tell it.
+    if expected.rotation and "positive" not in said and "clockwise" not in said:
         yield "Counterclockwise is positive."
-    if expected.axis:
+    if expected.axis and "positive" not in said:
         yield f"Positive {'to the right' if expected.axis == 'x' else 'upward'}."
 
 

@@ -50,7 +50,8 @@ class Moodle(PaperExport):
 
     To import it
         Question bank, Import, "Moodle XML format". In a quiz add a random question from each category, or by their
-        tag the questions of one variant. Formulas are shown by Moodle's MathJax filter.
+        tag the questions of one variant. Formulas are shown by Moodle's MathJax filter. The general feedback of a
+        question is the worked solution of its whole problem: under "Review options" show it after the quiz is closed.
 
     What is lost
         Formulas as answers: Moodle itself has no question type for them. The boxes of a cloze question take no unit

@@ -34,7 +34,8 @@ FINEST = 0.0005
 POWERS = range(3, 25, 3)
 """Of ten, as engineers write them."""
 LONGEST_TITLE = 255
-_SPECIAL = re.compile(r"[\\`*_{}\[\]<>&#!$|~^]")
+_SPECIAL = re.compile(r"[\\`*{}\[\]<>&#!$|~^]|(?<!\w)_|_(?!\w)")
+"""An underscore within a word, m_1, is none to the Markdown that text2qti reads."""
 
 
 @final
