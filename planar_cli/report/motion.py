@@ -151,7 +151,8 @@ class MotionTelling:
             i = legs.index(leg)
             self._open = {x for later in every if later not in legs[:i] for x in later.unknowns}
             own, put = rooted(without_zeros(leg, route, [*self.early, *legs[:i]]), self.found)
-            yield from told_at_once(own, self.found, self.phrases) or self._leg(own, put)
+            at_once = list(told_at_once(own, legs[i:], self.found, self.phrases, self._law))
+            yield from at_once or self._leg(own, put)
         yield from self._integrated([] if first else followed)
 
     def _one(self, leg: RouteStep) -> Iterator[Block]:

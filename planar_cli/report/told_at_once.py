@@ -4,10 +4,14 @@ level or stands upright there.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
+from decimal import Decimal
+from typing import Any
+
 import sympy as sp
 
 from planar_cli.problem.scene import Rod
-from planar_cli.report.blocks import Math, Paragraph, line
+from planar_cli.report.blocks import Block, Math, Paragraph, line
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
 from planar_cli.report.turning_values import DERIVATIVE, over_time
@@ -15,21 +19,46 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, Result, RouteStep
 
 ANGLE = "angle of "
+SAME = Decimal("1e-20")
 
 
-def told_at_once(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> list[Paragraph]:
-    """`At 2, AB is horizontal: θ_2 = 0.` Empty: it is several conditions, or none of these."""
+def told_at_once(
+    leg: RouteStep,
+    later: Sequence[RouteStep],
+    found: MotionTrace,
+    phrases: Phrases,
+    law: Callable[[Relation], Iterator[Block]],
+) -> Iterator[Block]:
+    """`At 2, AB is horizontal: θ_2 = 0.` Empty: it is several conditions, or none of these. `law`: the blocks of the
+    law of which a relation is an integral; `later`: the steps from which such a law is taken.
+    """
     e, r = leg.relations[0], leg.results[0]
     if len(leg.relations) > 1 or len(leg.results) > 1 or not e.stop or r.formula is None:
-        return []
+        return
+    shown: Any = Math(sp.S.Zero) if r.formula == 0 else phrases.shown(r.unknown, r.value)
     if over_time(e) and r.formula == 0 and r.unknown not in (e.residual / r.unknown).free_symbols:
         words = f"{e.words}, {DERIVATIVE}"
+    elif over_time(e) and (resting := _place_of_rest(r, later, found)) is not None:
+        # A vibration is fastest where it would rest, which its law has told by then.
+        words, shown = f"{e.words}, {DERIVATIVE}", Math(resting[1])
+        yield from law(resting[0])
     elif (rod := _rod(e, r, found)) is not None:
         words = rod
     else:
-        return []
-    shown = Math(sp.S.Zero) if r.formula == 0 else phrases.shown(r.unknown, r.value)
-    return [Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Math(r.unknown), " = ", shown))]
+        return
+    yield Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Math(r.unknown), " = ", shown))
+
+
+def _place_of_rest(r: Result, later: Sequence[RouteStep], found: MotionTrace) -> tuple[Relation, sp.Symbol] | None:
+    """The relation of a vibration, and the letter of its place of rest, where a place of a state is that."""
+    for e in (e for leg in later for e in leg.relations if e.law is not None and e.law.vibration is not None):
+        vibration = e.law.vibration if e.law is not None else None
+        for letter in vibration.rest if vibration is not None else ():
+            own = e.law is not None and found.general.get(r.unknown) == e.law.coordinate.symbol
+            known = found.value.known(letter)
+            if own and known is not None and abs(known - r.value) <= SAME * abs(known):
+                return e, letter
+    return None
 
 
 def _rod(e: Relation, r: Result, found: MotionTrace) -> str | None:

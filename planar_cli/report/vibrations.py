@@ -8,6 +8,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.vibrations import Vibration
+from planar_cli.equation.counting import operations
+from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
@@ -27,7 +29,9 @@ def vibration_blocks(own: Vibration, law: Law, phrases: Phrases) -> Iterator[Blo
         yield Equation(_chain(letter, formula, phrases), None, line(lead))
     for letter, formula in own.forced:
         if letter in own.rest:
-            yield Equation(_chain(letter, formula, phrases), None, line("place of rest:"))
+            closed = simplified(formula.xreplace(dict(own.free)))
+            shorter = closed if operations(closed) < operations(formula) else formula
+            yield Equation(_chain(letter, shorter, phrases), None, line("place of rest:"))
     if not driven:
         return
     kept = line(Name(f"{q.name}_p"), " = ", phrases.math(own.steady))
