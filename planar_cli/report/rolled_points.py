@@ -15,7 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.counted import as_vector
 from planar_cli.report.words import Phrases
 
@@ -63,6 +63,8 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
         sides = (line(Name(f"a_{centre}")), line(phrases.math(as_vector(alpha, system)), " × ", name))
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
+    if around := _on_a_circle(system, j, centre, phrases):
+        return (yield Equation(around, None, line(f"{body} rolls without slipping:")))
     if round_centre := _centre_on_a_line(system, j, phrases):
         return (yield from _from_the_centre(system, body, round_centre, phrases))
     normal = motion.accelerations[body].linear
@@ -74,6 +76,35 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     yield Equation((line(own), line(phrases.math(size), f" {arrow}")), None, line(f"{body} rolls without slipping:"))
     turned = line(phrases.math(as_vector(alpha, system)), " × ", name, " - ", phrases.math(omega**2), " ", name)
     yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
+
+
+def _on_a_circle(system: System, j: Joining, centre: str, phrases: Phrases) -> tuple[Line, Line] | None:
+    """v_G = r ω, and v_G²/(R + r) by that, of a round body whose centre goes round that of what it rolls on; None: it
+    is another one.
+    """
+    assert j.rolling is not None
+    own, base, value = j.rolling.mover, j.rolling.base, phrases.value
+    if value.vanishes(own) or value.vanishes(base):
+        return None
+    off = j.point + j.rolling.tangent.turned() / own - system.scene.center(j.mover)
+    radius, path = (_sized(e, phrases) for e in (1 / own, 1 / base - 1 / own))
+    if not all(value.vanishes(p) for p in (off.x, off.y)) or radius is None or path is None:
+        return None
+    assert system.motion is not None
+    omega = system.motion.velocities[j.mover].angular
+    v = sp.Symbol(f"v_{centre}", real=True)
+    if not omega.is_Symbol or v.name in system.scene.ledger.symbols:
+        return None
+    turned = line(phrases.math(radius * omega), ",  ", phrases.math(v**2 / path), " = ")
+    return line(Name(v.name)), line(*turned, phrases.math(radius**2 * omega**2 / path))
+
+
+def _sized(length: sp.Expr, phrases: Phrases) -> sp.Expr | None:
+    """A radius without its sign; None: it has no number by which to tell that, or is long."""
+    found, number = simplified(length), phrases.value.known(length)
+    if number is None or longer(found, LONGEST):
+        return None
+    return found if number > 0 else simplified(-found)
 
 
 def _centre_on_a_line(system: System, j: Joining, phrases: Phrases) -> tuple[str, Vec, Vec] | None:
