@@ -17,7 +17,8 @@ def spring_lengths(found: MotionTrace) -> dict[str, tuple[str, sp.Symbol]]:
     made: dict[str, tuple[str, sp.Symbol]] = {}
     for load in acting_loads(found.problem):
         length, ends = getattr(load, "natural_length", None), getattr(load, "between", ())
-        if length is not None and ends and all(map(POINT.fullmatch, ends)):
+        # One that only pulls may be slack in a state: then its length is less than the natural one.
+        if length is not None and getattr(load, "acts", None) is None and ends and all(map(POINT.fullmatch, ends)):
             natural = found.regimes[0].solution.instant.scene.value(length)
             if natural.is_Symbol:
                 made[load.phrase(load.short_name).removeprefix("the ")] = ("".join(ends), natural)
