@@ -49,3 +49,16 @@ def test_the_difference_of_two_reciprocals() -> None:
     a, b, k = sp.symbols("a b k", positive=True)
     assert with_reciprocals(-k * (b - a) / (a * b)) == k * (1 / b - 1 / a)
     assert with_reciprocals(k * (b - a) / a) == k * (b - a) / a
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("cylinder-that-rolls-off-a-cylinder", "roller rolls without slipping: v_G = r ω, v_G²/(R + r) = r² ω² / (R + r)"),
+    ("weight-on-a-cord-held-by-a-spring", "place of rest: x_eq = m_2 g/k = 2 · 9.81 / 250 = 0.07848 m"),
+    ("weight-on-a-cord-held-by-a-spring", "At 1, v_block,x is largest, where its derivative is zero: x_1 = x_eq (3)"),
+])  # fmt: skip
+def test_what_stands_before_its_use(stem: str, line: str) -> None:
+    assert line in page_of_file(stem)
+
+
+def test_a_slack_cord_has_no_length_that_is_natural() -> None:
+    assert "OP_1 - l = 0" not in page_of_file("bungee-jump")
