@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -15,13 +16,27 @@ from worked import GOLDEN, name_of, worked
 
 from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import At
-from planar_cli.report.blocks import Equation, Math, Text
+from planar_cli.report.blocks import Equation, Math, Value
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
-TOLD = Text("in letters: ")
-LETTERED = [p for p in PROBLEMS if TOLD.text in (GOLDEN / f"{name_of(p)}.solution.txt").read_text("utf-8")]
+FUNCTIONS = re.compile(r"\b(?:arc)?(?:sin|cos|tan)\b|\b(?:exp|ln|rad)\b")
+
+
+def in_letters(side: str) -> bool:
+    """Is a side of a printed line a formula with letters?"""
+    return bool(re.search(r"[^\W\d_π]", FUNCTIONS.sub("", side)))
+
+
+def has_a_chain(path: Path) -> bool:
+    """Is there a line letter = formula in results = formula in the data = numbers = value?"""
+    lines = (GOLDEN / f"{name_of(path)}.solution.txt").read_text("utf-8").splitlines()
+    chains = (line.split(" = ") for line in lines)
+    return any(len(c) > 4 and all(map(in_letters, c[1:3])) and not in_letters(c[3]) for c in chains)
+
+
+LETTERED = [p for p in PROBLEMS if has_a_chain(p)]
 NO_OTHER_NUMBERS = {
     "cart-that-couples-with-a-buffered-cart",
     "crate-that-bumps-into-a-headboard",
@@ -44,9 +59,9 @@ FILES = [
 
 
 def formulas(solution: Solution) -> list[sp.Expr]:
-    """What stands in letters on the page of a file."""
-    notes = [b.note for b in narrate(solution).blocks if isinstance(b, Equation) and TOLD in b.note]
-    return [n[-1].expr for n in notes if isinstance(n[-1], Math)]
+    """What stands in letters on the page of a file, behind another formula and before the numbers."""
+    chains = [b.sides for b in narrate(solution).blocks if isinstance(b, Equation) and isinstance(b.sides[-1], Value)]
+    return [s.expr for c in chains for s in c[2:-1] if isinstance(s, Math) and not s.values]
 
 
 def number(formula: sp.Expr, part: PartSolution) -> float | None:

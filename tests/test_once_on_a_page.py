@@ -6,10 +6,11 @@ from worked import page_of_file
 
 
 def test_no_closed_form_beside_the_same_formula() -> None:
-    """I_G = m k_G² names what the closed form writes out; F_C is found by other results, and keeps its own."""
+    """I_G = m k_G² names what the closed form writes out; the letters of the data come before the numbers."""
     page = page_of_file("ex-4-05")
     assert "in letters: α" not in page
-    assert "in letters: F_C = P (R (R + r) / (R² + k_G²) - 1)" in page
+    told = page_of_file("bob-whose-cord-catches-on-a-nail")
+    assert "T_before = m (g + v_P,2²/l) = 3 m g = 3 · 1.5 · 9.81 = 44.145 N" in told
 
 
 def test_a_velocity_that_is_given_is_not_found_from_what_follows() -> None:

@@ -1,4 +1,4 @@
-"""Answers in letters: the line that gives one ends with its formula in the letters of the file."""
+"""Answers in letters: the line that gives one has its formula in the letters of the file before the numbers."""
 
 from __future__ import annotations
 
@@ -98,10 +98,18 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
         if _by_definitions(own_sides, closed, phrases) or hides_data(_problem(part), answer, closed):
             continue
         if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
-            head = block.sides[0] if isinstance(block.sides[0], tuple) else (block.sides[0],)
-            told = (Text("in letters: "), *head, Text(" = "), Math(phrases.neat(closed)))
-            blocks[lines[-1]] = replace(block, note=told)
+            blocks[lines[-1]] = _lettered(block, closed, phrases)
     return blocks
+
+
+def _lettered(block: Equation, closed: sp.Expr, phrases: Phrases) -> Equation:
+    """letter = formula in results = formula in the data = its numbers = value."""
+    head, formula, *rest = block.sides
+    values = [side for side in rest if isinstance(side, Value)]
+    if not values or not isinstance(rest[-1], Value) or any(isinstance(side, tuple) for side in rest):
+        return block
+    put = phrases.substituted(closed, values[0])
+    return replace(block, sides=(head, formula, Math(phrases.neat(closed)), *put, *values))
 
 
 def _problem(part: PartSolution) -> Problem:
