@@ -130,6 +130,18 @@ def test_a_message_says_how_far_off() -> None:
     assert found.message == "alpha: the file states -5 rad/s^2, the solution gives -4.905 rad/s^2 (1.9 % off)"
 
 
+def test_a_verdict_tells_for_which_values_of_ranges_it_is() -> None:
+    stone = """
+plane: vertical
+given: {m: {from: 2 kg, to: 4 kg, step: 1 kg}, h: {one_of: [20 m, 5 m]}, x: 1 m}
+bodies: {stone: {particle: [x, h], mass: m}}
+states: {1: [at rest], 2: [y(stone) = 0]}
+find: {v: v(stone).mag @ 2}
+"""
+    told = "v: the file states 9.9 m/s, the solution gives 19.8091 m/s (100 % off); it is for m = 2 kg, h = 20 m"
+    assert verdict(stone, "v: 9.9 m/s").message.startswith(told)
+
+
 # --- supervisor ------------------------------------------------------------------------------------------------------
 
 

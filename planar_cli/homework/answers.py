@@ -28,6 +28,8 @@ from planar_cli.solve.solved_problem import PartSolution, Solution
 EXACT = Decimal("1e-20")
 """What a formula without rounded numbers is held to."""
 
+MOST_TOLD = 6
+"""Names with the values for which a solution was made."""
 LONGEST = 160
 TOO_LONG = f"a formula of more than {PRINTABLE} operations"
 """Longer formulas are cut in messages."""
@@ -95,6 +97,10 @@ class _Comparison:
         message = "" if agrees else f"{self.answer.name}: the file states {stated}, the solution gives {solved}"
         if message and error is not None:
             message += f" ({_percent(error)} off)"
+        first = [f"{s.name} = {s.written}" for s in self.problem.given if s.varies]
+        if message and first:
+            own = "the first value of its range" if len(first) == 1 else "the first values of their ranges"
+            message += f"; it is for {', '.join(first[:MOST_TOLD])}{', …' * (len(first) > MOST_TOLD)}, {own} in `given`"
         return Verdict(self.answer.name, stated, solved, agrees, error, message)
 
     # --- numbers -----------------------------------------------------------------------------------------------------
@@ -223,4 +229,6 @@ def _listed(texts: list[str]) -> str:
 
 
 def _percent(error: Decimal) -> str:
-    return f"{100 * error:.2g} %" if error < 10 else f"a factor of {error + 1:.2g}"
+    if error >= 10:
+        return f"a factor of {error + 1:.2g}"
+    return f"{100 * error:.0f} %" if error >= 1 else f"{100 * error:.2g} %"

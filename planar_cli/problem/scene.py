@@ -21,16 +21,16 @@ ALL = "all"
 
 @record
 class Symbol:
-    """A name of `given` (value set), `symbols`, `unknowns` or `coordinates` (unit set)."""
+    """A name of `given` (value set), `symbols`, `unknowns` or `coordinates` (unit set). No `distance` is negative."""
 
     name: str
     value: Side | None
     unit: str | None
     mark: Mark
     distance: bool = False
-    """Is it a distance, which is never negative?"""
     written: str = ""
-    """The value as the file writes it."""
+    varies: bool = False
+    """The value as the file writes it; of one that `varies` the first of its range or list."""
 
 
 @record

@@ -132,12 +132,13 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
             "begin with `title: …`",
         )
         node = Mapping((), node.mark)
-    variations_of(node, report)
+    varying = {v.name for v in variations_of(node, report) if v.in_given}
     check_placeholders(node, report)
     node = with_first_values(node)
     assert isinstance(node, Mapping)
     whole = Fields(node, KEYS, "a problem file", report, SLIPS)
     base = _read(file, whole)
+    base = replace(base, given=tuple(replace(s, varies=s.name in varying) for s in base.given)) if varying else base
     cases = _cases(file, node, whole)
     # Numbers of one case are used in others: all are counted in the same units.
     us = all(case.problem.us for case in cases) if cases else base.us

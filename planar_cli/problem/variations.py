@@ -34,6 +34,8 @@ class Variation:
     name: str
     values: tuple[str, ...]
     mark: Mark
+    in_given: bool = False
+    """Does it stand in `given`, where the first value is that of the file itself?"""
 
 
 def variations_of(node: Node, report: Report) -> tuple[Variation, ...]:
@@ -53,7 +55,7 @@ def variations_of(node: Node, report: Report) -> tuple[Variation, ...]:
             continue
         if key.text in found:
             report.add(value.mark, "PL343", f"{key.text} has variants twice", "leave one of them out")
-        found[key.text] = Variation(key.text, _values(key, value, report, None), key.mark)
+        found[key.text] = Variation(key.text, _values(key, value, report, None), key.mark, in_given=True)
     return tuple(found.values())
 
 
