@@ -11,6 +11,7 @@ import pytest
 from conftest import PROBLEMS
 from worked import name_of, worked
 
+from planar_cli.commands.draw import command
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._labels import clashes
 from planar_cli.formats._svg import papers_of, svg
@@ -102,3 +103,13 @@ def test_the_same_input_gives_the_same_bytes() -> None:
     path = next(p for p in PROBLEMS if p.stem == "ex-4-05")
     once, again = ([svg(f) for _, f in figures_of(illustrated_page(path))] for _ in range(2))
     assert once == again
+
+
+def test_the_command_writes_a_file_for_each_figure(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = next(p for p in PROBLEMS if p.stem == "ex-4-05")
+    assert command.callback is not None
+    for form, begins in (("svg", b"<svg"), ("png", b"\x89PNG")):
+        assert command.callback((str(path),), str(tmp_path), form, 60.0) == 0
+        named = [tmp_path / f"ex-4-05-{what}.{form}" for what in ("scene", "spool")]
+        assert capsys.readouterr().out.split() == [str(p) for p in named]
+        assert all(p.read_bytes().startswith(begins) for p in named)
