@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
+from planar_cli.figures.positions import position_marks
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
@@ -18,16 +22,32 @@ from planar_cli.problem.scene import Line, Particle, Problem, Surface
 from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, spots_of
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 ALONE = 1.0
 """The size of a scene that is one point, m."""
 
 
-def arrangement(instant: InstantSolution) -> Panel:
-    """The scene of an instant, or of the general position of a motion, where the file draws it."""
+def arrangement(instant: InstantSolution, motion: MotionTrace | None = None) -> Panel:
+    """The scene of an instant where the file draws it; of a motion where it begins, and where its bodies are later."""
     drawn = Drawn.as_in_the_file(instant)
-    return Panel(tuple(_marks(drawn, drawn.scene.problem)))
+    problem = drawn.scene.problem
+    if motion is not None and problem.states:
+        first = Drawn.in_state(drawn.scene, motion, problem.states[0].name)
+        told = all(first.value.known(sp.sympify(c).xreplace(dict(first.here))) is not None for c in _placed(drawn))
+        drawn = first if told else drawn
+    marks = list(_marks(drawn, problem))
+    if motion is not None:
+        places = [s for m in marks for s in spots_of(m)]
+        marks += position_marks(drawn, motion, [s.name for s in problem.states], extent(places) or ALONE)
+    return Panel(tuple(marks))
+
+
+def _placed(drawn: Drawn) -> Iterator[Any]:
+    """What tells where bodies are."""
+    for body in drawn.scene.bodies.values():
+        yield from (body.center.x, body.center.y, body.theta)
 
 
 def _marks(drawn: Drawn, problem: Problem) -> Iterator[Mark]:

@@ -10,13 +10,14 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Negate, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
+from planar_cli.report.blocks import Line, Value
 from planar_cli.report.marks import Spot
 from planar_cli.report.sides import said
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 FIGURES = 4
@@ -36,6 +37,12 @@ class Drawn:
         scene = instant.instant.scene
         moves = scene.displacement.coordinates if scene.displacement is not None else ()
         return cls(scene, instant.value, {c.symbol: c.drawn for c in moves if c.drawn is not None})
+
+    @classmethod
+    def in_state(cls, scene: Scene, motion: MotionTrace, state: str) -> Drawn:
+        """The position of a motion in one of its states."""
+        here = {general: x for x, general in motion.general.items() if motion.ledger.roles[x].at == state}
+        return cls(scene, motion.value, here)
 
     def number(self, expr: Any) -> float | None:
         """An expression as a number; None: nothing tells it."""
@@ -66,6 +73,16 @@ class Drawn:
 
 TINY = 1e-12
 """A direction that is shorter is none."""
+
+
+def size_of(side: Side) -> Line:
+    """The same without the minus sign that the file writes before it: on which side it lies, or which way, is seen."""
+    words = words_of(side)
+    if isinstance(side, Negate):
+        return words_of(side.operand) or words
+    if isinstance(side, Number) and words and isinstance(value := words[0], Value) and value.number < 0:
+        return (Value(-value.number, value.unit, value.figures), *words[1:])
+    return words
 
 
 def words_of(side: Side) -> Line:

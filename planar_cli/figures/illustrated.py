@@ -30,8 +30,11 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
 
 def _arrangement(solution: Solution) -> Figure | None:
     """The scene of the file; None: no part of it is worked out at an instant."""
-    instant = next((i for part in solution.parts for i in part.instants), None)
-    return None if instant is None else Figure((arrangement(instant),), solution.problem.title)
+    found = next(((part, i) for part in solution.parts for i in part.instants), None)
+    if found is None:
+        return None
+    part, instant = found
+    return Figure((arrangement(instant, part.motion),), solution.problem.title)
 
 
 def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:

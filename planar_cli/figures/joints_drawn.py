@@ -8,7 +8,7 @@ from functools import singledispatch
 from itertools import pairwise
 from typing import Any
 
-from planar_cli.figures.drawn import Drawn, words_of
+from planar_cli.figures.drawn import Drawn, size_of, words_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
@@ -121,7 +121,7 @@ def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at = drawn.spot(sketch.at)
     size = None if isinstance(sketch.size, Table) else drawn.length(sketch.size)
     if at is not None:
-        words = name if isinstance(sketch.size, Table) else words_of(sketch.size) or name
+        words = name if isinstance(sketch.size, Table) else size_of(sketch.size) or name
         yield Turn(at, -1 if size is not None and size < 0 else 1, "force", words)
 
 

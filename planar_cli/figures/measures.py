@@ -9,13 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from planar_cli.figures.drawn import Drawn, words_of
+from planar_cli.figures.drawn import Drawn, size_of, words_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Negate, Number, Side
+from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import At, Body, Line, Point, Polar, Problem, Rod, Round, TwoFacts
 from planar_cli.problem.shapes import rim_of
-from planar_cli.report.blocks import Line as Words
-from planar_cli.report.blocks import Name, Value, line
+from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import Angle, Dimension, Mark, Spot, Tag
 
 RIGHT = math.pi / 2
@@ -79,8 +78,8 @@ def _angle(drawn: Drawn, vertex: Spot, side: Side) -> Iterator[Angle]:
     if size is None:
         return
     turned = math.remainder(size, 2 * math.pi)
-    if abs(math.remainder(turned, RIGHT)) > NEAR and (words := words_of(side)):
-        yield Angle(vertex, 0.0, turned, _unsigned(side, words))
+    if abs(math.remainder(turned, RIGHT)) > NEAR and (words := size_of(side)):
+        yield Angle(vertex, 0.0, turned, words)
 
 
 def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
@@ -105,16 +104,7 @@ def _radii(drawn: Drawn, body: Body, rim: Round) -> Iterator[Dimension]:
 def _coordinates(spot: Spot, place: At | TwoFacts) -> Iterator[Dimension]:
     """The distances of a point from the axes, where the file places it by them."""
     for axis, side in enumerate((place.x, place.y)):
-        words = words_of(side) if side is not None else ()
-        if side is not None and words and abs(spot[axis]) > NEAR:
+        words = size_of(side) if side is not None else ()
+        if words and abs(spot[axis]) > NEAR:
             start = (0.0, spot[1]) if axis == 0 else (spot[0], 0.0)
-            yield Dimension(start, spot, _unsigned(side, words), side=-1 if axis == 0 else 1, level=True)
-
-
-def _unsigned(side: Side, words: Words) -> Words:
-    """The size of what the file writes with a minus sign: on which side it lies is seen."""
-    if isinstance(side, Negate):
-        return words_of(side.operand) or words
-    if isinstance(side, Number) and words and isinstance(value := words[0], Value) and value.number < 0:
-        return (Value(-value.number, value.unit, value.figures), *words[1:])
-    return words
+            yield Dimension(start, spot, words, side=-1 if axis == 0 else 1, level=True)

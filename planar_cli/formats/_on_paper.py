@@ -188,6 +188,8 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
             yield Stroke((moved(at, 0, 0, -7), moved(at, 0, 0, 7)), "centre")
         case "point":
             yield Disc(at, 1.8, "dot")
+        case "place":
+            yield Disc(at, 5.0, "hidden")
         case "wall":
             wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
             yield Stroke(wall, "ground")
