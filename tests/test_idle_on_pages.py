@@ -20,7 +20,15 @@ def test_a_dropped_ball_has_no_sideways_velocity() -> None:
     page = page_of_file("ball-bouncing-twice")
     assert "v_x" not in page
     assert "takes no time" not in page
-    assert "(t_hit_2 - t_hit_1)" in page
+    assert "(t_4 - t_1)" in page
+
+
+def test_a_blow_without_a_balance_of_momentum_has_no_diagram() -> None:
+    """Of the second bounce restitution alone is used; nobody asks for its impulse."""
+    page = page_of_file("ball-bouncing-twice")
+    assert "Just after 4, restitution between ball and floor, along the common normal: (7) v_5 = -e v_4" in page
+    assert page.count("momentum before + impulses") == 1
+    assert "loss = m g (h_0 - y_6)" in page
 
 
 def test_what_is_given_is_not_said_again() -> None:

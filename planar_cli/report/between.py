@@ -86,6 +86,9 @@ class BetweenTelling:
     springs: Mapping[str, tuple[str, sp.Symbol]] = field(default_factory=dict)
     """By their words those that have a natural length: their length by their ends, and the letter of that."""
 
+    by_rule: Collection[str] = ()
+    """The states before blows of which only the law of restitution is used: they need no diagram."""
+
     finite: FiniteForces | None = None
     """The finite forces whose impulses are negligible."""
 
@@ -254,7 +257,7 @@ class BetweenTelling:
     def _drawn(self, impact: Impact) -> Iterator[Block]:
         """The bodies with their momenta before the blow and all impulses, once."""
         solution = impact.solution
-        if impact.since in self.told or solution is None:
+        if impact.since in self.told or solution is None or impact.since in self.by_rule:
             return
         self.told.add(impact.since)
         scene = solution.instant.scene
@@ -296,9 +299,17 @@ class BetweenTelling:
         if e.law == "force" and not e.lead and e.along and all(t.could_extract_minus_sign() for t in terms):
             # Counted in the sense in which its terms are positive.
             left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
-        yield Paragraph(line(*self._head(e), ":"))
+        yield Paragraph(self._at_blow(e))
         told = self._equation(left, right, number, self._lead(e))
         yield told if self.named is None or told.note else replace(told, note=self._arms(self.named))
+
+    def _at_blow(self, e: ImpactEquation) -> Line:
+        """The heading of an equation, after which blow where no diagram has told it."""
+        head = line(*self._head(e), ":")
+        if e.impact.since not in self.by_rule or not isinstance(head[0], Text):
+            return head
+        words = head[0].text
+        return line(f"Just after {e.impact.since}, {words[:1].lower()}{words[1:]}", *head[1:])
 
     def _arms(self, named: Named) -> Line:
         """The lengths of arms that have their letters from their ends, where they come first."""

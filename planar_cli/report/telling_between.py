@@ -12,7 +12,7 @@ from planar_cli.report.nil_impulses import said_nil
 from planar_cli.report.origins import inertias_of_blows, letters_of_blows
 from planar_cli.report.spring_lengths import spring_lengths
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
 
 FEW = 12
 """An angle by a longer formula is not put into a height."""
@@ -28,9 +28,18 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         axes=inertias_of_blows(found),
         nil={(symbol, since) for symbol, since, _ in said_nil(found)},
         drawn=_drawn(found),
+        by_rule=_by_rule(found),
         springs=spring_lengths(found),
         finite=FiniteForces(found.problem, found.states),
     )
+
+
+def _by_rule(found: MotionTrace) -> list[str]:
+    """The states before blows of which the route uses the law of restitution alone, and no impulse is asked."""
+    blows = [e.source for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation)]
+    balanced = {b.impact.since for b in blows if b.law != "relation" or b.impact.impacts > 1}
+    balanced |= {p.since for span in found.spans for p in span.pieces if p.how == "blow"}
+    return [since for since in dict.fromkeys(b.impact.since for b in blows) if since not in balanced]
 
 
 def _drawn(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
