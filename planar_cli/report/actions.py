@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -31,6 +32,14 @@ def force_named(system: System, symbol: sp.Symbol) -> Line:
     if push is not None and push.place and any(law.of == name for law in system.laws):
         return line(f"the total reaction at {push.place}")
     return (Math(symbol),)
+
+
+def _vector_named(system: System, symbol: sp.Symbol, bodies: Sequence[str]) -> Line:
+    """A reaction, or of an acceleration the vector m a of the only body."""
+    mass = system.scene.bodies[bodies[0]].mass if len(bodies) == 1 else sp.S.One
+    if symbol in system.symbols.values() or not sp.sympify(mass).is_Symbol:
+        return force_named(system, symbol)
+    return (Math(sp.Mul(mass, symbol, evaluate=False)),)
 
 
 def perpendicular(system: System, words: str) -> Line:
@@ -66,8 +75,8 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
         ")",
     ]
     if through:
-        one, other = (force_named(system, s) for s in through[:2])
-        parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
+        one, other = (_vector_named(system, s, w.bodies) for s in through[:2])
+        parts += [", where the lines of ", *one, " and ", *other, " meet, so that neither enters:"]
     elif gone := _left_out(w, stage) or _of_the_diagram(system, w, stage):
         listed = [piece for s in gone for piece in (", ", Math(s))][1:]
         parts += [", chosen so that ", *listed, " do not enter:" if len(gone) > 1 else " does not enter:"]
