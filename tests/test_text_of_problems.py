@@ -9,6 +9,7 @@ import pytest
 from planar_cli.cli import run
 from planar_cli.formats.markdown import Markdown
 from planar_cli.homework.exports._text import paragraphs
+from planar_cli.homework.sheets import as_html, plain
 from planar_cli.problem.show import paragraphs_of
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import Voice, narrate
@@ -49,6 +50,15 @@ def test_a_lesson_has_the_text_with_its_values() -> None:
     assert problem is not None
     page = Markdown().render(narrate(solve_problem(problem), Voice(audience="lesson")))
     assert "\n\n".join(PARAGRAPHS) in page
+
+
+def test_subscripts_are_lowered_in_html_but_not_in_what_is_typed() -> None:
+    text = plain("m_1 < k_O, μ_s, v_B/A, m_1/2, omega_AB, crank.v_A, a_ <b> <sub>x</sub>")
+    page = as_html(f"{text}\n\n- **T_1**: see T_1\n\n```text\nx.T_1: y_1\n```\n", "a_1")
+    assert "<p>m<sub>1</sub> &lt; k<sub>O</sub>, μ<sub>s</sub>, v<sub>B/A</sub>, m<sub>1</sub>/2, omega_AB," in page
+    assert "crank.v_A, a_ &lt;b&gt; &lt;sub&gt;x&lt;/sub&gt;</p>" in page
+    assert "<strong>T_1</strong>: see T<sub>1</sub>" in page
+    assert "x.T_1: y_1\n</code>" in page
 
 
 @pytest.mark.parametrize("text", ["a b\nc", "a\nb\n\n\nc", "a\r\n \r\nb", " a\n"])
