@@ -9,7 +9,6 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Number
 from planar_cli.problem.impulse_letters import impulse_letters
@@ -19,9 +18,10 @@ from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, 
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
+from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
-from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing
+from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, unchanged
 from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
@@ -30,7 +30,6 @@ from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.report.put_in import put_in
 from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.sides import said
-from planar_cli.report.spread import spread
 from planar_cli.report.standing import standing, standing_lines
 from planar_cli.report.turning_groups import Turning, by_group, turning_group
 from planar_cli.report.words import Phrases
@@ -38,7 +37,7 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, LENGTH, Dimension
 
-LONGEST, MOST_LETTERS = 60, 44
+LONGEST = 60
 SHORT, SOME, FEW = 36, 24, 16
 """A longer equation is told with its numbers, where it has some; one whose parts were told with theirs; and such a one
 in which one unknown stands plainly.
@@ -85,6 +84,8 @@ class BetweenTelling:
     """Letters of states in the given position, with what they are in letters of the file."""
     springs: Mapping[str, tuple[str, sp.Symbol]] = field(default_factory=dict)
     """By their words those that have a natural length: their length by their ends, and the letter of that."""
+    alone: Collection[str] = ()
+    """The states before blows of which one equation tells all, which changes nothing."""
 
     by_rule: Collection[str] = ()
     """The states before blows of which only the law of restitution is used: they need no diagram."""
@@ -172,24 +173,14 @@ class BetweenTelling:
         bare = self.lettered and number not in self.counted
         made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)
-        yield from by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
-        sides = self._in_letters(telling) if number in self.counted else ()
+        lines = by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
+        ending = self._put(b.after), self.unknowns, b.law.moving
+        yield from by_turning_and_sliding(lines, (first, last), ending, self.groups.get(b.stop), self.numeric)
+        sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
         if sides:
             yield Equation(sides, number, lead)
             told = replace(told, number=None, lead=line(f"({number}) in numbers:"))
         yield told
-
-    def _in_letters(self, telling: EnergyTelling) -> tuple[Math, ...]:
-        """The balance by the letters in which its parts were told; empty: a part has none, or it gets long."""
-        parts = telling.letters
-        if None in parts.values():
-            return ()
-        right = [e for words, e in parts.items() if words.startswith("T of ") and e != 0]
-        left = [e for words, e in parts.items() if not words.startswith("T of ") and e != 0]
-        whole = [sp.Add(*(e for e in side if e is not None)) for side in (left, right)]
-        if not left or any(longer(side, LONGEST) for side in whole) or sum(map(operations, whole)) > MOST_LETTERS:
-            return ()
-        return tuple(Math(spread(side)) for side in whole)
 
     def _equation(
         self,
@@ -333,11 +324,15 @@ class BetweenTelling:
         return () if put is None else (self.phrases.math(unknown), Math(formula), put, shown)
 
     def kept(self, e: ImpactEquation, result: Equation) -> Iterator[Block]:
-        """An equation of a blow that gives at once a velocity that is zero. `result`: its letter with the value."""
-        yield from self._drawn(e.impact)
-        before = self._put(e.left)
-        why = ", zero before, and no impulse changes it" if before == 0 and e.law != "relation" else ""
-        yield Paragraph(line(*self._head(e, kept=bool(why)), f"{why}:"))
+        """An equation of a blow that gives at once a velocity that is zero, or what it was. `result`: its letter with
+        the value.
+        """
+        if e.impact.since not in self.alone:
+            yield from self._drawn(e.impact)
+        zero = self._put(e.left) == 0 and e.law != "relation"
+        stays = () if zero else unchanged(e, self._through(passing(e, self.used)))
+        why = ", zero before, and no impulse changes it" if zero else ""
+        yield Paragraph(line(*(stays or self._head(e, kept=zero)), f"{why}:"))
         yield result
 
     def _head(self, e: ImpactEquation, kept: bool = False) -> Line:

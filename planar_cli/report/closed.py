@@ -146,7 +146,7 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         # A letter of a state may have the name of a datum in print.
         return False
     more = formula.free_symbols - closed.free_symbols
-    if operations(closed) > TWICE * operations(formula):
+    if operations(closed) > TWICE * operations(formula) and len(closed.atoms(sp.Add)) > 1:
         # Made of few results, it says more by these.
         return False
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1

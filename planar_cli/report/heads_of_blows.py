@@ -8,16 +8,21 @@ No rebound (e = 0): A and B have one velocity along the common normal
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.problem.facts import Action
 from planar_cli.problem.geometry import Vec
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.nil_impulses import nil_beside
-from planar_cli.solve.between.trace import ImpactEquation
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result
 
 RESTITUTION = re.compile(r"restitution between (.+), along the common normal")
+STATE = "__"
+"""Stands before the state in the name of a letter."""
 MOST = 2
 """Of more impulses through one point the diagrams speak."""
 
@@ -28,6 +33,35 @@ def no_rebound(e: ImpactEquation) -> str:
     if found is None or any(s.name.endswith(f"__{e.impact.since}") for s in (e.left - e.right).free_symbols):
         return ""
     return f"No rebound (e = 0): {found[1]} have one velocity along the common normal"
+
+
+def keeps(e: Relation, r: Result) -> bool:
+    """Does a balance of moments of a blow say that a velocity stays what it was?"""
+    if not isinstance(e.source, ImpactEquation) or e.source.law != "moment":
+        return False
+    if r.formula is None or not r.formula.is_Symbol:
+        return False
+    own, since, before = r.formula.name.partition(STATE)
+    return bool(since) and before == e.source.impact.since and own == r.unknown.name.partition(STATE)[0]
+
+
+def told_alone(found: MotionTrace) -> set[str]:
+    """The states before blows of which one equation is told, by which a velocity stays what it was."""
+    sources = [e.source for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation)]
+    once = {since for since, n in Counter(s.impact.since for s in sources).items() if n == 1}
+    legs = [leg for leg in found.route.steps if len(leg.relations) == 1]
+    return once & {leg.relations[0].since for leg in legs if keeps(leg.relations[0], leg.results[0])}
+
+
+def unchanged(e: ImpactEquation, passing_by: Sequence[Any]) -> Line:
+    """Why bodies turn on together as they did; (): the equation says it. `passing_by`: `, through which J passes`."""
+    if e.law != "moment" or e.centre is not None or len(e.bodies) < 2:
+        return ()
+    words = f"Just after {e.impact.since}, {', '.join(e.bodies)}: "
+    inner = "the impulses between them are internal"
+    others = line(", and those from outside pass through ", Name(e.lead)) if passing_by else ()
+    kept = line(", so that ", Name(f"H_{e.lead}"), " and ", Name(f"I_{e.lead}"), " stay what they are")
+    return line(words, inner, *others, *kept)
 
 
 def is_conserved(e: ImpactEquation) -> bool:

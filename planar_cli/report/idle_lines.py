@@ -25,13 +25,37 @@ MEANS = ": the angle "
 """Begins what an angle is."""
 STILL = "nothing moves during a blow"
 """The remark on a place just after a blow."""
+DEFINED = ("mass of ", "moment of inertia of ")
+"""Begins the line of a mass or a moment of inertia."""
 
 
 def without_idle_lines(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    told = with_times_of_blows(list(said_above(blocks)))
+    told = with_times_of_blows(list(said_above(without_unused_masses(blocks))))
     told = with_roots_beside(list(without_unused_places(told)))
     return without_told_values(told)
+
+
+def without_unused_masses(blocks: Sequence[Block]) -> list[Block]:
+    """Blocks without masses and moments of inertia of which nothing else speaks: those of a second body that is told
+    with its equal.
+    """
+    kept = list(blocks)
+    while True:
+        spoken = Counter(name for block in kept for name in _letters(block))
+        idle = [b for b in kept if (name := _defined(b)) and spoken[name] == 1]
+        if not idle:
+            return kept
+        kept = [b for b in kept if b not in idle]
+
+
+def _defined(block: Block) -> str:
+    """The letter of a mass or moment of inertia that a line defines; "" of any other."""
+    if not isinstance(block, Equation) or block.number is not None or not block.lead or len(block.sides) < 2:
+        return ""
+    lead, letter = block.lead[0], block.sides[0]
+    told = isinstance(lead, Text) and lead.text.startswith(DEFINED)
+    return letter.expr.name if told and isinstance(letter, Math) and letter.expr.is_Symbol else ""
 
 
 def said_above(blocks: Sequence[Block]) -> Iterator[Block]:

@@ -24,6 +24,7 @@ from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.flights import FlightTelling
 from planar_cli.report.harmonic import HarmonicTelling
+from planar_cli.report.heads_of_blows import keeps
 from planar_cli.report.idle_zeros import is_untold
 from planar_cli.report.impulse_rows import before_leg
 from planar_cli.report.in_numbers import divides_by_zero
@@ -198,8 +199,9 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 law = inside_an_integral(e, route, self.found, {*self.varying, *self._open}, self.phrases)
                 return (yield from by_trial_values(law, (r := leg.results[0]), self._shown(r), self.number()))
-            if single and (says_zero(e, (r := leg.results[0]), route, ledger) or is_outright(e, r, route, ledger)):
-                return (yield from self._zero(e, leg.results[0], route))
+            r = leg.results[0]
+            if single and (keeps(e, r) or says_zero(e, r, route, ledger) or is_outright(e, r, route, ledger)):
+                return (yield from self._zero(e, r, route))
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
         if (inserted := one_in_another(leg, self.found, route.plain)) is not None:

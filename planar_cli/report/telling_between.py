@@ -6,6 +6,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer
 from planar_cli.report.between import BetweenTelling
+from planar_cli.report.heads_of_blows import told_alone
 from planar_cli.report.idle_zeros import idle_zeros
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import said_nil
@@ -30,6 +31,7 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         drawn=_drawn(found),
         by_rule=_by_rule(found),
         springs=spring_lengths(found),
+        alone=told_alone(found),
         finite=FiniteForces(found.problem, found.states),
     )
 
