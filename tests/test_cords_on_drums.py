@@ -115,7 +115,13 @@ def test_what_is_asked_of_several_states_is_told_by_states() -> None:
     page = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-09.yaml")[0]))
     assert "The cable keeps its length and does not slip on the wheel:" in page
     assert "θ: the angle by which the wheel has turned, counterclockwise" in page
-    assert page.index("Hence, at 1:") < page.index("v_E = r_h ω") < page.index("At 2:") < page.index("x_B,2 =")
+    assert (
+        page.index("At 1:")
+        < page.index("v_E = r_h ω")
+        < page.index("From 1 to 2")
+        < page.index("At 2:")
+        < page.index("x_B,2 =")
+    )
     assert "0.6 cos(0.6667 rad) = 0.4715 m" in page
 
 

@@ -9,7 +9,7 @@ from worked import page_of_file
 @pytest.mark.parametrize(
     ("stem", "line"),
     [
-        ("ex-1-10", "|a_B,2| = √(0.2282² + 0.1704²) = 0.2848 m/s² direction of a_B,2 = arctan("),
+        ("ex-1-10", "|a_B,2| = √(a_t² + a_n²) = √(0.1² + 0.2667²) = 0.2848 m/s² direction of a_B,2 = arctan("),
         ("ex-1-10", "direction of a_B,2 = arctan(0.1704/0.2282) = 36.7° below -x"),
         ("pucks-at-an-angle", "direction of v_B = arctan(2.799/1.384) = 63.7° above +x"),
     ],

@@ -22,6 +22,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.extremes import aims_told
+from planar_cli.report.first_state import first_state_first
 from planar_cli.report.flights import FlightTelling
 from planar_cli.report.harmonic import HarmonicTelling
 from planar_cli.report.heads_of_blows import keeps
@@ -127,10 +128,10 @@ class MotionTelling:
         yield from times_given(self.found, self.phrases)
         yield from turning_blocks(self.found, self.phrases)
         yield from () if self.early else nil_impulses(self.found, self.phrases)
-        yield from self.told_route(self.found.route)
-        yield from swings(self.found, self.phrases, self._one)
+        way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
-        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
+        asked = AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
+        yield from first_state_first(way, list(asked), self.found)
         yield from passing_blocks(self.found, self.phrases, self.told_route)
 
     # --- the route ---------------------------------------------------------------------------------------------------

@@ -189,7 +189,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)
-    blocks = with_size_and_angle(blocks, (f for f in part.found if why in (None, f.name)), phrases)
+    blocks = with_size_and_angle(blocks, (f for f in part.found if why in (None, f.name)), phrases, part)
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))

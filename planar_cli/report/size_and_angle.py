@@ -17,9 +17,11 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Va
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.letter_vectors import letter_size_and_angle
 from planar_cli.report.numbers import significant
+from planar_cli.report.on_axles import Sized, sized
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
 
 PLACES = ("IC", "r")
 """Of a place the answer gives its coordinates alone."""
@@ -29,13 +31,15 @@ OF_ANGLES = 3
 """Figures of a direction, as the answer has them."""
 
 
-def with_size_and_angle(blocks: Sequence[Block], found: Iterable[Found], phrases: Phrases) -> list[Block]:
+def with_size_and_angle(
+    blocks: Sequence[Block], found: Iterable[Found], phrases: Phrases, part: PartSolution
+) -> list[Block]:
     """The blocks of a part, with the size and the direction of each vector after its components."""
     told = list(blocks)
     lettered: list[tuple[sp.Expr, ...]] = []
     for one in found:
         place, name = _components(told, one, phrases)
-        lines = list(size_and_angle(one, phrases, told, name))
+        lines = list(size_and_angle(one, phrases, told, name, sized(one, part, phrases)))
         if (one.expressions or ()) not in lettered:
             lines += letter_size_and_angle(one, phrases)
             lettered.append(one.expressions or ())
@@ -43,9 +47,11 @@ def with_size_and_angle(blocks: Sequence[Block], found: Iterable[Found], phrases
     return told
 
 
-def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block], called: str) -> Iterator[Block]:
+def size_and_angle(
+    found: Found, phrases: Phrases, told: Sequence[Block], called: str, by: Sized | None
+) -> Iterator[Block]:
     """√(x² + y²) and arctan(y/x) with numbers; nothing of a vector in letters, of a place, or along an axis.
-    `told`: the page, which may have the size; `called`: the name of the vector there.
+    `told`: the page, which may have the size; `called`: the name of the vector there; `by`: what tells it better.
     """
     what = found.find.found.what if found.find is not None else None
     place = isinstance(what, Quantity) and what.word in PLACES
@@ -67,7 +73,10 @@ def size_and_angle(found: Found, phrases: Phrases, told: Sequence[Block], called
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
     apart = Equation((line("direction of ", name), quotient, steep), None, note=line(where))
-    if any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
+    if by is not None:
+        yield Equation((own, *by.size, size))
+        yield Equation((line("direction of ", name), *by.direction), None, note=by.beside) if by.direction else apart
+    elif any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
         yield apart
     elif 2 * (len(called) + sum(map(len, texts.values()))) + FRAME > ROW:
         yield Equation((own, Math(root, texts), size), None)

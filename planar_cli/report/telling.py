@@ -28,6 +28,7 @@ from planar_cli.report.grooves import groove_told
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product, with_direction
+from planar_cli.report.reasons import Reasons
 from planar_cli.report.relative_motion import is_told
 from planar_cli.report.rolled_points import is_named, rolling, touching
 from planar_cli.report.rope_ends import end_told, named_end
@@ -81,6 +82,7 @@ class Telling:
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
+        self._reasons = Reasons()
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         nothing = {z for s in self.stages for z in vanishing(s)}
         told = {u for s in self.stages for b in s.blocks for u in b.unknowns if not is_given(b)}
@@ -220,12 +222,15 @@ class Telling:
 
     def _equations(self, written: list[Written], stage: Stage) -> list[Block]:
         blocks: list[Block] = []
-        for block in (b for w in written for b in self._equation(w, stage)):
+        for block in (b for w in written for b in self._reasoned(w, stage)):
             # Sums over the same body stand below each other under its name.
             last = next((b for b in reversed(blocks) if not isinstance(b, Equation)), None)
             if not isinstance(block, Paragraph) or block != last:
                 blocks.append(block)
         return blocks
+
+    def _reasoned(self, w: Written, stage: Stage) -> list[Block]:
+        return self._reasons.once(w, stage.level, self.number(stage, w.number), self._equation(w, stage))
 
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
