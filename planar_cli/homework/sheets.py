@@ -29,7 +29,7 @@ MARKUP = str.maketrans({c: f"\\{c}" for c in "\\`*_{}[]<>#|~$"})
 STYLE = (
     "body{font:16px/1.5 Georgia,serif;max-width:46rem;margin:2rem auto;padding:0 1rem;color:#111;background:#fff}"
     "table{border-collapse:collapse}td,th{border:1px solid #999;padding:.2rem .6rem;text-align:left}"
-    "pre{font-size:12px;overflow-x:auto}h2,h3{margin-top:2rem}math{font-size:1.05em}sub{line-height:0}"
+    "pre{font-size:14px;overflow-x:auto}h2,h3{margin-top:2rem}math{font-size:1.05em}sub{line-height:0}"
     ".equation{display:block;padding-left:4rem;text-indent:-2rem}.equation>math{text-indent:0}"
     ".number{float:right;text-indent:0;padding-left:1rem}@media print{h2,h3,h4{break-after:avoid}}"
 )

@@ -23,6 +23,8 @@ NOTHING = 1e-9
 """A component below this part of its vector is what is left of zero."""
 APART = 0.999
 """Neighbouring intervals stop short of each other by the rest."""
+MOST_PLACES = 6
+"""So many finds are named of which the same is told."""
 CHOICES = {"yes": ("yes", "no"), "no": ("yes", "no"), "true": ("true", "false"), "false": ("true", "false")}
 """The words of which all alternatives are known."""
 
@@ -66,7 +68,7 @@ class Asked:
 
 
 class LeftOut:
-    """Sentences on what a system cannot take, each once with the variants that it holds for."""
+    """Sentences on what a system cannot take, `place: why`, each once with all places and variants."""
 
     def __init__(self) -> None:
         self._found: dict[str, list[int]] = {}
@@ -82,7 +84,11 @@ class LeftOut:
             variants.append(variant)
 
     def sentences(self) -> tuple[str, ...]:
-        told = [f"{sentence} ({_variants(v)})" for sentence, v in self._found.items()]
+        alike: dict[tuple[str, str], list[str]] = {}
+        for sentence, variants in self._found.items():
+            place, colon, why = sentence.partition(": ")
+            alike.setdefault((why if colon else place, _variants(variants)), []).extend([place] if colon else [])
+        told = [f"{f'{_listed(p)}: ' if p else ''}{why} ({variants})" for (why, variants), p in alike.items()]
         if self._close:
             count, places = sum(map(len, self._close.values())), "; ".join(self._close)
             one = "1 mistake has no feedback of its" if count == 1 else f"{count} mistakes have no feedback of their"
@@ -90,6 +96,12 @@ class LeftOut:
                 f"{one} own, being too close to another number ({places}); `planar check --set` tells such mistakes too"
             )
         return tuple(told)
+
+
+def _listed(places: Sequence[str]) -> str:
+    """All places, or of many the first ones."""
+    more = len(places) - MOST_PLACES
+    return "; ".join(places[:MOST_PLACES]) + (f"; {more} more" if more > 0 else "")
 
 
 def _variants(numbers: Sequence[int]) -> str:
