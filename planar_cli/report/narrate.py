@@ -44,6 +44,7 @@ from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.impulse_names import with_short_impulses
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
+from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.laws import without_given
 from planar_cli.report.laws_solved import with_laws_solved
 from planar_cli.report.likewise import told_likewise
@@ -159,7 +160,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
-    part, positive = with_signs(with_plain_answers(with_across_speeds(part)))
+    part, positive = with_signs(with_plain_answers(with_across_speeds(with_known_put_in(part))))
     figures = voice.figures
     telling = None
     if part.motion is not None:

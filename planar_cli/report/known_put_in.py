@@ -1,0 +1,90 @@
+"""What is the same but for its sign is one letter in the equations of forces, and with it moments of inertia are what
+they are: of two equal rods that fold alike, α_BC = -α_AB and I_AB = I_BC = 1/12 m l² leave 1/6 m l² α_AB.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.counting import operations
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import INERTIA
+
+LONGEST = 60
+"""A longer equation or formula is left as it is."""
+OF_FORCES = ("force", "moment")
+Known = Mapping[sp.Symbol, sp.Expr]
+
+
+def with_known_put_in(part: PartSolution) -> PartSolution:
+    """The part with such equations; the same where there are none."""
+    made = {id(instant): _instant(instant) for instant in part.instants}
+    if all(made[id(instant)] is instant for instant in part.instants):
+        return part
+    motion = part.motion
+    if motion is not None:
+        regimes = tuple(replace(r, solution=made.get(id(r.solution), r.solution)) for r in motion.regimes)
+        motion = replace(motion, regimes=regimes)
+    return replace(part, instants=tuple(made[id(instant)] for instant in part.instants), motion=motion)
+
+
+def _instant(instant: InstantSolution) -> InstantSolution:
+    if not instant.stages or not instant.stages[-1].algebra.symbolic:
+        return instant
+    *first, last = instant.stages
+    known = _known(last, instant)
+    return replace(instant, stages=(*first, _stage(last, known))) if known else instant
+
+
+def _known(stage: Stage, instant: InstantSolution) -> Known:
+    """α_BC = -α_AB, and the moments of inertia of the bodies in letters; empty: nothing is another one so."""
+    ledger = instant.instant.scene.ledger
+    lines = [x for b in stage.blocks for x in b.lines]
+    alike = {x.symbol: x.formula for x in lines if x.formula.is_Symbol or (-x.formula).is_Symbol}
+    rates = {s: f for s, f in alike.items() if s in ledger.units and ledger.units[s].angle}
+    if not rates:
+        return {}
+    own = [(s, f) for s, f in ledger.definitions.items() if s in ledger.units and f.is_Mul]
+    return {**_speeds(instant), **rates, **{s: f for s, f in own if ledger.units[s].dimension == INERTIA}}
+
+
+def _speeds(instant: InstantSolution) -> Known:
+    """ω_BC = -ω_AB, where both are one rate but for the sign."""
+    first: dict[sp.Expr, tuple[sp.Symbol, int]] = {}
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for x in (x for stage in instant.stages[:-1] for b in stage.blocks for x in b.lines):
+        sign = -1 if (-x.formula).is_Symbol else 1
+        if not (sign * x.formula).is_Symbol:
+            continue
+        one = first.setdefault(sign * x.formula, (x.symbol, sign))
+        if one[0] != x.symbol:
+            found[x.symbol] = sign * one[1] * one[0]
+    return found
+
+
+def _stage(stage: Stage, known: Known) -> Stage:
+    return replace(stage, blocks=tuple(_block(b, known) for b in stage.blocks))
+
+
+def _block(block: SolvedBlock, known: Known) -> SolvedBlock:
+    lines = tuple(x if x.symbol in known else replace(x, formula=_put(x.formula, known)) for x in block.lines)
+    return replace(block, equations=tuple(_equation(w, known) for w in block.equations), lines=lines)
+
+
+def _equation(w: Written, known: Known) -> Written:
+    return replace(w, left=_put(w.left, known), right=_put(w.right, known)) if w.law in OF_FORCES else w
+
+
+def _put(expr: sp.Expr, known: Known) -> sp.Expr:
+    if not expr.free_symbols & known.keys() or longer(expr, LONGEST):
+        return expr
+    found = simplified(expr.xreplace(dict(known)))
+    return found if operations(found) < operations(expr) else expr
