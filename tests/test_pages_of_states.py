@@ -205,8 +205,7 @@ def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
     """A block let go on a spring: its speed is no factor where it is largest, which is in the place of rest."""
     solution, _ = worked(ROOT / "problems" / "oscillations" / "block-hung-on-a-spring.yaml")
     page = " ".join(Terminal(width=110).render(narrate(solution)).split())
-    assert "(2) m g - k (s_fastest - l_0) = 0" in page
-    assert "(3) cos(ω_n t_fastest) = 0 s_fastest = s_eq" in page
+    assert "where its derivative is zero: s_fastest = s_eq (2) cos(ω_n t_fastest) = 0 s_fastest = s_eq" in page
     assert "s_lowest = 2 m g/k + l_0" in page
     assert "simple harmonic motion:" in page
 
@@ -215,9 +214,8 @@ def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
     """The tension of a pendulum from the speed that was just found, both where the sense of the motion is kept."""
     solution, _ = worked(ROOT / "problems" / "oscillations" / "simple-pendulum.yaml")
     page = " ".join(Terminal(width=110).render(narrate(solution)).split())
-    assert "ω_squared from 1 to 2, as a function of θ: From 1 on, θ̇ dθ̇ = θ̈ dθ:" in page
+    assert "θ̇ dθ̇ = θ̈ dθ from θ = θ_0, θ̇ = 0 to any θ:" in page
     assert "S from 1 to 2, as a function of θ: S = m (g cos θ + l" in page
-    assert page.count("From 1 on, ") == 1
 
 
 def test_forces_that_last_are_told_once() -> None:

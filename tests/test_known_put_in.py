@@ -1,0 +1,19 @@
+"""Two equal rods that fold alike: their angular accelerations are one letter in the equations of forces."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize("line", [
+    "(4) ↺ ΣM_B: N_C l - 1/2 m g l = 1/6 m l² α_AB",
+    "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = m l² α_AB",
+    "(4): N_C = 1/2 m g + 1/6 m l α_AB (5): α_AB = -3 g/(2 l)",
+])  # fmt: skip
+def test_what_is_one_letter_but_for_its_sign_is_put_in(line: str) -> None:
+    assert line in page_of_file("two-rods-falling-flat")
+
+
+def test_a_moment_of_inertia_alone_stays_a_letter() -> None:
+    assert "I α" in page_of_file("ex-4-06")
