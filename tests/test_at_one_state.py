@@ -15,8 +15,8 @@ from worked import page_of_file
         "(3) α_AB = -α_BC",
         "free-body diagram = kinetic diagram At 2, θ = 0: AB: m g ↓ at G_AB",
         "1/2 m l α_AB ↑ at G_AB, 1/2 m l ω_AB² ← at G_AB",
-        "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = 7/4 m l² α_AB + 3/4 m l² α_BC + I_AB α_AB + I_BC α_BC",
-        "(5): α_AB = -m g l / (1/2 m l² + I_AB + I_BC)",
+        "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = m l² α_AB",
+        "(5): α_AB = -3 g/(2 l)",
     ],
 )
 def test_two_rods_that_fall_flat(words: str) -> None:

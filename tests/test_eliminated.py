@@ -21,8 +21,8 @@ def test_of_three_equations_two_are_put_into_the_third() -> None:
 
 def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
     page = page_of_file("ball-on-a-cord-that-goes-slack")
-    assert "(6) in numbers: 2.771 = 0.8 r_3² φ̇_3" in page
-    assert "(5), (6) together: r_3 = 0.5108 m" in page
+    assert "(5) in numbers: 2.771 = 0.8 r_3² φ̇_3" in page
+    assert "(4), (5) together: r_3 = 0.5108 m" in page
 
 
 def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_letter() -> None:
@@ -34,5 +34,4 @@ def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_lette
 
 def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> None:
     page = page_of_file("two-rods-falling-flat")
-    assert "α_2 = -m g l / (1/2 m l² + I_AB + I_BC) = -3 g/(2 l)" in page
-    assert "N_C = 1/2 m g + 1/4 m l α_AB - I_BC α_AB/l = 1/4 m g" in page
+    assert "N_C = 1/2 m g + 1/6 m l α_AB = 1/4 m g" in page

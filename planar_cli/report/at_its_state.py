@@ -42,7 +42,8 @@ def _put_in(letter: sp.Symbol, state: str, closed: sp.Expr, regime: RegimeTrace,
     told = sp.sympify(formulas[letter]).xreplace(place)
     # What another letter is by one alone, α_BC = -α_AB, is put in; the others have their lines.
     alike = {s: f for s, f in formulas.items() if s != letter and (f / f.as_coeff_Mul()[0]).is_Symbol}
-    told = simplified(told.xreplace(alike))
+    put = told.xreplace(alike)
+    told = told if put == formulas[letter] else simplified(put)
     if told.free_symbols & found.varying or longer(told, LONGEST) or told == closed or told.is_Symbol:
         return None
     whole = told
