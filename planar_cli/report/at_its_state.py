@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 
@@ -43,7 +44,8 @@ def _put_in(letter: sp.Symbol, state: str, closed: sp.Expr, regime: RegimeTrace,
     # What another letter is by one alone, α_BC = -α_AB, is put in; the others have their lines.
     alike = {s: f for s, f in formulas.items() if s != letter and (f / f.as_coeff_Mul()[0]).is_Symbol}
     put = told.xreplace(alike)
-    told = told if put == formulas[letter] else simplified(put)
+    # Multiplied out, as a force is solved for: 1/2 m g + 1/6 m l α.
+    told = told if put == formulas[letter] else expanded(simplified(put))
     if told.free_symbols & found.varying or longer(told, LONGEST) or told == closed or told.is_Symbol:
         return None
     whole = told
