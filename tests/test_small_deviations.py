@@ -93,3 +93,9 @@ def test_a_limit_rests_on_the_mass_centre_alone() -> None:
     assert "(1): h = √6 r/3 = √6 · 0.1 / 3 = 0.08165 m = 81.65 mm" in limit
     assert "Kinetic analysis" not in limit
     assert "θ" not in limit
+
+
+def test_a_long_formula_stands_once_with_other_numbers() -> None:
+    page = _page("toy-on-a-round-end")
+    assert page.count("m_toy,1 (r - 4 r/(3 π) - y_G)²") == 1
+    assert "I = (1/2 - 16/(9 π²)) · 0.7854 · 0.1² + 0.7854 (0.1 - 4 · 0.1 / (3 π) - 0.1043)²" in page

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
+from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import (
     Block,
     Equation,
@@ -25,6 +26,8 @@ from planar_cli.report.blocks import (
     line,
 )
 
+LONG = 7
+"""A formula of more operations is not printed a second time with other numbers."""
 LEAST = 3
 """Fewer lines are printed again, unless they are all of a step."""
 TOLD = (Paragraph, Equation, Forces, Result, Table)
@@ -88,6 +91,7 @@ class _Printed:
         self._numbers = {said: number for number, said in self.numbered.items()}
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
+        self.formulas = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_long(b)}
 
     def knows(self, block: Block) -> bool:
         """Does it stand there word for word, and would `before` mean it?"""
@@ -105,7 +109,11 @@ class _Printed:
         return equation.number if same else self._numbers.get(said)
 
     def reduced(self, block: Block) -> Block:
-        """The diagram of a body by the forces that are gone from the last one; itself, where it is another."""
+        """The diagram of a body by the forces that are gone from the last one; a long formula of a named quantity with
+        its other numbers alone. Itself, where it is another.
+        """
+        if isinstance(block, Equation) and _is_long(block) and _read((block.lead, block.sides[:2])) in self.formulas:
+            return block if _told(block) in self.said else replace(block, sides=(block.sides[0], *block.sides[2:]))
         other = self.diagrams.get(block.body) if isinstance(block, Forces) else None
         if not isinstance(block, Forces) or other is None or _read(other.right) != _read(block.right):
             return block
@@ -115,6 +123,12 @@ class _Printed:
             return block
         names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
         return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
+
+
+def _is_long(equation: Equation) -> bool:
+    """Has a line letter = formula = numbers = value, without a number of its own, a long formula?"""
+    formula = equation.sides[1] if len(equation.sides) > 3 and equation.number is None and equation.lead else None
+    return isinstance(formula, Math) and not formula.values and longer(formula.expr, LONG)
 
 
 def _ends(blocks: Sequence[Block], stop: int) -> bool:
