@@ -50,3 +50,8 @@ def test_what_stands_alone_under_its_heading_stays() -> None:
     law = Equation((Math(sp.Symbol("a")), Math(sp.Symbol("g"))))
     blocks = [Paragraph(line("For x:")), law, Paragraph(line("For y:")), law, Paragraph(line("Hence:"))]
     assert list(defined_once(blocks)) == blocks
+
+
+def test_where_a_body_is_drawn_is_not_told() -> None:
+    """Diagrams that read alike are the same, wherever their arrows are drawn."""
+    assert "As before: the diagram." in page_of_file("carriages-that-collide")

@@ -84,7 +84,7 @@ class Forces:
     left: Line
     right: Line = ()
     heads: tuple[str, str] = ("free-body diagram", "kinetic diagram")
-    scene: Scene | None = field(default=None, compare=False)
+    scene: Scene | None = field(default=None, repr=False, compare=False)
 
 
 @record

@@ -34,11 +34,13 @@ class Way:
 
 @record
 class Text:
-    """Words; they may come from a file, so a format escapes them. `way`: of those that tell how a vector is drawn."""
+    """Words; they may come from a file, so a format escapes them. `way`: of those that tell how a vector is drawn;
+    words that read alike are the same.
+    """
 
     text: str
     style: TextStyle = "plain"
-    way: Way | None = field(default=None, compare=False)
+    way: Way | None = field(default=None, repr=False, compare=False)
 
 
 @record
