@@ -17,13 +17,13 @@ def test_whether_it_slips_is_decided_by_a_line() -> None:
 
 def test_which_limit_comes_first_is_told() -> None:
     page = page_of_file("crate-that-slips-or-tips")
-    assert "|M_C| = 117.7 N·m < 1/2 N_C b = 1/2 · 588.6 · 0.6 = 176.6 N·m it slips before it tips" in page
+    assert "x = P y/N_C = 235.4 · 0.5 / 588.6 = 0.2 m < b/2 = 0.3 m it slips before it tips" in page
     assert "|F_C| = P = 176.6 N < μ N_C = 0.4 · 588.6 = 235.4 N it tips before it slips" in page
 
 
 def test_friction_that_only_a_parting_contact_leaves_open_has_its_line() -> None:
     page = page_of_file("crate-on-cart")
-    assert "|F_A| = m a_K = 78.48 N < μ N_A = 0.6 · 196.2 = 117.7 N it lifts off before it slips" in page
+    assert "|F_A| = m a_K = 78.48 N < μ N_A = 0.6 · 196.2 = 117.7 N it tips before it slips" in page
 
 
 def test_what_an_equation_puts_at_its_limit_is_not_checked_against_it() -> None:

@@ -44,14 +44,3 @@ def test_a_constant_velocity_needs_no_momentum_beside_the_place() -> None:
     page = _page("motion/ball-through-a-window")
     assert "(3): v_x,wall = v_x,throw = 11.57 m/s" in page
     assert "conservation of momentum" not in page
-
-
-def test_a_law_over_time_is_integrated_once_up_to_any_time() -> None:
-    page = _page("motion/body-hoist-starting-softly")
-    assert page.count("∫[0 → t] 0.6 (1 - cos(π t/4)) dt in m (7) y_L = 0.6 t - 6 - 0.7639 sin(π t/4) in m") == 1
-    assert "At one: (7): y_L,one = 0.6 · 1 - 6 - 0.7639 sin(π · 1 / 4) = -5.940 m" in page
-    # What compares two states stands at the later one.
-    assert "At end: h_end = y_L,end - y_L,start" in page
-    page = _page("motion/turntable-run")
-    assert "(1) ω = 1 + 2 t - 0.25 t² in rad/s" in page
-    assert "At rest: (1): ω_start + 2 t_rest - t_rest²/4 = 0 (1): t_rest =" in page

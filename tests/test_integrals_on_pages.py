@@ -18,7 +18,7 @@ A, B, C, G, K, M, R, V = sp.symbols("a b c g k m R v_0", positive=True)
 def test_a_time_follows_from_the_integral_over_the_speed() -> None:
     page = page_of_file("ball-up-with-drag")
     assert "From up to top, dv/a = dt, y of ball:" in page
-    assert "t_top = arctan(v_y,up √(c/(m g))) √(m/(c g))" in page
+    assert "(3) t_top = arctan(v_y,up √(c/(m g))) √(m/(c g))" in page
     assert "tan(t_top" not in page
 
 

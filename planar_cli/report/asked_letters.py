@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Block, Equation, Math
+from planar_cli.report.blocks import Block, Equation, Line, Math, line
 from planar_cli.report.inertias import is_sought
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
@@ -33,9 +34,29 @@ def closed_letter(answer: Found, instant: InstantSolution, phrases: Phrases) -> 
     if formulas.get(symbol, closed) == closed or longer(closed, LONGEST):
         return
     if answer.values is None:
-        yield Equation((Math(symbol), phrases.math(closed)))
+        yield Equation(
+            (Math(symbol), phrases.math(closed)), None, _with_given(symbol, closed, formulas, ledger, phrases)
+        )
     elif phrases.symbolic:
         yield _with_numbers(answer, closed, replace(phrases, symbolic=False, lettered=frozenset(ledger.letters)))
+
+
+def _with_given(
+    symbol: sp.Symbol, closed: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr], ledger: Ledger, phrases: Phrases
+) -> Line:
+    """`With h = R:` where the file gives a letter of the lines above by a formula, which the last line has put in."""
+    held, seen = {symbol}, set[sp.Symbol]()
+    while held:
+        seen |= held
+        held = {s for x in held for s in formulas.get(x, sp.S.Zero).free_symbols} - seen
+    gone = sorted((s for s in seen - closed.free_symbols if _is_formula(s, ledger)), key=lambda s: s.name)
+    told = [p for s in gone for p in (", ", Math(s), " = ", phrases.math(ledger.values[s]))]
+    return line("with ", *told[1:], ":") if told else ()
+
+
+def _is_formula(symbol: sp.Symbol, ledger: Ledger) -> bool:
+    value = ledger.values.get(symbol)
+    return value is not None and bool(value.free_symbols)
 
 
 def _with_numbers(answer: Found, formula: sp.Expr, phrases: Phrases) -> Equation:

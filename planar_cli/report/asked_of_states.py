@@ -78,7 +78,7 @@ class AskedTelling:
         decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
         vectors = list(self._vectors())
-        places = list(dict.fromkeys(_at(r) or _last_of(r, self.found.states) for r, _, _ in asked))
+        places = list(dict.fromkeys(_at(r) for r, _, _ in asked))
         last = places[0] if len(places) > 1 and not compared else ""
         if last:
             yield Paragraph(line(f"Hence, {place(last)}:"))
@@ -87,9 +87,8 @@ class AskedTelling:
         yield from compared
         told: set[sp.Symbol] = set()
         for find in self._requests():
-            here = _at(find) or _last_of(find, self.found.states)
-            if len(places) > 1 and here not in ("", last) and any(r is find for r, _, _ in asked):
-                last = here
+            if len(places) > 1 and _at(find) not in ("", last) and any(r is find for r, _, _ in asked):
+                last = _at(find)
                 yield Paragraph(line(at(last)))
             if find.find.name in turning.names:
                 yield from turning.blocks(find.find.name)
@@ -324,12 +323,6 @@ def _at(request: Request) -> str:
     what = request.find.found.what
     found = {n.at for n in walk(what) if isinstance(n, Quantity | Letter) and isinstance(n.at, str)}
     return found.pop() if len(found) == 1 else ""
-
-
-def _last_of(request: Request, states: Sequence[str]) -> str:
-    """Of what compares several states the last one; "" of what names none."""
-    named = {n.at for n in walk(request.find.found.what) if isinstance(n, Quantity | Letter) and isinstance(n.at, str)}
-    return next((s for s in reversed(states) if s in named), "")
 
 
 def _along_its_direction(part: sp.Expr) -> sp.Expr:

@@ -2,7 +2,7 @@
 what it can give.
 
 |F_A| = 108.8 N < μ_s N_A = 0.4 · 341.7 = 136.7 N                      crate at A does not slip
-|M_C| = 117.7 N·m < 1/2 N_C b = 1/2 · 588.6 · 0.6 = 176.6 N·m            it slips before it tips
+x = P y/N_C = 235.4 · 0.5/588.6 = 0.2 m < b/2 = 0.3 m                  it slips before it tips
 """
 
 from __future__ import annotations
@@ -14,15 +14,18 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import ZERO
+from planar_cli.equation.on_two_points import on_two_points
+from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.records import record
 from planar_cli.report.blocks import Equation, Line, Math, Value, line
+from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter
 from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.units import parse_unit
+from planar_cli.units import LENGTH, parse_unit
 
 NEAR = Decimal("1e-20")
 HAPPENS = {"slip": "slips", "tip": "tips", "part": "lifts off"}
@@ -33,6 +36,7 @@ class Needed:
     """What the friction or the couple at a contact has to be, and what it can be at most.
 
     `size`, `limit`: numbers, SI; `formula`: of the limit; `own`: of the size, by what is known; None: nothing short.
+    `press`: of the couple of a normal force, how far beside the middle that acts (a letter), and the force.
     """
 
     symbol: sp.Symbol
@@ -41,6 +45,7 @@ class Needed:
     limit: Decimal
     formula: sp.Expr
     own: sp.Expr | None = None
+    press: tuple[sp.Symbol, sp.Symbol, Decimal] | None = None
 
     def shown(self, phrases: Phrases) -> tuple[Value, Value]:
         """Size and limit with their unit."""
@@ -49,11 +54,21 @@ class Needed:
 
     def told(self, sign: str, phrases: Phrases) -> Line:
         """|F| = P cos β = 181.3 N, then the sign, then μ N = 0.4 · 307.9 = 123.2 N."""
+        if self.press is not None:
+            return self._offset(*self.press, sign, phrases)
         shown, most = self.shown(phrases)
         own = () if self.own is None else line(" = ", phrases.math(self.own))
         numbers = [piece for side in phrases.substituted(self.formula, most) for piece in (" = ", side)]
         size = line("|", Math(self.symbol), "|", *own, " = ", shown)
         return line(*size, sign, phrases.math(self.formula), *numbers, " = ", most)
+
+    def _offset(self, letter: sp.Symbol, force: sp.Symbol, press: Decimal, sign: str, phrases: Phrases) -> Line:
+        """x = P y/N = 235.4 · 0.5/588.6 = 0.2 m, the sign, b/2 = 0.3 m."""
+        there = replace(phrases, value=phrases.value.extended({force: press, self.symbol: self.size}))
+        at, most = (there.of_dimension(abs(n) / press, LENGTH) for n in (self.size, self.limit))
+        formula, edge = (self.symbol if self.own is None else self.own) / force, simplified(self.formula / force)
+        numbers = [p for side in there.substituted(formula, at) for p in (" = ", side)]
+        return line(Math(letter), " = ", there.math(formula), *numbers, " = ", at, sign, there.math(edge), " = ", most)
 
 
 def needed(trial: Trial, test: Test) -> Needed | None:
@@ -70,19 +85,24 @@ def needed(trial: Trial, test: Test) -> Needed | None:
         if other != name:
             limit += outcome.value(factor) * (values[other] or ZERO)
             formula += factor * system.symbols[other]
-    unit = next(p.unit for p in system.pushes if p.name == name)
-    return Needed(system.symbols[name], unit, abs(values[name] or ZERO), limit, formula)
+    push = next(p for p in system.pushes if p.name == name)
+    normal = normal_of(system, push)
+    force = None if normal is None else values.get(normal.name)
+    press = None
+    if normal is not None and force is not None and force > 0 and not test.constant:
+        press = offset_letter(system), system.symbols[normal.name], force
+    return Needed(system.symbols[name], push.unit, abs(values[name] or ZERO), limit, formula, None, press)
 
 
 def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
     """The same with the formula of its friction."""
     push = next(p for p in trial.system.pushes if trial.system.symbols.get(p.name) == found.symbol)
     solved = any(found.symbol in b.unknowns for s in instant.stages for b in s.blocks) and trial is instant.trial
-    own = (
-        None
-        if solved or push.kind != "friction"
-        else _formula(replace(instant, trial=trial), push, found.size, phrases)
-    )
+    own = None
+    if not solved and found.press is not None:
+        own = moment_of_loads(trial, push, found.size)
+    elif not solved and push.kind == "friction":
+        own = _formula(replace(instant, trial=trial), push, found.size, phrases)
     return replace(found, own=own)
 
 
@@ -118,6 +138,27 @@ def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) ->
         if words:
             told = worked_out(found, trial, instant, phrases).told(" < ", phrases)
             yield found.symbol, Equation((line(*told),), None, (), line(words))
+    if largest and happens == "slips":
+        yield from _stands(trial, phrases)
+
+
+def _stands(trial: Trial, phrases: Phrases) -> Iterator[tuple[sp.Symbol, Equation]]:
+    """`N_B > 0   it slips before it tips`, of the two points on which a body stands the one that presses less."""
+    system, outcome = trial.system, trial.outcomes[0]
+    forces: dict[str, list[tuple[Decimal, sp.Symbol]]] = {}
+    for push in system.pushes:
+        size = outcome.push(push.name)
+        found = on_two_points(system, push.joint) if push.kind == "normal" else None
+        if found is not None and size is not None:
+            forces.setdefault(found[0], []).append((size, system.symbols[push.name]))
+    for own in forces.values():
+        size, symbol = min(own, key=lambda f: f[0])
+        if size > 0:
+            value = phrases.of_dimension(size, parse_unit("N").dimension)
+            yield (
+                symbol,
+                Equation((line(Math(symbol), " = ", value, " > 0"),), None, (), line("it slips before it tips")),
+            )
 
 
 def at_limit(instant: InstantSolution) -> set[sp.Symbol]:

@@ -30,6 +30,7 @@ from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
+from planar_cli.report.offsets import beside_the_middle
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
@@ -122,9 +123,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
-            # What drives has the statement of the file for its place.
-            where = named if rigid and push.kind != "drive" else ""
-            parts.append(_push(push, expr, a, phrases, where, expr in at_limit or expr in phrases.ledger.values))
+            where, sure = named if rigid and push.kind != "drive" else "", expr in {*at_limit, *phrases.ledger.values}
+            parts.append([*_push(push, expr, a, phrases, where, sure), *beside_the_middle(system, push, expr)])
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part

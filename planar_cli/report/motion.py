@@ -172,7 +172,7 @@ class MotionTelling:
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         yield from before_leg(leg, self.found, self.phrases)
-        yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route), self._law)
+        yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route))
         equations, ledger = leg.relations, self.found.ledger
         numbers, single = list[int](), len(equations) == 1
         special = told_by_itself(leg, self.found, self.phrases, self.next, self._chain)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -200,6 +200,28 @@ class NumericTelling:
             return None
         return self._numbers(w, stage, (w.left, w.right), unknowns)
 
+    def put_whole_line(self, symbol: sp.Symbol, stage: Stage) -> Math | None:
+        """The numbers of a named acceleration by those of the unknowns, where its line stands in numbers."""
+        if self.phrases.symbolic:
+            return None
+        explicit = stage.algebra.explicit[symbol]
+        unknowns = {symbol, *stage.algebra.unknowns} - self._data(stage)
+        return solved_for(symbol, (symbol, explicit), unknowns, self.phrases)
+
+    def row(self, w: Written, stage: Stage, unknowns: Sequence[sp.Symbol]) -> Printed | None:
+        """An equation collected in unknowns that are solved for together: in their order, the number on the right."""
+        inside = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in (w.left, w.right))
+        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart=True)
+        if found is None:
+            return None
+        places = {s: i for i, s in enumerate(unknowns)}
+        terms = sorted(
+            sp.Add.make_args(found.left.expr), key=lambda t: min(places[s] for s in t.free_symbols & {*unknowns})
+        )
+        summed = Math(sp.Add(*terms, evaluate=False), found.left.values) if len(terms) > 1 else found.left
+        return (summed, found.right), _unit_note(found, self.phrases)
+
     def solution(self, x: SolvedLine, stage: Stage) -> list[Math]:
         """The numbers that give an unknown, where the one equation that it is found from was printed in numbers."""
         explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
@@ -237,19 +259,18 @@ class NumericTelling:
 
     def by_letter(self, block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, Printed]]:
         """What the other unknowns of a block are by its one letter, in numbers: S = 100 - 3.333 a_A."""
-        explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
-        told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
-        formulas = {x.symbol: x.formula.xreplace(explicit) for x in told}
-        for x in told:
-            formula = x.formula.xreplace(explicit)
-            for _ in told:
-                formula = formula.xreplace(formulas)
+        for x, formula in _in_letter(block, stage):
             found = put_in(x.symbol, formula, {x.symbol, *block.letters}, self.phrases)
             if found is not None and formula.free_symbols & set(block.letters):
                 unit = self.phrases.ledger.units.get(x.symbol)
                 own = None if unit is None else coherent_unit(unit.dimension, us=self.phrases.ledger.us).text
                 note = found.note if own is None else line(f"in {pretty_unit(TURNING.get(own, own))}")
                 yield x, ((Math(x.symbol), found.right), note)
+
+    def at_letter(self, one: SolvedLine, block: SolvedBlock, stage: Stage) -> Math | None:
+        """The same with the number of the letter: 100 - 3.333 · 20.73; None: it is one number."""
+        formula = next(f for x, f in _in_letter(block, stage) if x.symbol == one.symbol)
+        return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:
@@ -315,6 +336,18 @@ class NumericTelling:
             whole = VELOCITY if level_of(w, stage, self.phrases.ledger) == "velocity" else ACCELERATION
             return whole / LENGTH if w.lead.startswith(ANGLE_OF) else whole
         return _of_statement(w) if w.source == "given" else None
+
+
+def _in_letter(block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, sp.Expr]]:
+    """The formulas of the other unknowns of a block in its one letter."""
+    explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+    told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
+    formulas = {x.symbol: x.formula.xreplace(explicit) for x in told}
+    for x in told:
+        formula = x.formula.xreplace(explicit)
+        for _ in told:
+            formula = formula.xreplace(formulas)
+        yield x, formula
 
 
 def level_of(w: Written, stage: Stage, ledger: Ledger) -> str:

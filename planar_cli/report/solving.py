@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
@@ -23,6 +23,8 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
 
+SHORT = 9
+"""A formula of so many operations is told in letters again with its numbers."""
 FEW = 3
 """Of so many equations with one unknown each the solution stands at once below them."""
 
@@ -51,6 +53,10 @@ class SolvingTelling:
         self._solved: set[sp.Symbol] = set()
         """What was solved in letters before it has its value."""
         self._inserted: dict[sp.Symbol, tuple[int, ...]] = {}
+        self._outright: set[sp.Symbol] = set()
+        """What several equations tell together, though they do not tell each of their unknowns."""
+        self._by_letter: dict[sp.Symbol, Math | None] = {}
+        """The numbers of what was told by the one letter of its block, with that of the letter put in."""
 
     def chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
         """symbol = formula = numbers = value."""
@@ -153,8 +159,12 @@ class SolvingTelling:
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []
+        if len(block.letters) > 1 and (small := self._small_system(block, stage)):
+            return small
         block = replace(block, lines=tuple(at_sight(x, block.equations, self.numeric.readable) for x in block.lines))
         lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
+        if len(block.unknowns) > 1 and not block.letters:
+            self._outright.add(block.lines[0].symbol)
         if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
             blocks = self._put_in(block, stage)
             lines = [x for x in lines if not x.letters]
@@ -165,7 +175,7 @@ class SolvingTelling:
                     lines = [x for x in lines if x.symbol not in block.letters]
         elif self._put_into(block):
             lines = [x for x in lines if not x.letters]
-        elif len(block.unknowns) > 1:
+        elif block.letters and len(block.unknowns) > 1:
             numbers = [self.number(stage, w.number) for w in block.equations]
             parts: list[Any] = [f"{numbered(numbers)} together"]
             if block.letters:
@@ -177,6 +187,27 @@ class SolvingTelling:
             lines = self._each_once(lines)
         merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
         return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _small_system(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        """Numeric equations of which several unknowns would have to be carried: each as a row, numbers on the right,
+        and what all of them give. Empty: a row can not be told.
+        """
+        if self.phrases.symbolic:
+            return []
+        order = [s for s in self.instant.trial.system.tree.acceleration_unknowns() if s in block.unknowns]
+        order += [s for s in block.unknowns if s not in order]
+        rows = [self.numeric.row(w, stage, order) for w in sorted(block.equations, key=lambda w: w.number)]
+        if any(row is None for row in rows):
+            return []
+        numbers = sorted(self.number(stage, w.number) for w in block.equations)
+        told: list[Block] = []
+        for number, (sides, note) in zip(numbers, (row for row in rows if row is not None), strict=True):
+            told.append(Equation(sides, None, line(f"({number}):"), note))
+        values = {x.symbol: x.value for x in block.lines if not x.letters}
+        for i, symbol in enumerate(order):
+            lead = () if i else line("together:")
+            told.append(Equation((self.phrases.math(symbol), self.phrases.shown(symbol, values[symbol])), None, lead))
+        return told
 
     def _each_once(self, lines: Sequence[SolvedLine]) -> list[SolvedLine]:
         """Without the formulas of what was solved in letters before: of that its numbers alone are new, or its closed
@@ -220,6 +251,7 @@ class SolvingTelling:
         told: list[Block] = []
         by_letter = list(self.numeric.by_letter(block, stage))
         for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
+            self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             told.append(
                 Equation(chain, None, line(f"{numbered([self.number(stage, n) for n in one.equations])}:"), beside)
             )
@@ -265,7 +297,10 @@ class SolvingTelling:
         if x.symbol in self._together:
             numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
         lead = line(numbered([self.number(stage, n) for n in numbers]) + ":")
-        if x.symbol in self._inserted:
+        if x.symbol in self._outright:
+            *others, last = (self.number(stage, n) for n in x.equations)
+            lead = line(f"{numbered(others)} in ({last}):")
+        elif x.symbol in self._inserted:
             inserted = numbered([self.number(stage, n) for n in self._inserted[x.symbol]])
             lead = line(f"{inserted} in ", *lead)
         elif put_in := self._put_for(x, stage):
@@ -282,10 +317,13 @@ class SolvingTelling:
             solution = self.numeric.solution(x, stage)
             quotient = self.numeric.quotient(x, stage) if solution else ()
             sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
+        by_letter = self._by_letter.get(x.symbol) if not put and longer(x.formula, SHORT) else None
+        if by_letter is not None:
+            sides = (self.phrases.math(x.symbol), by_letter, shown)
         if x.symbol in self._solved and len(sides) > 3:
             sides = (sides[0], *sides[2:])
         return [
-            *(() if put else self._values_of(sides, x, stage)),
+            *(() if put or by_letter is not None else self._values_of(sides, x, stage)),
             Equation(sides, None, lead),
             *other_roots(self.instant, x, self.phrases),
         ]
@@ -303,9 +341,12 @@ class SolvingTelling:
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
             value = None if self.phrases.symbolic else self.phrases.shown(symbol)
-            chain = self.chain(symbol, stage.algebra.explicit[symbol], value)
+            chain, lead = self.chain(symbol, stage.algebra.explicit[symbol], value), line()
+            if len(chain) == 2 and (numbers := self.numeric.put_whole_line(symbol, stage)) is not None:
+                chain, named = (chain[0], numbers, chain[1]), {x.symbol: x.number for x in stage.lines}
+                lead = line(f"({self.number(stage, named[symbol])}):") if symbol in named else line()
             if len(chain) > 2 or not self.phrases.symbolic:
-                yield Equation(chain)
+                yield Equation(chain, None, lead)
 
 
 def is_given(block: SolvedBlock) -> bool:

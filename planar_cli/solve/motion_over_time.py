@@ -39,7 +39,7 @@ from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
 from planar_cli.solve.following.turns import count_turns
 from planar_cli.solve.impulsive.checks import blow_checks
-from planar_cli.solve.instant.finish import not_reached
+from planar_cli.solve.instant.unreached import not_reached
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.regimes.mode_sequence import Workshop
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence

@@ -31,11 +31,12 @@ from planar_cli.solve.diagnosis.known import demand_stated
 from planar_cli.solve.diagnosis.no_value import without_value
 from planar_cli.solve.held import outcome_that_holds
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
-from planar_cli.solve.instant.finish import Finisher, not_reached
+from planar_cli.solve.instant.finish import Finisher
 from planar_cli.solve.instant.instant import NONLINEAR, OPEN, Instant, Lift, Trial, make_instant
 from planar_cli.solve.instant.modes_search import search
 from planar_cli.solve.instant.seek import seek
 from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
+from planar_cli.solve.instant.unreached import not_reached
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.limits_at_start import with_limits_at_start
 from planar_cli.solve.orders import in_each_order

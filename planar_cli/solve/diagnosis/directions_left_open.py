@@ -13,7 +13,7 @@ from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.diagnosis.motions import title_of
 from planar_cli.solve.diagnosis.words import listed
-from planar_cli.solve.instant.finish import not_reached
+from planar_cli.solve.instant.unreached import not_reached
 from planar_cli.solve.regimes.equations import Equation
 
 

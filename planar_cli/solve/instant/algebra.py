@@ -17,6 +17,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.records import record
+from planar_cli.solve.instant.outright import Outright, outright
 from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.instant.plan import Block
 from planar_cli.solve.instant.written import Written
@@ -86,7 +87,12 @@ class Algebra:
             residuals = [self.in_unknowns(w, order) for w in written]
             easy = easiest(residuals, order, letters, self._vanishes_at_a_state)
             written, order, letters = tuple(written[i] for i in easy.equations), easy.unknowns, easy.letters
-            lines = self._together([residuals[i] for i in easy.equations], written, order, letters)
+            residuals = [residuals[i] for i in easy.equations]
+            told = outright(residuals, order, self.value, self._solve_for) if len(letters) == 1 else None
+            if told is not None:
+                lines, letters = self._outright(told, residuals, written), ()
+            else:
+                lines = self._together(residuals, written, order, letters)
         for line in lines:
             if not line.letters:
                 self.value = (
@@ -96,6 +102,17 @@ class Algebra:
                 )
                 self.formulas[line.symbol] = line.formula
         return SolvedBlock(written, order, letters, tuple(lines))
+
+    def _outright(self, told: Outright, residuals: list[sp.Expr], written: tuple[Written, ...]) -> list[Line]:
+        """The line of what some equations tell together, and those of what follows from it."""
+        numbers = tuple(written[p].number for p in told.places)
+        found = [Line(told.unknown, told.formula, self.value(told.formula), numbers)]
+        known = self.value.extended({told.unknown: found[0].value or Decimal(0)})
+        for x, place in told.others:
+            formula = self._solve_for(residuals[place], x)
+            found.append(Line(x, formula, known(formula), (written[place].number,)))
+            known = known.extended({x: found[-1].value or Decimal(0)})
+        return found
 
     def _vanishes_at_a_state(self, factor: sp.Expr) -> bool:
         return any(place.vanishes(factor) for place in self.places())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from decimal import Decimal
 from functools import partial
 
@@ -15,7 +15,8 @@ from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import by_name, letters, longer, replaced, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
-from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
+from planar_cli.equation.tipping import tipping
+from planar_cli.errors import Diagnostic, NoSolution, refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
@@ -30,6 +31,7 @@ from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.solve.instant.translating import translating
 from planar_cli.solve.instant.truth import holds
+from planar_cli.solve.instant.unreached import not_reached, unreached
 from planar_cli.solve.instant.verify import Disagreement, verify
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
@@ -88,9 +90,14 @@ class Finisher:
                 self.principle, self.system, base, self.trial.choice, self.coordinates
             )
         # Where the first assumption fails, that is the answer to which one holds.
-        decides = any(map(asks_mode, finds)) and self._has_forces() and not any(self.trial.choice)
+        decides = (
+            any(map(asks_mode, finds))
+            and self._has_forces()
+            and (not any(self.trial.choice) or bool(tipping(self.system)))
+        )
         tested = decides or self._asks_forces(exprs)
         targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if tested else set())
+        targets |= tipping(self.system) if decides else set()
         self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
         acceleration = maker.accelerations(targets) if targets else None
@@ -382,19 +389,3 @@ class Finisher:
 def _differ(one: Decimal | None, other: Decimal | None) -> bool:
     """Are they two numbers, beyond the rounding of sixty digits?"""
     return one is not None and other is not None and abs(one - other) > SAME * max(abs(one), abs(other), SAME)
-
-
-def unreached(stages: Iterable[Stage], exprs: list[sp.Expr]) -> list[sp.Symbol]:
-    """What these expressions need and no equation of the stages tells."""
-    inside = set().union(*(sp.sympify(e).free_symbols for e in exprs)) if exprs else set()
-    return sorted({s for stage in stages for s in stage.undetermined} & inside, key=lambda s: s.name)
-
-
-def not_reached(method: str | None, names: Iterable[str], mark: Mark) -> FileProblem:
-    """A method that was named does not lead to something that is asked."""
-    if method is None:
-        text = f"no equation that is written here leads to {', '.join(names)}"
-        return refuse(mark, "PL570", text, "ask for something else of the same motion; `planar simulate` may give it")
-    text = f"method {method} alone does not reach {', '.join(names)}"
-    hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
-    return refuse(mark, "PL570", text, hint)

@@ -7,7 +7,7 @@ F = -μ N.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from decimal import Decimal
 
@@ -27,7 +27,7 @@ def drawn_against_the_slip(
     """The same branch with every friction at its limit counted in the sense in which it acts; with `rejected` that of
     the same plan is exchanged. `targets_of(system)`: the symbols that the finds need.
     """
-    names = _backward(found)
+    names = _backward(found, targets_of(found.trial.system))
     if not names or found.seeker is None:
         return found
     before = instant.turned
@@ -52,13 +52,23 @@ def drawn_against_the_slip(
     return found
 
 
-def _backward(found: Sought) -> list[str]:
-    """Friction at its limit, and couples of normal forces on a face at theirs, that are negative as they count."""
+def _backward(found: Sought, asked: Collection[sp.Symbol]) -> list[str]:
+    """Friction at its limit, and couples of normal forces on a face at theirs, that are negative as they count; and
+    friction below its limit that nobody asks for.
+    """
     system, solved = found.trial.system, found.branch.algebra.value.values
     told = {law.push for law in system.laws}
     at_limit = set().union(*(sp.sympify(e).free_symbols for c in found.limits for e in c.rows()))
-    frictions = [p.name for p in system.pushes if p.kind in ("friction", "couple") and p.name not in told]
-    return [n for n in frictions if system.symbols[n] in at_limit and solved.get(system.symbols[n], Decimal(0)) < 0]
+    beside = found.trial.outcomes[:1]
+    names = []
+    for push in (p for p in system.pushes if p.kind in ("friction", "couple") and p.name not in told):
+        symbol = system.symbols[push.name]
+        limited = symbol in at_limit
+        values = [solved.get(symbol), *(None if limited else outcome.push(push.name) for outcome in beside)]
+        negative = next((v < 0 for v in values if v is not None), False)
+        if negative and (limited or (push.kind == "friction" and symbol not in asked)):
+            names.append(push.name)
+    return names
 
 
 def _same(one: Sought, other: Sought) -> bool:

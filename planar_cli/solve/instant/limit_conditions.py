@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.system import Statements
+from planar_cli.equation.on_two_points import on_two_points
+from planar_cli.equation.system import Statements, System
 from planar_cli.problem.expression import Extreme, Name, Side
 from planar_cli.problem.facts import Test
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem
+
+PARTS = "the contact is about to part"
 
 
 def at_the_limit(words: str) -> str:
     """An assumption as it reads where it only just holds."""
     for holds, just in (
         ("within its limit", "reaches its limit, it is about to slip"),
-        (" presses", " vanishes, the contact is about to part"),
+        (" presses", f" vanishes, {PARTS}"),
         ("acts inside the face", "acts at the edge of the face, it is about to tip"),
         ("the tension pulls", "the tension vanishes, the rope is about to slacken"),
     ):
@@ -34,6 +38,16 @@ def limit_of(test: Test, values: dict[str, sp.Expr]) -> Condition:
     words = f"at the limit: {at_the_limit(test.words)}"
     residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
     return Condition("limit", words, sp.sympify(residual))
+
+
+def tipping(condition: Condition, test: Test, system: System) -> Condition:
+    """The same limit, in the words of a body that stands on two points: at one of them it parts as it tips about the
+    other.
+    """
+    found = on_two_points(system, test.joint) if PARTS in condition.text else None
+    if found is None:
+        return condition
+    return replace(condition, text=condition.text.replace(PARTS, "{} is about to tip about {}".format(*found)))
 
 
 def only_just_apart(test: Test, parting: sp.Expr) -> Condition:

@@ -24,6 +24,8 @@ CHOICES = 3000
 """So many choices of letters that are carried are compared; of more, they are chosen one at a time."""
 GOALS = 12
 WIDEST = 4
+HEAVY, TOGETHER = 3, 5
+"""Where so many equations have to be solved together anyhow, they may as well be plain ones, at most so many."""
 
 
 @record
@@ -58,6 +60,10 @@ class Plan:
         return sum(e.cost for b in self.blocks for e in b.equations) + TEAR * sum(len(b.letters) for b in self.blocks)
 
 
+def _weight(plan: Plan) -> tuple[float, float]:
+    return plan.equations + TEAR * plan.tear, plan.cost
+
+
 def bits(mask: int) -> list[int]:
     """The set bits of a mask."""
     found = []
@@ -87,6 +93,8 @@ class Planner:
         self.nonlinear = nonlinear
         self.seeds = seeds
         self.fixed = fixed
+        self.turning: frozenset[str] = frozenset()
+        """Bodies that turn and have mass."""
 
     def inside(self, allowed: int) -> list[Candidate]:
         """The candidates all of whose unknowns are allowed."""
@@ -133,7 +141,9 @@ class Planner:
         goals += [seed | targets for seed in self.seeds if seed and self.fixes(seed | targets, targets)]
         plans = [p for p in (self.order(goal, targets) for goal in goals) if p is not None]
         if plans:
-            return min(plans, key=lambda p: (p.equations + TEAR * p.tear, p.cost))
+            best = min(plans, key=_weight)
+            plainest = self._plainest(best, targets) if best.largest >= HEAVY else None
+            return best if plainest is None else min(best, plainest, key=_weight)
         # Beyond the budget of the search: by plain ordering.
         return self.order(self._shrunk(targets), targets)
 
@@ -191,11 +201,32 @@ class Planner:
 
     # --- order -------------------------------------------------------------------------------------------------------
 
-    def order(self, allowed: int, targets: int) -> Plan | None:
-        """The equations inside a set in the order of solution, the smallest solvable block first, then pruned."""
+    def _plainest(self, plan: Plan, targets: int) -> Plan | None:
+        """The same unknowns by the plainest equations, a few of them solved together with one unknown as a letter: by
+        others of the same bodies, or of single bodies instead of the moments of a group in which several turn, where
+        the inner forces are found all the same.
+        """
+        unknowns = sum(1 << j for b in plan.blocks for j in b.unknowns)
+        chosen = _independent(self.inside(unknowns), unknowns)
+        if len(chosen) != plan.equations:
+            return None
+        found = self.order(unknowns, targets, chosen)
+        if found is None or found.tear > 1 or found.largest > TOGETHER:
+            return None
+        ours, theirs = ([e for b in p.blocks for e in b.equations] for p in (found, plan))
+        gone = [e for e in theirs if e not in ours]
+        if all(len(e.bodies) <= 1 for e in gone):
+            return found
+        moments = [e for e in gone if e.choice is not None and e.choice.moment]
+        return found if any(len(self.turning & set(e.bodies)) > 1 for e in moments) else None
+
+    def order(self, allowed: int, targets: int, pool: list[Candidate] | None = None) -> Plan | None:
+        """The equations inside a set in the order of solution, the smallest solvable block first, then pruned. `pool`:
+        those of which it is made, if not all.
+        """
         known = 0
         blocks: list[Block] = []
-        pool = self.inside(allowed)
+        pool = self.inside(allowed) if pool is None else pool
         while targets & ~known:
             block = self._next_block(pool, known, allowed)
             if block is None:

@@ -29,7 +29,7 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.branches import Branch, Brancher
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
-from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of, only_just_apart, stated_limits
+from planar_cli.solve.instant.limit_conditions import least_sizes, limit_of, only_just_apart, stated_limits, tipping
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.one_way import along_paths
@@ -317,7 +317,8 @@ class Seeker:
         assert self.system.reactions is not None
         values = {p.name: e for p, e in self.system.reactions.pushes}
         tests = [test for mode in self.system.modes.values() for test in mode.tests]
-        found = [limit_of(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
+        open_ = [test for test in tests if (test.pushes or test.within) and not test.strict]
+        found = [tipping(limit_of(test, values), test, self.system) for test in open_]
         found += self.departures()
         evaluator = self.system.quantities().evaluator
         found += stated_limits(self.instant.statements, lambda side: sp.sympify(evaluator.value(side)))

@@ -121,8 +121,9 @@ class StageMaker:
             candidates += extra
             planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
         elif offers.singles:
-            inside = sum_masks(candidate.mask for candidate in candidates)
+            inside = sum_masks(c.mask for c in candidates)
             planner = Planner(candidates, 0, (inside, self._motion_bits(index)), fixed)
+        planner.turning = self._turning()
         plan = planner.plan(wanted)
         if plan is None and offers.families and self.constructed:
             candidates += power_candidates(offers, wanted_columns)
@@ -135,9 +136,7 @@ class StageMaker:
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
             writer.acceleration(body)
-        explicit = {line.symbol: line.expression for line in writer.lines}
-        fresh = partial(self.system.scene.ledger.fresh, unit="1")
-        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh, self.places)
+        algebra = self._algebra(writer, columns)
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
         self.next_number = writer.next_number
         return Stage(
@@ -151,6 +150,17 @@ class StageMaker:
             algebra,
             writer.named,
         )
+
+    def _algebra(self, writer: Writer, columns: Numbers) -> Algebra:
+        """What solves the equations that were written."""
+        explicit = {line.symbol: line.expression for line in writer.lines}
+        fresh = partial(self.system.scene.ledger.fresh, unit="1")
+        return Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh, self.places)
+
+    def _turning(self) -> frozenset[str]:
+        """Bodies that turn and have mass."""
+        edges, bodies = self.system.tree.edges, self.system.scene.bodies
+        return frozenset(e.body for e in edges if e.spin is not None and bodies[e.body].mass != 0)
 
     def _motion_bits(self, index: dict[sp.Symbol, int]) -> int:
         """All accelerations: the equations without any reaction often determine them on their own."""

@@ -25,10 +25,11 @@ from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.clash import OffBalance, off_balance
 from planar_cli.solve.diagnosis.placed import held_by_too_little, placed_by_nothing
-from planar_cli.solve.instant.finish import Finisher, unreached
+from planar_cli.solve.instant.finish import Finisher
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.stages import Stage, acceleration_unknowns, needed
 from planar_cli.solve.instant.study import Velocities, solve_velocities
+from planar_cli.solve.instant.unreached import unreached
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.principled import usual
 from planar_cli.solve.regimes.constraints import Constraint, constraints_of, drawn_starts, project

@@ -1,0 +1,58 @@
+"""The equations that a page takes where several have to be solved together, and how it solves them."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from worked import page_of_file
+
+
+def test_what_several_equations_tell_outright_stands_first() -> None:
+    """μ (N_A + N_B) = μ m g = m a gives a whatever the two normal forces are; then these follow, one at a time."""
+    page = page_of_file("crate-on-cart").partition("CASE")[2]
+    assert "(1), (2), (4) in (5): a_K = μ g = 0.3 · 9.81 = 2.943 m/s²" in page
+    assert "together" not in page
+    assert page.index("a_K = μ g") < page.index("N_B = m (g b - a_K h) / (2 b)")
+    assert "N_B = 24.525 N > 0 it slips before it tips" in page
+
+
+def test_single_bodies_instead_of_a_group_whose_inner_force_is_asked() -> None:
+    page = page_of_file("rod-disk-wall")
+    assert "disk, moments about C: (3) ↺ ΣM_C: R O_x = I_disk α_disk - M a_O R" in page
+    assert "rod: (4) → ΣF_x: O_x - N_E = -√2/4 m l α_rod - m R α_disk" in page
+    assert "disk, rod, moments" not in page
+
+
+@pytest.mark.parametrize("stem", ["double-pulley", "hoist-with-moving-pulley", "hoist-driven-by-gears"])
+def test_a_group_in_which_one_body_turns_stays(stem: str) -> None:
+    assert re.search(r"(pulley, A, B|pulley, load|gear_B, load), moments about", page_of_file(stem))
+
+
+def test_many_equations_that_are_solved_together_stand_in_rows() -> None:
+    page = page_of_file("chain-5")
+    assert "(12): 0.1915 α_OA + 0.1970 α_AB + 0.1410 α_BC + 0.1286 α_CD + 0.1667 α_DE = -3.442 in N·m" in page
+    assert "(16): 3.068 α_OA + 2.542 α_AB + 1.487 α_BC + 1.034 α_CD + 0.8247 α_DE = -39.90 in N·m" in page
+    assert "together: α_OA = 11.58 rad/s² α_AB = -19.49 rad/s² α_BC = -8.667 rad/s²" in page
+    assert "(10): a_G,BC,x = -2.384 + 0.30642 (-19.495) + 0.4924 · 11.583 + 0.05130 (-8.667) = -3.099 m/s²" in page
+
+
+def test_what_was_told_by_one_letter_gets_its_number() -> None:
+    page = page_of_file("slider-crank-free")
+    assert "(3): α_OA = 377.9 - 5.745 α_AB in rad/s²" in page
+    assert "(3): α_OA = 377.9 - 5.745 (-11.05) = 441.4 rad/s²" in page
+
+
+def test_a_body_that_tips_has_its_equations() -> None:
+    page = page_of_file("crate-that-slips-or-tips").rpartition("CASE")[2]
+    assert "N_C and F_C meet, so that neither enters: (1) ↺ ΣM_C: 1/2 m g b - P y = I_C α" in page
+    assert "|F_C| = 176.6 N < μ N_C = 0.4 · 600.3 = 240.1 N it does not slip" in page
+
+
+def test_friction_below_its_limit_is_drawn_against_the_push() -> None:
+    assert "F_C ← at C_1 (assumed)" in page_of_file("crate-that-slips-or-tips").partition("CASE high")[2]
+
+
+def test_a_letter_that_the_file_gives_by_a_formula_is_put_in_by_a_line() -> None:
+    page = page_of_file("ball-pushed-without-friction")
+    assert "with h = R: α = 5 F/(7 m R)" in page
