@@ -109,9 +109,10 @@ def _signs(text: str) -> str:
 
 
 def begun(words: str) -> str:
-    """Words at the beginning of a line; a quantity, `v(P).y is largest`, keeps its small letter."""
+    """Words at the beginning of a line; a quantity, `v(P).y is largest` or `w_1 is least`, keeps its small letter."""
     first = words.split(" ", 1)[0]
-    return words if "(" in first else f"{words[:1].upper()}{words[1:]}"
+    letter = "(" in first or "_" in first or (len(first) == 1 and first != "a")
+    return words if letter else f"{words[:1].upper()}{words[1:]}"
 
 
 def lead_of(lead: str) -> Line:

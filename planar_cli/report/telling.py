@@ -35,6 +35,7 @@ from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
+from planar_cli.report.sizes_given import as_sum, with_sum
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
@@ -230,7 +231,8 @@ class Telling:
         return blocks
 
     def _reasoned(self, w: Written, stage: Stage) -> list[Block]:
-        return self._reasons.once(w, stage.level, self.number(stage, w.number), self._equation(w, stage))
+        blocks = with_sum(w, self._equation(as_sum(w), stage), self._named)
+        return self._reasons.once(w, stage.level, self.number(stage, w.number), blocks)
 
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
