@@ -7,6 +7,9 @@ Names
   functions below, and the words of the grammar: at, in, is, just, during, equilibrium, largest, smallest, cw, ccw,
   stick, slip, apart, tip, taut, slack. `r(`, `v(`, `N(` … with a bracket are quantities; `r`, `v`, `N` alone are your
   own names. `e` is yours too; Euler's number is `exp(1)`.
+  On a page the word of a Greek letter, from `alpha` to `omega` and `Gamma` to `Omega`, is the letter, ε by `epsilon`;
+  what stands behind `_` is a subscript, `_prime` a stroke: `mu_k`, `omega_AB`, `v_prime` are μ_k, ω_AB, v′. Digits at
+  the end are a subscript in typeset formulas. A phrase of several words, `rain_speed_seen`, stands as it is written.
 
 Expressions
   + - * / ^ and brackets. Multiplication is always written `*`. Functions: sin cos tan asin acos atan sqrt exp log
