@@ -61,3 +61,15 @@ def test_steps_that_need_each_other_are_solved_together() -> None:
     # x = y/2 + 1 and y = x/2 + 5/2 meet at (3, 4).
     assert [s.unknowns for s in whole.steps] == [(x, y), (z,)]
     assert Replay(whole).run({a: np.array([2.5])}).asked("z")[0] == pytest.approx(12.0)
+
+
+def test_one_body_in_equilibrium_and_one_equation_without_the_weight() -> None:
+    # A motor lifts 80 lb by a cord: T = W, and T = W a/g.
+    worked = read_and_solve(str(ROOT / "tests" / "homework" / "hoist.yaml"), "p")
+    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    told = {m.feedback: m.values[0] for m in row[1].mistakes}
+    assert told["load is taken to be in equilibrium: m a is missing"] == pytest.approx(80)
+    a = worked.parts[0].solution.found[0].values
+    assert a is not None
+    alone = told["this is the result without the weight in one equation of load"]
+    assert alone == pytest.approx(80 / 32.2 * float(a[0]))

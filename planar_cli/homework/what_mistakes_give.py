@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -22,12 +22,16 @@ SAME = 1e-6
 """Relative: two mistakes that give the same number."""
 
 
+Found = dict[tuple[str, str, tuple[float, ...]], None]
+"""What mistakes give, each once: name, feedback, values."""
+
+
 def with_mistakes(
     problem: WorkedProblem, expected: Iterable[Sequence[Expected]], values: Mapping[str, Numbers]
 ) -> list[tuple[Expected, ...]]:
     """The finds of each variant with what every mistake gives there. `values`: as of `Carried`."""
     papers = [list(one) for one in expected]
-    found: list[list[list[Mistaken]]] = [[[] for _ in one] for one in papers]
+    found: list[list[Found]] = [[{} for _ in one] for one in papers]
     index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
     for name, model in models_of(problem):
         try:
@@ -35,34 +39,58 @@ def with_mistakes(
             for part, one in problem.finds:
                 if part.replay is None or one.name not in part.replay.equations.asked:
                     continue
-                numbers = run.asked(part, one)
-                for k, paper in enumerate(papers):
-                    mistaken = tuple(float(n[k if n.size > 1 else 0]) for n in numbers)
-                    _add(found[k][index[one.name]], paper[index[one.name]], name, model.model.feedback, mistaken)
+                i = index[one.name]
+                for k, mistaken in _clearly_wrong(run.asked(part, one), [paper[i] for paper in papers]):
+                    found[k][i].setdefault((name, model.model.feedback, mistaken))
         except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
             # A model that cannot be carried out tells of no mistake.
             continue
     for name, kind in members("homework.mistakes").items():
         mistake: Mistake = kind()
+        if type(mistake).slips is Mistake.slips:
+            continue
         for k, paper in enumerate(papers):
             for i, one_expected in enumerate(paper):
                 if one_expected.kind in ("number", "vector"):
                     # What a step of the solution gives is more to the point than a slip at its end.
-                    before = [m.values for m in found[k][i]]
+                    before = [values for _, _, values in found[k][i]]
                     for feedback, slip in mistake.slips(one_expected):
                         if not any(_is_same(slip, other) for other in before):
                             _add(found[k][i], one_expected, name, feedback, slip)
     return [
-        tuple(replace(e, mistakes=(*e.mistakes, *m)) for e, m in zip(paper, mistakes, strict=True))
+        tuple(
+            replace(e, mistakes=(*e.mistakes, *(Mistaken(*m) for m in made)))
+            for e, made in zip(paper, mistakes, strict=True)
+        )
         for paper, mistakes in zip(papers, found, strict=True)
     ]
 
 
 def _is_same(one: Sequence[float], other: Sequence[float]) -> bool:
+    if len(one) == len(other) == 1:
+        return abs(one[0] - other[0]) <= SAME * abs(one[0])
     return len(one) == len(other) and math.dist(one, other) <= SAME * math.hypot(*one)
 
 
-def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
+def _clearly_wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...]]]:
+    """Where a mistake gives a number that is clearly another one than the right one, with it; `right`: by variant."""
+    if not right or any(len(e.values) != len(numbers) for e in right):
+        return
+    wrong = np.array([np.broadcast_to(n, len(right)) for n in numbers], dtype=float)
+    due = np.array([e.values for e in right]).T
+    size = np.hypot.reduce(due)
+    least = APART * np.array([e.tolerance for e in right]) * size
+    with np.errstate(all="ignore"):
+        apart = np.hypot.reduce(wrong - due) > least
+        if len(numbers) == 1:
+            apart &= np.abs(wrong[0] + due[0]) > least
+        apart &= np.isfinite(wrong).all(0) & (np.hypot.reduce(wrong) > NOTHING * size) & wrong.any(0)
+    columns = wrong.T.tolist()
+    for k in np.flatnonzero(apart).tolist():
+        yield k, tuple(columns[k])
+
+
+def _add(found: Found, right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
     """A mistake, where it gives a number that is clearly another one than the right one."""
     if len(values) != len(right.values) or not all(map(math.isfinite, values)):
         return
@@ -72,6 +100,4 @@ def _add(found: list[Mistaken], right: Expected, name: str, feedback: str, value
         return
     if not any(values) or math.hypot(*values) <= NOTHING * size:
         return
-    mistaken = Mistaken(name, feedback, values)
-    if mistaken not in found:
-        found.append(mistaken)
+    found.setdefault((name, feedback, values))

@@ -71,6 +71,8 @@ class WorkedProblem:
     problem: Problem
     solution: Solution
     parts: tuple[Part, ...]
+    models: list[tuple[str, ModelOf]] | None = None
+    """What `models_of` has made."""
 
     @property
     def is_written(self) -> bool:
@@ -188,7 +190,7 @@ class ModelOf:
 
     def __init__(self, case: str, model: Model, replay: Replay) -> None:
         self.case, self.model = case, model
-        self.replay = replay if model.equations is replay.equations else Replay(model.equations)
+        self.replay = replay if model.equations is replay.equations else Replay(model.equations, replay)
 
     def run(self, known: Mapping[sp.Symbol, Numbers]) -> Run:
         """The equations of the model for numbers of the given names."""
@@ -209,6 +211,12 @@ def _renamed(formula: sp.Expr, names: Sequence[sp.Symbol]) -> sp.Expr:
 
 def models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
     """Every model of every mistake of the shelf, by the name of the mistake."""
+    if problem.models is None:
+        problem.models = _models_of(problem)
+    return problem.models
+
+
+def _models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
     found: list[tuple[str, ModelOf]] = []
     for name, kind in members("homework.mistakes").items():
         mistake: Mistake = kind()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
@@ -92,14 +92,23 @@ def _solved(slopes: Numbers, residuals: Numbers) -> Numbers:
 
 
 class Replay:
-    """The equations of one part, ready to be carried out."""
+    """The equations of one part, ready to be carried out. `like`: a replay from which steps that are the same are
+    taken.
+    """
 
-    def __init__(self, equations: Equations) -> None:
+    def __init__(self, equations: Equations, like: Replay | None = None) -> None:
         self.equations = equations
-        self._solvers = [Solver(step, equations) for step in equations.steps]
+        same = like is not None and like.equations.defined == equations.defined
+        known = {(s.unknowns, s.residuals): solver for s, solver in like.solvers_of_steps} if like and same else {}
+        self._solvers = [known.get((s.unknowns, s.residuals)) or Solver(s, equations) for s in equations.steps]
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
         self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], Solver] = {}
         self._for_fixed: dict[frozenset[sp.Symbol], list[Solver]] = {}
+
+    @property
+    def solvers_of_steps(self) -> Iterable[tuple[Step, Solver]]:
+        """Each step with what solves it."""
+        return zip(self.equations.steps, self._solvers, strict=True)
 
     def run(
         self,

@@ -70,6 +70,17 @@ def with_changed(
     return None if tuple(steps) == equations.steps else equations.mapped(steps)
 
 
+def with_step_changed(
+    equations: Equations, step: int, residual: int, change: Callable[[sp.Expr], sp.Expr]
+) -> Equations | None:
+    """The equations with one residual of one step changed; None: it does not change."""
+    steps = list(equations.steps)
+    residuals = list(steps[step].residuals)
+    before, residuals[residual] = residuals[residual], sp.sympify(change(residuals[residual]))
+    steps[step] = replace(steps[step], residuals=tuple(residuals))
+    return None if residuals[residual] == before else equations.mapped(steps)
+
+
 def with_put_in(
     equations: Equations, values: Mapping[sp.Symbol, Any], applies: Callable[[str], bool] = lambda kind: True
 ) -> Equations | None:
