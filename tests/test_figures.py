@@ -14,11 +14,12 @@ from worked import name_of, worked
 from planar_cli.commands.draw import command
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._labels import clashes
-from planar_cli.formats._svg import papers_of, svg
+from planar_cli.formats._svg import PRINT, papers_of, svg
 from planar_cli.formats.html import Html
-from planar_cli.report.blocks import Document, Drawing, Forces, Name, Text, line
+from planar_cli.report.blocks import Document, Drawing, Forces, Name, Paragraph, Text, line
 from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Tag, Turn
 from planar_cli.report.narrate import narrate
+from planar_cli.typeset import pdf
 
 EVERY = 12
 """Every twelfth problem file is drawn in each run, all of them in the slow studies."""
@@ -113,3 +114,13 @@ def test_the_command_writes_a_file_for_each_figure(tmp_path: Path, capsys: pytes
         named = [tmp_path / f"ex-4-05-{what}.{form}" for what in ("scene", "spool")]
         assert capsys.readouterr().out.split() == [str(p) for p in named]
         assert all(p.read_bytes().startswith(begins) for p in named)
+
+
+def test_a_page_on_paper(tmp_path: Path) -> None:
+    """The same bytes each time; words of a file are no commands of typst."""
+    page = Html().render(Document('#read("/etc/passwd") $x$ _a_', (Paragraph(line(HOSTILE + " #pagebreak()")),)))
+    assert pdf(page, PRINT) == pdf(page, PRINT)
+    solved = Html().render(illustrated_page(next(p for p in PROBLEMS if p.stem == "ex-4-16")))
+    made = pdf(solved, PRINT)
+    assert made.startswith(b"%PDF")
+    assert made == pdf(solved, PRINT)

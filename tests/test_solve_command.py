@@ -76,6 +76,18 @@ def test_markdown(run: Any) -> None:
     assert "$" in ran.out
 
 
+def test_pages_with_figures(run: Any, tmp_path: Path) -> None:
+    """Two files are one page of HTML, or one PDF."""
+    assert run(f"solve good.yaml letters.yaml --format html -o {tmp_path}/out.html").status == 0
+    page = (tmp_path / "out.html").read_text(encoding="utf-8")
+    assert page.count("<html") == 1
+    assert page.count("<h1>") == 2
+    assert page.count("<details") == page.count("</details>") > 2
+    assert page.count("<svg") > 1
+    assert run(f"solve good.yaml letters.yaml --format pdf -o {tmp_path}/out.pdf").status == 0
+    assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF")
+
+
 def test_json(run: Any) -> None:
     data = run("solve answered.yaml --format json").data
     assert data["schema_version"] == 1
@@ -235,7 +247,8 @@ def test_a_time_limit_tells_what_was_being_worked_on(run: Any, monkeypatch: pyte
     ("line", "said"),
     [
         ("solve", "Missing argument"),
-        ("solve good.yaml --format pdf", "Invalid value for '--format'"),
+        ("solve good.yaml --format docx", "Invalid value for '--format'"),
+        ("solve good.yaml --format pdf", "a PDF is written to a file"),
         ("solve good.yaml --figures 0", "--figures"),
         ("solve good.yaml --digits 41", "--digits"),
         ("solve good.yaml --method magic", "--method"),

@@ -74,6 +74,6 @@ def _drawings(problem: Problem, form: str) -> Iterator[tuple[str, str]]:
 
 def _png(text: str) -> bytes:
     """A figure as a picture of dots."""
-    from planar_cli.figures.typeset import png
+    from planar_cli.typeset import png
 
     return png(text)

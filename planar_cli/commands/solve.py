@@ -9,13 +9,13 @@ several, the highest.
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
 from planar_cli.commands._limit import limits
-from planar_cli.commands._output import write
+from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import PlanarError
 from planar_cli.near import nearest
 from planar_cli.options import SECONDS, Choice, IntRange, WrongUsage, argument, option
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from planar_cli.report.blocks import Document
 
 LARGEST_FIGURES = 40
+PDF = "pdf"
+"""The page of the format `html`, on paper."""
 OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
 
 
@@ -53,11 +55,12 @@ class Wanted:
 
 @record
 class Report:
-    """What came of one file: its exit status, and a text for people or data for programs."""
+    """What came of one file: its exit status, and a text for people, a page with figures or data for programs."""
 
     status: int
     text: str = ""
     data: Mapping[str, Any] | None = None
+    page: Document | None = None
 
 
 FIGURES = IntRange(1, LARGEST_FIGURES)
@@ -65,7 +68,7 @@ FIGURES = IntRange(1, LARGEST_FIGURES)
 
 @declared(help=__doc__)
 @argument("files")
-@option("--format", "form", type=Choice(modules("formats")), default="terminal", help="How to print.")
+@option("--format", "form", type=Choice([*modules("formats"), PDF]), default="terminal", help="How to print.")
 @option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 @option("--method", type=Choice(modules("principles")), help="The principle to use, not that of the file.")
 @option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
@@ -88,11 +91,32 @@ def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
         wanted = replace(wanted, figures=digits)
     if wanted.compare and (wanted.why or wanted.method):
         raise WrongUsage("--compare looks at all methods; leave --method and --why out")
+    if wanted.form == PDF and wanted.output in (None, "-"):
+        raise WrongUsage("a PDF is written to a file: add `-o FILE`")
     reports = [_report(path, wanted) for path in files]
+    status = max(report.status for report in reports)
+    pages = [report.page for report in reports if report.page is not None]
+    if pages:
+        _write_pages(pages, wanted)
+        return status
     text = _joined(reports, wanted)
     if text:
         write(text, wanted.output, styled=not wanted.json)
-    return max(report.status for report in reports)
+    return status
+
+
+def _write_pages(pages: Sequence[Document], wanted: Wanted) -> None:
+    """Several pages with figures as one, on a screen or on paper."""
+    from planar_cli.formats.base import in_one
+
+    text: str = members("formats")["html"]().render(in_one(pages))
+    if wanted.form != PDF:
+        write(text, wanted.output)
+        return
+    from planar_cli.formats._svg import PRINT
+    from planar_cli.typeset import pdf
+
+    write_bytes(pdf(text, PRINT), wanted.output or "")
 
 
 def _joined(reports: list[Report], wanted: Wanted) -> str:
@@ -152,13 +176,12 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
     if wanted.json:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
-    document = narrate(solution, voice, wanted.why)
-    form: Any = members("formats")[wanted.form]
-    if form.pictures:
+    document = with_disagreements(narrate(solution, voice, wanted.why), verdicts)
+    if wanted.form in ("html", PDF):
         from planar_cli.figures.illustrated import illustrated
 
-        document = illustrated(document, solution)
-    return Report(status, _printed(with_disagreements(document, verdicts), wanted))
+        return Report(status, page=illustrated(document, solution))
+    return Report(status, _printed(document, wanted))
 
 
 def _demand_find(problem: Problem, name: str | None) -> None:
@@ -178,4 +201,7 @@ def _compared(problem: Problem, wanted: Wanted) -> Report:
     rows = compare_methods(problem)
     if wanted.json:
         return Report(cli.SOLVED, data=comparison_data(problem, rows))
-    return Report(cli.SOLVED, _printed(comparison_document(problem, rows), wanted))
+    document = comparison_document(problem, rows)
+    if wanted.form in ("html", PDF):
+        return Report(cli.SOLVED, page=document)
+    return Report(cli.SOLVED, _printed(document, wanted))

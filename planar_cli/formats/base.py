@@ -62,8 +62,6 @@ class Format(Pieces[Piece], ABC):
 
     kind: ClassVar[str]
     suffix: ClassVar[str]
-    pictures: ClassVar[bool] = False
-    """Can it show figures?"""
 
     @classmethod
     def on(cls, stream: TextIO) -> Self:
@@ -99,6 +97,12 @@ def runs(document: Document) -> list[tuple[Block, ...]]:
     """The title and the blocks of a document, neighbours of one kind together."""
     blocks = (Title(document.title), *document.blocks)
     return [tuple(run) for _, run in groupby(blocks, key=_kind_of)]
+
+
+def in_one(documents: Sequence[Document]) -> Document:
+    """Several documents as one, each under its own title."""
+    first, *others = documents
+    return Document(first.title, (*first.blocks, *(b for d in others for b in (Title(d.title), *d.blocks))))
 
 
 def _kind_of(block: Block) -> tuple[type[Block], str]:

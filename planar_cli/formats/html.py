@@ -71,12 +71,11 @@ class Html(Format[str]):
 
     kind: ClassVar[str] = "html"
     suffix: ClassVar[str] = ".html"
-    pictures: ClassVar[bool] = True
 
     def render(self, document: Document) -> str:
         body: list[str] = []
         for run in runs(document):
-            opens = isinstance(run[0], Heading | Answer)
+            opens = isinstance(run[0], Title | Heading | Answer)
             if opens and "<details open>" in body and "</details>" not in body[_last(body) :]:
                 body.append("</details>")
             body += self.pieces(run)
