@@ -197,6 +197,9 @@ def test_numbers_are_typed_as_formulas_are(text: str, value: float) -> None:
     [
         ("3/2√3 m", "two ways"),
         ("m_1*g*cos(beta)", "not a formula in letters: 'm_1' is one"),
+        ("√(3g(1-cos φ)/L)", "not a formula in letters: 'g' is one"),
+        ("m_2 (g - R α)", "not a formula in letters: 'm_2' is one"),
+        ("12.5*g N", "not a formula in letters: 'g' is one"),
         ("<script>alert(1)</script>", "a number with its unit is asked"),
         ("[12.5 N", "a number with its unit is asked"),
     ],

@@ -110,15 +110,19 @@ def constant(text: str) -> float:
         raise Unreadable("one unit stands behind the number")
     name = next((n.name for n in walk(side) if isinstance(n, Name) and n.name != "pi"), None)
     if name is not None:
-        asked = "a number with its unit is asked, such as `12.5 N`"
-        raise Unreadable(f"{asked}, not a formula in letters: '{name[:20]}' is one")
+        raise _in_letters(name)
     found: float = evaluated(side, _Numbers({}))
     return found
 
 
+def _in_letters(name: str) -> Unreadable:
+    asked = "a number with its unit is asked, such as `12.5 N`"
+    return Unreadable(f"{asked}, not a formula in letters: '{name[:20]}' is one")
+
+
 def arithmetic(text: str) -> float:
     """The same as students write it, `√(2*9.81)`, `9.81 cos 25°`, where that can be read in one way."""
-    from planar_cli.homework.typed_letters import readings
+    from planar_cli.homework.typed_letters import plain, readings
 
     try:
         return constant(text)
@@ -126,7 +130,8 @@ def arithmetic(text: str) -> float:
         try:
             first, *others = (constant(reading) for reading in readings(text, ()))
         except Unreadable:
-            raise why from None
+            letter = next(iter(letters_in(plain(text))), "")
+            raise (_in_letters(letter) if letter else why) from None
     if any(not math.isclose(first, other, rel_tol=SAME) for other in others):
         raise Unreadable("what stands below the stroke can be read in two ways; put it in brackets")
     return first

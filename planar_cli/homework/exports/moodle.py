@@ -42,7 +42,8 @@ class Moodle(PaperExport):
     The file
         One category for each problem, below one of the homework; in it one question for each find and variant.
         A number becomes a numerical question: the right answer first, then the diagnosed mistakes as answers without
-        marks that show their feedback. The tolerance is that of `planar check`, written as Moodle needs it: absolute.
+        marks that show their feedback. The tolerance is that of `planar check`, written as Moodle needs it: absolute;
+        that of a mistake is the same, as Moodle does not count figures, by which `planar check` knows mistakes closer.
         The units block has the unit in its usual spellings; a missing or unknown unit costs a tenth of the marks.
         A direction is right after a whole turn too. A vector or list becomes a cloze question with one box for each
         number. Yes or no, true or false become a choice; another word a short answer. The worked solution is the
