@@ -254,3 +254,7 @@ def test_the_root_of_a_speed_that_is_the_state_before_itself() -> None:
 
 def test_a_size_in_letters_holds_its_unit() -> None:
     assert "|a| = (0.08944/m) v²" in page("ex-1-13")
+
+
+def test_another_root_that_is_an_earlier_state() -> None:
+    assert "not t_1: that is state 1 itself" in page("ball-bouncing-twice")

@@ -57,7 +57,7 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
             return
         yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'}{ROOT}", *why))
     elif kind is Kind.TIME:
-        yield Paragraph(why if why[0] == Text(FIRST) else line(WHICH, *why))
+        yield Paragraph(_a_state_itself(found, r, others) or (why if why[0] == Text(FIRST) else line(WHICH, *why)))
         if (same := of_the_same_kind(found, r, left, phrases)) is not None:
             yield same
     else:
@@ -89,6 +89,16 @@ def _as_before(found: MotionTrace, r: Result, others: list[Decimal], phrases: Ph
     shown = phrases.shown(r.unknown, abs(was))
     words = f", which is state {_state(found, earlier)} itself; it goes on in the same sense"
     return Paragraph(line("not ±", shown, words))
+
+
+def _a_state_itself(found: MotionTrace, r: Result, others: list[Decimal]) -> Line:
+    """`not t_1: that is state 1 itself`, of the only other time, if it is that of an earlier state after the start."""
+    at = _at(found, r.unknown)
+    earlier = found.states[: found.states.index(at)] if at in found.states else ()
+    times = (s for s, g in found.general.items() if g == found.general[r.unknown] and _at(found, s) in earlier)
+    known = ((s, found.value.known(s)) for s in times)
+    same = [s for s, v in known if v is not None and abs(v) > TINY and len(others) == 1 and _close(v, others[0])]
+    return line("not ", Math(same[0]), f": that is state {_state(found, same[0])} itself") if same else ()
 
 
 def _has_turned(found: MotionTrace, speed: sp.Symbol) -> bool:
@@ -156,7 +166,7 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
         return line("a distance is not negative")
     if kind is Kind.COORDINATE and earlier is not None:
         return _on_the_way(found, r, others, earlier, told)
-    return _by_sign(r.value, others)
+    return ()
 
 
 def _is_radius(found: MotionTrace, coordinate: sp.Symbol) -> bool:
@@ -272,14 +282,14 @@ def _on_the_way(
     """A place is on the side to which the motion goes from the state before, and the first that it reaches there."""
     start = found.value(earlier)
     if _close(start, r.value):
-        return _by_sign(r.value, others)
+        return ()
     grows = r.value > start
     state = line(Math(r.unknown), " = ", Math(earlier), " is state ", _state(found, earlier), " itself")
     if earlier in told and all(_close(v, start) for v in others):
         return state
     beyond = [v for v in others if not _close(v, start) and (v > start) is grows]
     if any(abs(v - start) < abs(r.value - start) for v in beyond):
-        return _by_sign(r.value, others)
+        return ()
     first = line(Math(r.unknown), " is reached first")
     if len(beyond) == len(others):
         return first
@@ -295,10 +305,3 @@ def _on_the_way(
 
 def _close(a: Decimal, b: Decimal) -> bool:
     return abs(a - b) <= (abs(a) + abs(b)) * Decimal("1e-9")
-
-
-def _by_sign(value: Decimal, others: list[Decimal]) -> Line:
-    """Which root is taken, where its sign tells it."""
-    if all(v * value < 0 for v in others):
-        return line(f"the {'positive' if value > 0 else 'negative'} root is meant")
-    return ()
