@@ -55,3 +55,13 @@ def test_what_stands_alone_under_its_heading_stays() -> None:
 def test_where_a_body_is_drawn_is_not_told() -> None:
     """Diagrams that read alike are the same, wherever their arrows are drawn."""
     assert "As before: the diagram." in page_of_file("carriages-that-collide")
+
+
+def test_a_case_that_is_derived_as_the_first_part_tells_its_results() -> None:
+    """With e = 1 all equations are those of e = 0.7."""
+    case = page_of_file("carriages-that-collide").split("CASE elastic")[1]
+    assert (
+        "As in the first part, by (1), (2): v_B,2 = (e m_A (v_A,1 - v_B,1) + m_A v_A,1 + m_B v_B,1)/(m_A + m_B)" in case
+    )
+    assert "Restitution between" not in case
+    assert "v_A,2 = v_B,2 - e (v_A,1 - v_B,1) = 4.6 - 1 (4 - 1) = 1.6 m/s" in case

@@ -15,6 +15,7 @@ from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.apart import with_letters_apart
+from planar_cli.report.as_in_part import as_in_part
 from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.at_one_state import where_asked, where_told
 from planar_cli.report.axes_of_frames import with_axes_of_frames
@@ -143,7 +144,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
             blocks += with_lessons(told_once(own, blocks), uses_of([part]), lessons)
         else:
-            blocks += told_once(own, blocks)
+            blocks += told_once(as_in_part(own, blocks), blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:

@@ -1,0 +1,96 @@
+"""A case that is derived word for word as an earlier part, with other numbers, refers to it and tells its results.
+
+As in the first part, by (1) and (2):
+     v_B,2 = (…)/(m_A + m_B) = (1 · 6 (4 - 1) + 6 · 4 + 4 · 1)/(6 + 4) = 4.6 m/s
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
+from planar_cli.report.repeats import CASE
+from planar_cli.report.results import numbered
+
+LEAST = 3
+"""So many lines at least must be spared."""
+FIRST = "in the first part"
+
+
+def as_in_part(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
+    """The blocks of a case. `before`: those of the first part and of earlier cases."""
+    earlier = list(_parts(before))
+    found: list[Block] = []
+    start = 0
+    while start < len(blocks):
+        stop = _end(blocks, start + 1)
+        section = blocks[start:stop]
+        found += _referred(section, earlier) if earlier and isinstance(blocks[start], Heading) else section
+        start = stop
+    return found
+
+
+def _parts(before: Sequence[Block]) -> Iterator[tuple[str, Sequence[Block]]]:
+    """The first part and each case, with the words that say where something stands."""
+    cases = [(i, b.text) for i, b in enumerate(before) if isinstance(b, Heading) and b.label == CASE]
+    words, starts = [FIRST, *(f"in case {name}" for _, name in cases)], [i for i, _ in cases]
+    for place, begin, stop in zip(words, [0, *starts], [*starts, len(before)], strict=True):
+        yield place, before[begin:stop]
+
+
+def _end(blocks: Sequence[Block], start: int) -> int:
+    """Where the lines of a step end."""
+    told = (Paragraph, Equation, Forces)
+    return next((i for i in range(start, len(blocks)) if not isinstance(blocks[i], told)), max(start, len(blocks)))
+
+
+def _referred(section: Sequence[Block], earlier: Sequence[tuple[str, Sequence[Block]]]) -> list[Block]:
+    """A step by what it has of its own; itself, where no earlier part derived it so."""
+    heading, *lines = section
+    assert isinstance(heading, Heading)
+    for place, part in earlier:
+        starts = [i for i, b in enumerate(part) if isinstance(b, Heading) and b.text == heading.text]
+        for start in starts:
+            old = list(part[start + 1 : _end(part, start + 1)])
+            shared = _shared(lines, old)
+            if (own := _own(lines[:shared], lines[shared:], old)) is not None:
+                numbers = [b.number for b in lines[:shared] if isinstance(b, Equation) and b.number is not None]
+                return [heading, Paragraph(line(f"As {place}, by {numbered(numbers)}:")), *own, *lines[shared:]]
+    return list(section)
+
+
+def _own(shared: Sequence[Block], rest: Sequence[Block], old: Sequence[Block]) -> list[Block] | None:
+    """The results that are new among lines that stood there; None: there are none, nothing is to be spared, or the rest
+    has equations of its own.
+    """
+    if any(isinstance(b, Equation) and b.number is not None for b in rest):
+        return None
+    fresh = (b for b in shared if b not in old)
+    results = [replace(b, lead=()) for b in fresh if isinstance(b, Equation) and _is_result(b)]
+    spared = len(shared) - len(results)
+    numbers = [b for b in shared if isinstance(b, Equation) and b.number is not None]
+    return None if not results or not numbers or spared < LEAST else list(results)
+
+
+def _shared(lines: Sequence[Block], old: Sequence[Block]) -> int:
+    """How many lines at the beginning stood there in this order, whatever their numbers are."""
+    place = 0
+    for n, block in enumerate(lines):
+        keys = [_key(b) for b in old[place:]]
+        if _key(block) not in keys:
+            return n
+        place += keys.index(_key(block)) + 1
+    return len(lines)
+
+
+def _is_result(block: Equation) -> bool:
+    return block.number is None and isinstance(block.sides[-1], Value) and len(block.sides) > 1
+
+
+def _key(block: Block) -> str:
+    """What a line says without its numbers."""
+    if not isinstance(block, Equation) or not _is_result(block):
+        return repr(block)
+    letters = [s for s in block.sides[:-1] if not isinstance(s, Math) or not s.values]
+    return repr(replace(block, sides=tuple(letters)))
