@@ -357,7 +357,10 @@ def _squared(
     formula = _forced(2 * c, 2 * rest, (start.q, start.v**2), (end.q, square), value)
     if formula is None:
         return ()
-    return (span("v(q)", "v dv = a dq, linear in v²", end.v**2 - formula, None, None, where),)
+    if rest.has(end.q):
+        return (span("v(q)", "v dv = a dq, linear in v²", end.v**2 - formula, None, None, where),)
+    sides = integral(end.v / a, start.v, end.v), integral(1, start.q, end.q)
+    return (span("v(q)", "v dv/a = dq, solved for v²", end.v**2 - formula, sides, None, where),)
 
 
 def _with_factor(

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind
 from planar_cli.report.blocks import Math, Name, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, SpanIntegral
@@ -21,13 +22,15 @@ def by_ends(span: SpanIntegral, found: MotionTrace, phrases: Phrases, value: Val
 
 
 def _mean(span: SpanIntegral, found: MotionTrace, phrases: Phrases) -> tuple[Any, ...]:
-    """Of the rate of a letter of the motion."""
+    """Of an acceleration."""
     if span.quantity.word != "mean" or len(span.pieces) != 1 or span.pieces[0].how != "difference":
         return ()
     (piece,) = span.pieces
     rate_of, roles = piece.antiderivative, found.ledger.roles
     ends = {roles[s].at: s for s, general in found.general.items() if general == rate_of}
-    if rate_of is None or not rate_of.is_Symbol or not {piece.since, piece.until} <= ends.keys():
+    if rate_of is None or rate_of not in roles or roles[rate_of].kind is not Kind.SPEED:
+        return ()
+    if not {piece.since, piece.until} <= ends.keys():
         return ()
     time = span.duration.xreplace({s: f for s, f in found.route.plain.items() if f == 0})
     change = sp.Add(ends[piece.until], -ends[piece.since], evaluate=False)

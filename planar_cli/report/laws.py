@@ -80,6 +80,17 @@ class LawTelling:
             every = (r.law for leg in route.steps for r in leg.relations if r.law is not None)
             changes = len({_said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
             yield from law_blocks(law, self.phrases, {*self.varying, *unknown}, e.since if changes else "")
+        if law.terminal is not None and law.terminal[0] not in self.natural:
+            self.natural.add(law.terminal[0])
+            letter, formula = law.terminal
+            value = self.phrases.shown(letter)
+            sides: tuple[Any, ...] = (
+                Math(letter),
+                self.phrases.math(formula),
+                *self.phrases.substituted(formula, value),
+                value,
+            )
+            yield Equation(sides, None, line("terminal speed:"))
         own = law.vibration
         if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
             self.natural.add(own.natural)

@@ -8,6 +8,7 @@ v_0 cos(ω_n t_1) + x_eq ω_n sin(ω_n t_1) = 0:
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -25,6 +26,8 @@ from planar_cli.units import PURE
 
 LONGEST = 16
 """The tangent of more operations is not told."""
+FLAT, STEEP = Decimal("1e-4"), Decimal("1e4")
+"""Beyond these a tangent is zero or infinite but for rounding: the phase is a whole number of quarters."""
 
 
 def function_first(leg: RouteStep, r: Result, route: RouteTrace, counted: bool, phrases: Phrases) -> tuple[Any, ...]:
@@ -76,6 +79,9 @@ def _tangent(leg: RouteStep, r: Result, route: RouteTrace, phrases: Phrases) -> 
     if absent or not identically_zero(rest) or r.unknown in (a + b).free_symbols:
         return None
     ratio = simplified(-b / a)
+    number = phrases.value.known(ratio)
+    if number is None or not number.is_finite() or not FLAT < abs(number) < STEEP:
+        return None
     ours = any(identically_zero(inverse[0].args[0] - sign * ratio) for sign in (1, -1))
     plain = ours and not longer(ratio, LONGEST) and is_clean(phrases.ledger, ratio, dimension=PURE)
     return (phase, ratio) if plain and phrases.has_numbers(ratio) else None

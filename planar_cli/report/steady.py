@@ -80,7 +80,8 @@ def in_order(e: trace.Relation, plain: dict[sp.Symbol, sp.Expr], neat: Neat, phr
     if span is None or law is None or law.order != 2 or law.f == 0 or law.factor != 1:
         return ()
     if not is_steady(e):
-        squared = e.kind == "v(q)" and span.left is not None and not span.unevaluated
+        plainly = isinstance(span.left, sp.Integral) and span.left.function == span.left.variables[0]
+        squared = e.kind == "v(q)" and plainly and not span.unevaluated
         return _integrated(_squares(e, plain), plain, neat, phrases) if squared else ()
     if e.kind == "v(q)":
         own, first, gained = _squares(e, plain) or (sp.S.Zero,) * 3

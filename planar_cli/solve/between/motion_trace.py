@@ -33,6 +33,7 @@ from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
+from planar_cli.solve.between.terminal import by_terminal_speed
 from planar_cli.solve.between.told_finds import FindTeller
 from planar_cli.solve.between.told_vibrations import VibrationTracer
 from planar_cli.solve.between.trace import (
@@ -109,7 +110,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_what_passes(by_what_is_asked(by_lines(made)))
+    return by_terminal_speed(by_what_passes(by_what_is_asked(by_lines(made))))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
