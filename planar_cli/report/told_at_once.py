@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.problem.scene import Rod
-from planar_cli.report.blocks import Block, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
 from planar_cli.report.turning_values import DERIVATIVE, over_time
@@ -34,6 +34,10 @@ def told_at_once(
     """
     e, r = leg.relations[0], leg.results[0]
     if len(leg.relations) > 1 or len(leg.results) > 1 or not e.stop or r.formula is None:
+        return
+    if e.kind == "given" and r.formula in found.general and r.unknown not in found.general:
+        # v_0 is the speed in state 1 that the equations have given.
+        yield Equation((Math(r.unknown), Math(r.formula), phrases.shown(r.unknown, r.value)), None, line(at(e.stop)))
         return
     shown: Any = Math(sp.S.Zero) if r.formula == 0 else phrases.shown(r.unknown, r.value)
     if over_time(e) and r.formula == 0 and r.unknown not in (e.residual / r.unknown).free_symbols:
