@@ -1,4 +1,4 @@
-"""Where the speed of a mass centre comes from that is no product: its place in a state, and the rates of that.
+"""Where the speed of a mass centre comes from that is no product: its place, and the rates of that.
 
 x_G = -3/2 l cos θ,  y_G = 1/2 l sin θ
 differentiated:   ẋ_G = 3/2 l θ̇ sin θ,  ẏ_G = 1/2 l θ̇ cos θ
@@ -15,6 +15,7 @@ from planar_cli.principles.base import Moving
 from planar_cli.report.blocks import Block, Equation, Line, Math, line
 from planar_cli.report.words import Phrases
 
+STATE = "__"
 LONGEST = 12
 """A coordinate of more operations is not told."""
 
@@ -32,6 +33,9 @@ def centre_lines(
     followed = [q for q in dict.fromkeys(running) if _follow(places, speeds, q, rate)]
     if not followed:
         return
+    # At any place: what is at one place alone does not change.
+    general = {s: sp.Symbol(s.name.partition(STATE)[0], real=True) for s in (*running, rate) if STATE in s.name}
+    places, speeds = ([e.xreplace(general) for e in parts] for parts in (places, speeds))
     yield Equation(_pair(name.format(""), places, phrases))
     yield Equation(_pair(name.format("_dot"), speeds, phrases), None, line("differentiated:"))
 

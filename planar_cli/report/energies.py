@@ -169,7 +169,7 @@ class EnergyTelling(WeightTelling):
         speed = next((expr for kind, _, expr in self._speeds(made) if kind == "v"), sp.S.Zero)
         moving = [s for s in speed.free_symbols if s in self.unknowns]
         if len(moving) == 1 and has_root(speed) and self._components(made, speed, moving) is not None:
-            name = f"{self.centre(made)}{{}}{STATE}{self.balance.stop}"
+            name = f"{self.centre(made)}{{}}"
             yield from centre_lines(made, name, moving[0], self._put, self.phrases)
 
     def _by_others(self, expr: sp.Expr) -> bool:

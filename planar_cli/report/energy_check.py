@@ -13,6 +13,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
@@ -96,9 +97,19 @@ def _at_end(balance: BalanceTrace, motion: MotionTrace, phrases: Phrases) -> Lin
 
 
 def _lettered(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> sp.Expr:
-    """In the names of the page, without what is zero."""
+    """In the names of the page, without what is zero; a way by the data where that is shorter: h for y_2 - y_1."""
     plain = expr.xreplace(dict(motion.route.plain))
-    return simplified(plain.xreplace({s: sp.S.Zero for s in plain.free_symbols if phrases.value.known(s) == 0}))
+    told = simplified(plain.xreplace({s: sp.S.Zero for s in plain.free_symbols if phrases.value.known(s) == 0}))
+    formulas = {s: motion.route.formulas.get(s) for s in _of_states(plain, phrases)}
+    data = {s: f for s, f in formulas.items() if f is not None and not f.free_symbols & motion.general.keys()}
+    short = simplified(plain.xreplace(data))
+    fewer = len(_of_states(short, phrases)) < len(_of_states(told, phrases))
+    return short if fewer and operations(short) <= operations(told) and _is_of_letters(short) else told
+
+
+def _is_of_letters(expr: sp.Expr) -> bool:
+    """Is every term a product of letters, so that no number hides a unit?"""
+    return all(t.free_symbols for t in sp.Add.make_args(expr)) and not expr.atoms(sp.Add)
 
 
 def _sum(terms: list[sp.Expr], phrases: Phrases) -> Line:

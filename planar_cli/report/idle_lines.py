@@ -21,6 +21,8 @@ BLOW = "a blow takes no time"
 """The remark on the time of a state just after a blow."""
 DRAWN = "in the given position:"
 """The end of the lead of what a place is as it is drawn."""
+PLACES = ("x_", "y_")
+"""Begins the letter of where a point is."""
 MEANS = ": the angle "
 """Begins what an angle is."""
 STILL = "nothing moves during a blow"
@@ -155,11 +157,14 @@ def _gives_an_angle(condition: Block, given: Block, spoken: Mapping[str, int]) -
 
 
 def _drawn(block: Block) -> str | None:
-    """The letter of a line that only says what it is in the given position."""
-    if not isinstance(block, Equation) or block.number is not None or not _words(Paragraph(block.lead)).endswith(DRAWN):
+    """The letter of a line that only says what it is in the given position, or where a point is in a state."""
+    if not isinstance(block, Equation) or block.number is not None or not block.lead:
         return None
-    first = block.sides[0]
-    return first.expr.name if isinstance(first, Math) and first.expr.is_Symbol else None
+    first, lead = block.sides[0], _words(Paragraph(block.lead))
+    if not isinstance(first, Math) or not first.expr.is_Symbol:
+        return None
+    placed = first.expr.name.startswith(PLACES) and lead.startswith("At ") and lead.endswith(":")
+    return first.expr.name if placed or lead.endswith(DRAWN) else None
 
 
 def _letters(block: Block) -> set[str]:
