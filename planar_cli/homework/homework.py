@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
+from planar_cli.homework.followed_mistakes import with_followed
 from planar_cli.homework.given_letters import gravity_told, pure_numbers, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.pages_of_variants import Page, with_pages
@@ -59,6 +60,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
     if (same := numbered(solved)) is not None:
         rows = with_wrong_values(solved, same, rows, [dict(d.values) for d in draws])
+    rows = with_followed(solved, rows, [dict(d.values) for d in draws])
     told = _Told(solved, base, formulas)
     asked = [
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))

@@ -91,13 +91,16 @@ def _clearly_wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Ite
 
 
 def _add(found: Found, right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:
-    """A mistake, where it gives a number that is clearly another one than the right one."""
+    if is_clearly_wrong(right, values):
+        found.setdefault((name, feedback, values))
+
+
+def is_clearly_wrong(right: Expected, values: tuple[float, ...]) -> bool:
+    """Is it clearly another number than the right one, and not nothing?"""
     if len(values) != len(right.values) or not all(map(math.isfinite, values)):
-        return
+        return False
     size = math.hypot(*right.values)
     least = APART * right.tolerance * size
     if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
-        return
-    if not any(values) or math.hypot(*values) <= NOTHING * size:
-        return
-    found.setdefault((name, feedback, values))
+        return False
+    return any(values) and math.hypot(*values) > NOTHING * size

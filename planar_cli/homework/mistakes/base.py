@@ -45,6 +45,8 @@ class Mistake(ABC):
     """What every mistake has; the module's docstring is the contract."""
 
     kind: ClassVar[str]
+    effect: ClassVar[str] = ""
+    """What is left out where a motion is followed in numbers, as `planar simulate --without` calls it; "": nothing."""
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         """The equations with this mistake in them, once for each thing that it can be made with."""

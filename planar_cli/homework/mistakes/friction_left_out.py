@@ -21,6 +21,7 @@ class FrictionLeftOut(Mistake):
     """
 
     kind: ClassVar[str] = "friction-left-out"
+    effect: ClassVar[str] = "friction"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         found = inputs_at(equations, problem, *COEFFICIENTS)

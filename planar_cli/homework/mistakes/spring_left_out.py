@@ -21,6 +21,7 @@ class SpringLeftOut(Mistake):
     """
 
     kind: ClassVar[str] = "spring-left-out"
+    effect: ClassVar[str] = "spring"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         for name, symbol in inputs_at(equations, problem, "stiffness").items():

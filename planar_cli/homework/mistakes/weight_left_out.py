@@ -24,6 +24,7 @@ class WeightLeftOut(Mistake):
     """
 
     kind: ClassVar[str] = "weight-left-out"
+    effect: ClassVar[str] = "weight"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         if "g" in equations.inputs:

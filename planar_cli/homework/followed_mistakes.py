@@ -1,0 +1,98 @@
+"""What typical mistakes give where a motion is followed in numbers: the same motion followed without an effect."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.base_units import in_base
+from planar_cli.errors import PlanarError
+from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.paper import Expected, Mistaken
+from planar_cli.homework.what_mistakes_give import is_clearly_wrong
+from planar_cli.homework.worked_problem import Part, WorkedProblem
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.structure import problem_of
+from planar_cli.problem.variations import with_first_values, with_values
+from planar_cli.registry import members
+from planar_cli.simulate.effects import known_effects, without
+from planar_cli.simulate.run import Settings, simulate
+from planar_cli.solve.solution import Found
+
+ONCE = Settings(estimate=False, balanced=False, check=False)
+SAME = 1e-3
+"""Relative: what is followed gives what was found, if not, its mistakes say nothing."""
+Numbers = dict[str, tuple[float, ...]]
+
+
+def with_followed(
+    problem: WorkedProblem, rows: Sequence[tuple[Expected, ...]], values: Sequence[Mapping[str, str]]
+) -> list[tuple[Expected, ...]]:
+    """The finds of each variant; those that no written equations give, with what the motion gives without friction,
+    without the weight, without its springs. `values`: of the variants, as a file writes them.
+    """
+    parts = [(part, finds) for part in problem.parts if (finds := _followed_finds(part))]
+    made = list(rows)
+    for part, finds in parts:
+        if not _is_followed_the_same(part, finds, problem.problem.us):
+            continue
+        for k, own in enumerate(values):
+            wrong = list(_without_effects(_problem(problem, part, own), finds))
+            made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
+    return made
+
+
+def _followed_finds(part: Part) -> list[Found]:
+    """The numbers of a motion that do not follow from equations."""
+    if part.solution.followed is None and part.solution.motion is None:
+        return []
+    asked = part.replay.equations.asked if part.replay is not None else {}
+    plain = not part.problem.symbols
+    return [f for f in part.solution.found if plain and f.values and f.name not in asked and f.kind != "list"]
+
+
+def _is_followed_the_same(part: Part, finds: Sequence[Found], us: bool) -> bool:
+    numbers = _numbers(part.problem, finds)
+    for f in finds:
+        due = [float(v) / in_base(f.unit, us) for v in f.values or ()]
+        got = numbers.get(f.name, ())
+        if len(got) != len(due) or any(abs(a - b) > SAME * max(map(abs, due)) for a, b in zip(got, due, strict=True)):
+            return False
+    return bool(finds)
+
+
+def _problem(problem: WorkedProblem, part: Part, values: Mapping[str, str]) -> Problem:
+    """The part with the numbers of a variant."""
+    if not values:
+        return part.problem
+    whole, wrong = problem_of(problem.path, with_values(with_first_values(problem.node), values), [])
+    if whole is None or wrong:
+        return part.problem
+    return next((c.problem for c in whole.cases if c.name == part.solution.case), whole)
+
+
+def _without_effects(problem: Problem, finds: Sequence[Found]) -> Iterator[tuple[str, str, Numbers]]:
+    """By mistake: its name, what it says, and what comes out without its effect."""
+    known = known_effects(problem)
+    for name, kind in members("homework.mistakes").items():
+        mistake: Mistake = kind()
+        if mistake.effect in known:
+            said = f"this is the result without {'the weight' if mistake.effect == 'weight' else mistake.effect}"
+            yield name, said, _numbers(without(problem, [mistake.effect]), finds)
+
+
+def _numbers(problem: Problem, finds: Sequence[Found]) -> Numbers:
+    """What the motion answers, in the units of the finds; nothing where it cannot be followed."""
+    try:
+        answers = simulate(problem, ONCE, {f.name: f.unit.text for f in finds}).answers
+    except PlanarError:
+        return {}
+    units = {f.name: in_base(f.unit, problem.us) for f in finds}
+    return {a.name: tuple(v / units[a.name] for v in a.values) for a in answers if a.name in units and not a.why}
+
+
+def _with(expected: Expected, wrong: Sequence[tuple[str, str, Numbers]]) -> Expected:
+    more = [Mistaken(n, said, numbers[expected.find]) for n, said, numbers in wrong if expected.find in numbers]
+    # What a step of the motion gives stands before slips at the end.
+    fit = tuple(m for m in more if is_clearly_wrong(expected, m.values))
+    return replace(expected, mistakes=(*fit, *expected.mistakes))
