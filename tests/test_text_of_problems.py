@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -42,6 +43,17 @@ def test_paragraphs_stay_apart_on_sheets(form: str, tmp_path: Path) -> None:
     between = "\n\n" if form == "markdown" else "</p>\n<p>"
     assert between.join(PARAGRAPHS) in text
     assert between.join(("Hand in.", "By Friday.")) in text
+
+
+def test_a_sheet_does_not_repeat_what_its_text_tells_and_the_key_has_what_varies(tmp_path: Path) -> None:
+    (tmp_path / "stone.yaml").write_text(TWO.replace("falls\n  from {h}", "falls"))
+    (tmp_path / "set.yaml").write_text("variants: {number: 1, seed: 1}\nproblems: [stone.yaml]\n")
+    assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", "markdown"]) == 0
+    (sheet,) = (tmp_path / "out").glob("sheet*")
+    assert "Also given: h = 3.5 m" in sheet.read_text()
+    assert "m = " not in sheet.read_text()
+    key = (tmp_path / "out" / "key.md").read_text()
+    assert re.search(r"^- stone: m = [234] kg$", key, re.MULTILINE)
 
 
 def test_a_lesson_has_the_text_with_its_values() -> None:

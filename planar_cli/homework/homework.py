@@ -170,10 +170,16 @@ def _task(problem: SetProblem, solved: WorkedProblem, draw: Draw, expected: tupl
     values = {**_written_values(solved), **dict(draw.values)}
     text = put_in(solved.problem.text, values)
     said, varied = set(PLACEHOLDER.findall(solved.problem.text)), {name for name, _ in draw.values}
-    given = tuple(
-        f"{printed(name)} = {told(value)}" for name, value in values.items() if name in varied or name not in said
+    lines = {name: f"{printed(name)} = {told(value)}" for name, value in values.items()}
+    return Task(
+        problem.name,
+        solved.problem.title or problem.name,
+        text,
+        (*(line for name, line in lines.items() if name not in said), *gravity_told(solved)),
+        expected,
+        drawn=tuple(line for name, line in lines.items() if name in varied),
+        lead="Also given" if said else "Given",
     )
-    return Task(problem.name, solved.problem.title or problem.name, text, (*given, *gravity_told(solved)), expected)
 
 
 def _written_values(solved: WorkedProblem) -> dict[str, str]:

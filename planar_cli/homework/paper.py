@@ -83,10 +83,14 @@ class Task:
     text: str
     """What the student reads; "" where the file has none."""
     given: tuple[str, ...]
-    """Lines such as `m = 2 kg`, with the numbers of the variant."""
+    """Lines such as `m = 2 kg` that stand beside the text, with the numbers of the variant: what it does not tell."""
     expected: tuple[Expected, ...]
     worked: str = ""
     """The worked solution in Markdown; "" where it is not wanted."""
+    drawn: tuple[str, ...] = ()
+    """The same lines of what varies, wherever the student reads it."""
+    lead: str = "Given"
+    """What stands before `given`: beside a text that tells values it is not all."""
 
 
 @record

@@ -74,7 +74,7 @@ def sheet(homework: Homework, one: Handed) -> str:
         lines += [f"## {number}. {plain(task.title)}", ""]
         lines += _paragraphs(task.text)
         if task.given:
-            lines += [f"Given: {', '.join(map(plain, task.given))}", ""]
+            lines += [f"{task.lead}: {', '.join(map(plain, task.given))}", ""]
         lines += [f"- **{plain(e.find)}**{plain(_asked(e))}{_points(e)}" for e in task.expected] + [""]
     return "\n".join([*lines, *_how_to_hand_in(homework, one)])
 
@@ -167,8 +167,8 @@ def _short(paper: Paper) -> Iterable[str]:
         for e in task.expected:
             yield f"| {plain(task.problem)} | {plain(e.find)} | {plain(e.text)} | {e.points:g} |"
     yield ""
-    given = [f"- {plain(t.problem)}: {', '.join(map(plain, t.given))}" for t in paper.tasks if t.given]
-    yield from (*given, "") if paper.variant else ()
+    drawn = [f"- {plain(t.problem)}: {', '.join(map(plain, t.drawn))}" for t in paper.tasks if t.drawn]
+    yield from (*drawn, "") if drawn else ()
 
 
 def _below(page: str) -> str:
@@ -257,7 +257,8 @@ def _task_data(task: Task, with_answers: bool) -> dict[str, object]:
         told = {"answer": e.text, "values": list(e.values), "tolerance": e.tolerance} if with_answers else {}
         formula = {"formula": e.formula} if with_answers and e.formula else {}
         finds.append({**asked, **told, **formula})
-    return {"problem": task.problem, "title": task.title, "text": task.text, "given": list(task.given), "finds": finds}
+    given = list(dict.fromkeys((*task.drawn, *task.given)))
+    return {"problem": task.problem, "title": task.title, "text": task.text, "given": given, "finds": finds}
 
 
 def as_json(data: Mapping[str, object]) -> str:

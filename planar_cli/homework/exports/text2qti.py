@@ -161,7 +161,7 @@ def _word(asked: Asked) -> str:
 def _question(asked: Asked, name: str, asks: str, answer: str) -> str:
     """One question: title, one paragraph, answer. It begins with a word of ours, which no syntax begins with."""
     task = asked.task
-    given = f"Given: {'; '.join(map(one_line, task.given))}." if task.given else ""
+    given = f"{task.lead}: {'; '.join(map(one_line, task.given))}." if task.given else ""
     title = name_of(task, name, asked.variant, LONGEST_TITLE)
     text = " ".join(filter(None, [f"Variant {asked.variant}.", one_line(text_of(task)), given, asks]))
     return f"Title: {title}\n1.  {_plain(text)}\n{answer}"

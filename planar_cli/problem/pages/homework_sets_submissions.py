@@ -50,9 +50,10 @@ file is solved once more with numbers in place of its letters; by these equation
 follows from own ones is carried.
 
 A student learns the variant from the sheet: it stands in its title, in its file name, `sheet-07`, and in the example of
-how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, and need not
-write the variant. Sheets list the given values that vary or do not stand in the text. Sheets and keys that an earlier
-run wrote to the folder are removed if nobody changed them since (`.planar-key.json` there tells which they are).
+how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, and need not write
+the variant. Sheets list the given values that do not stand in the text, keys those that vary. Sheets and keys that an
+earlier run wrote to the folder are removed if nobody changed them since (`.planar-key.json` there tells which they
+are).
 
 The formats are markdown, html, json and csv; a browser sets the formulas of an HTML page by itself. The same seed gives
 the same files, byte for byte. A sheet as CSV can be filled in and handed in as it is.
