@@ -23,7 +23,7 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RouteStep
-from planar_cli.units import ENERGY
+from planar_cli.units import ENERGY, LENGTH
 
 BALANCE, PUT_IN = "work and energy", "what was found, put into "
 """Of an equation that was solved itself this tests the solving alone."""
@@ -100,7 +100,8 @@ def _lettered(expr: sp.Expr, motion: MotionTrace, phrases: Phrases) -> sp.Expr:
     """In the names of the page, without what is zero; a way by the data where that is shorter: h for y_2 - y_1."""
     plain = expr.xreplace(dict(motion.route.plain))
     told = simplified(plain.xreplace({s: sp.S.Zero for s in plain.free_symbols if phrases.value.known(s) == 0}))
-    formulas = {s: motion.route.formulas.get(s) for s in _of_states(plain, phrases)}
+    ways = (s for s in _of_states(plain, phrases) if phrases.ledger.units[s].dimension == LENGTH)
+    formulas = {s: motion.route.formulas.get(s) for s in ways}
     data = {s: f for s, f in formulas.items() if f is not None and not f.free_symbols & motion.general.keys()}
     short = simplified(plain.xreplace(data))
     fewer = len(_of_states(short, phrases)) < len(_of_states(told, phrases))
