@@ -18,6 +18,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
 from planar_cli.report.origins import used_elsewhere
 from planar_cli.report.results import numbered
+from planar_cli.report.since_a_state import Since, since_a_state, told_since
 from planar_cli.report.squared import squared
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
@@ -43,7 +44,9 @@ class Inserted:
     """With the equation that gives each."""
 
 
-def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol, sp.Expr]) -> Inserted | Reduced | None:
+def one_in_another(
+    leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol, sp.Expr]
+) -> Inserted | Reduced | Since | None:
     """The time at which several equations hold, from the one into which all others are put; None: they are others."""
     roles = found.ledger.roles
     times = [x for x in leg.unknowns if x in found.general and roles[found.general[x]].kind is Kind.TIME]
@@ -66,7 +69,7 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
         whole = whole.xreplace({x: f for x, (_, f) in formulas.items()})
     solved = _solved(expanded(whole), time, found)
     if solved is None:
-        return None
+        return since_a_state(whole, time, formulas, into, found)
     values = {r.unknown: r.value for r in leg.results}
     asked = used_elsewhere(leg, found)
     rest = _told(formulas, asked, leg)
@@ -75,9 +78,15 @@ def one_in_another(leg: RouteStep, found: MotionTrace, plain: Mapping[sp.Symbol,
 
 
 def told_inserted(
-    found: Inserted | Reduced, numbers: Sequence[int], phrases: Phrases, chain: Callable[[Result], tuple[Any, ...]]
+    found: Inserted | Reduced | Since,
+    numbers: Sequence[int],
+    phrases: Phrases,
+    chain: Callable[[Result], tuple[Any, ...]],
 ) -> Iterator[Block]:
     """(8), (9) in (7): the equation in the time; the time; and all else by it. `numbers`: of the equations."""
+    if isinstance(found, Since):
+        yield from told_since(found, numbers, phrases)
+        return
     if isinstance(found, Reduced):
         yield from _told_reduced(found, numbers, phrases, chain)
         return
