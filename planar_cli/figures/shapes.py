@@ -95,6 +95,11 @@ def _composite(shape: Composite, drawn: Drawn, body: BodyModel, style: Style) ->
             body.name, piece.shape, True, body.mass, body.inertia, _centre_of(drawn, body, piece), "", body.theta
         )
         yield from _shape(piece.shape, drawn, part, style)
+    # Masses at some points are held together by something light.
+    points = [p.shape.place for p in shape.pieces if isinstance(p.shape, Particle) and isinstance(p.shape.place, str)]
+    places = [s for name in points if (s := drawn.carried(body.name, name)) is not None]
+    if len(places) > 1:
+        yield Polyline(tuple(_around(places)), "thin", closed=len(places) > 2)
 
 
 def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
