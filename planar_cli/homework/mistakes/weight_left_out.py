@@ -40,6 +40,11 @@ class WeightLeftOut(Mistake):
             yield from _in_one(equations, without)
 
 
+def _has_others(residual: sp.Expr) -> bool:
+    """Is there more than one other term? Else what balances the weight would be zero, which nobody writes: N = 0."""
+    return len(sp.Add.make_args(sp.expand(residual))) > 1
+
+
 def _in_one(equations: Equations, without: dict[sp.Symbol, sp.Expr]) -> Iterable[Model]:
     """Without it in one equation, as without its component along a slope, with the normal force as it is."""
     (g,) = without
@@ -47,7 +52,7 @@ def _in_one(equations: Equations, without: dict[sp.Symbol, sp.Expr]) -> Iterable
         (k, i)
         for k, step in enumerate(equations.steps)
         for i, (kind, residual) in enumerate(zip(step.kinds, step.residuals, strict=False))
-        if kind in ("force", "moment") and g in residual.free_symbols
+        if kind in ("force", "moment") and g in residual.free_symbols and _has_others(residual.xreplace(without))
     ]
     for k, i in places if len(places) > 1 else ():
         changed = with_step_changed(equations, k, i, lambda r: sp.sympify(r.xreplace(without)))
