@@ -252,4 +252,6 @@ def test_each_student_has_a_text_and_who_is_absent_is_named(tmp_path: Path, capf
     assert "nothing handed in by eve" in told.err
     assert "  nothing was answered\n" in told.out
     assert sorted(p.name for p in folder.iterdir()) == ["ann.txt", "bob.txt"]
-    assert "slot.v wrong: `1 m/s`: " in (folder / "ann.txt").read_text()
+    told_to_ann = (folder / "ann.txt").read_text()
+    assert "  v: `1 m/s` wrong, 0 of 1 point: the value is not right" in told_to_ann
+    assert str(tmp_path) not in told_to_ann

@@ -69,8 +69,8 @@ def test_a_size_in_letters_is_right_in_any_form(homework: Homework, typed: str) 
     [
         ("v", "sqrt(2*g*L*sin(beta))", "friction-left-out", "without friction"),
         ("v", "sqrt(2*g*L*(sin(beta) + mu*cos(beta)))", "friction-reversed", "the other way"),
-        ("v", "sqrt(2*g*L*(cos(beta) - mu*sin(beta)))", "sine-for-cosine", "sine and cosine of beta"),
-        ("N", "m*g*sin(beta)", "sine-for-cosine", "sine and cosine of beta"),
+        ("v", "sqrt(2*g*L*(cos(beta) - mu*sin(beta)))", "sine-for-cosine", "sine and cosine of β"),
+        ("N", "m*g*sin(beta)", "sine-for-cosine", "sine and cosine of β"),
         ("N", "m*cos(beta)", "mass-for-weight", "the mass stands where the weight"),
     ],
 )

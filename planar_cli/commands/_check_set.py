@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
 from planar_cli.commands._counter import counter
+from planar_cli.commands._feedback import feedback
 from planar_cli.commands._output import write_files
 from planar_cli.options import WrongUsage
 from planar_cli.problem.show import visible
@@ -78,6 +79,7 @@ class _Class:
         self.report: ClassReport = ClassReport()
         self.kept: list[Result] = []
         self.names = Names()
+        self.titles = {t.problem: t.title for paper in homework.papers.values() for t in paper.tasks}
 
     def graded(self, files: tuple[str, ...], jobs: int) -> int:
         """Grade all, printing as they come, then what came of the class."""
@@ -118,7 +120,7 @@ class _Class:
         result = result_of(line.text)
         self._add(result)
         if self.options["feedback"]:
-            text = "\n".join(_lines(result, for_student=True)) + "\n"
+            text = feedback(result, self.homework.title, self.titles)
             write_files({f"{self.names.of(slug(result.student))}.txt": text.encode()}, self.options["feedback"])
         if self.form == "jsonl":
             echo(line.text if not self.options["for_student"] else _for_student(line.text))

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake, Model, has_forces, inputs_at, with_put_in
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 
@@ -24,4 +25,4 @@ class CoupleReversed(Mistake):
         for name, symbol in inputs_at(equations, problem, "moment").items():
             changed = with_put_in(equations, {symbol: -symbol}, has_forces)
             if changed is not None:
-                yield Model(f"the couple {name} has the wrong sign", changed)
+                yield Model(f"the couple {printed(name)} has the wrong sign", changed)

@@ -9,6 +9,7 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model, terms_without, with_changed
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import FORCE
@@ -40,7 +41,7 @@ class MomentLeftOut(Mistake):
                 lambda kind: kind == "moment",
             )
             if changed is not None:
-                yield Model(f"the moment of {symbol.name} is missing", changed)
+                yield Model(f"the moment of {printed(symbol.name)} is missing", changed)
 
 
 def _without(force: sp.Symbol, residual: sp.Expr) -> sp.Expr:

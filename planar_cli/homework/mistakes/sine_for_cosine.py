@@ -8,6 +8,7 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import PURE
@@ -35,4 +36,4 @@ class SineForCosine(Mistake):
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         for name, symbol in angles(equations).items():
-            yield Model(f"sine and cosine of {name} are exchanged", equations, {symbol: sp.pi / 2 - symbol})
+            yield Model(f"sine and cosine of {printed(name)} are exchanged", equations, {symbol: sp.pi / 2 - symbol})

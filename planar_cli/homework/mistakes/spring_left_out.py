@@ -8,6 +8,7 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_at, with_put_in
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 
@@ -27,4 +28,4 @@ class SpringLeftOut(Mistake):
         for name, symbol in inputs_at(equations, problem, "stiffness").items():
             changed = with_put_in(equations, {symbol: sp.S.Zero})
             if changed is not None:
-                yield Model(f"this is the result without the spring {name}", changed)
+                yield Model(f"this is the result without the spring {printed(name)}", changed)

@@ -20,7 +20,7 @@ class WeightLeftOut(Mistake):
 
     In the equations
         g is zero in the equations of forces, moments and energies, and in formulas by which a reaction is told; or in
-        one equation of forces or moments alone, where it stands in several.
+        one equation of forces or moments alone, where it stands in several and others act there too.
     """
 
     kind: ClassVar[str] = "weight-left-out"
@@ -57,5 +57,7 @@ def _in_one(equations: Equations, without: dict[sp.Symbol, sp.Expr]) -> Iterable
     for k, i in places if len(places) > 1 else ():
         changed = with_step_changed(equations, k, i, lambda r: sp.sympify(r.xreplace(without)))
         bodies = " and ".join(map(printed, equations.steps[k].bodies[i]))
-        if changed is not None and bodies:
+        # Of N - m g cos β nothing would be left that presses: that is to leave out the friction.
+        left = sp.Add.make_args(sp.expand(equations.steps[k].residuals[i].xreplace(without)))
+        if changed is not None and bodies and len(left) > 1:
             yield Model(f"this is the result without the weight in one equation of {bodies}", changed)

@@ -10,7 +10,7 @@ A set is a file that lists problem files:
       - {file: rod.yaml, points: {alpha: 3, A_x: 1}}   or of each find; else each counts 1
       - {file: stop.yaml, ask: {s: "the compression of the spring"}}    what a find asks, in your words
     text: Hand in by Friday.
-    variants: {number: 30, seed: 7}
+    variants: {number: 30, seed: 7}                    without `number` as many as students are listed
     students: [s101, s102]                             the first has variant 1, the second variant 2, …
     tolerance: 0.01                                    relative; else that of each file, else one per cent
     sigfig: 3                                          within 0.51 of the last of three figures, not a tolerance
@@ -21,8 +21,9 @@ A set is a file that lists problem files:
 Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is
 given for the right number with a wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign
 or sense, with too few figures, and for what follows rightly from a wrong earlier value of the student's own (1 unless
-said otherwise). What is carried is the student's own value, put into the equations of the worked solution, so that a
-way by other equations may come to another number; a value of zero, or one that is far off, carries nothing.
+said otherwise). What is carried is the student's own value, also a vector, put into the equations of the worked
+solution, alone or with the student's right values, so that a way by other equations may come to another number; a value
+of zero, or one that is far off, carries nothing, nor does one of a motion that is followed in numbers.
 
 An answer with fewer than `figures` figures is told so, and has the credit for `precision`. With `decimal_comma` a
 semicolon parts the components of a vector, `[3,5; -4] m/s`; a point is a decimal point in any case.
