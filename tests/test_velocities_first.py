@@ -65,5 +65,13 @@ def test_the_centre_of_oblique_directions_and_what_is_asked_by_it() -> None:
     assert "v_M = IM |ω| = 0.7457 · 4.149 = 3.094 m/s" in page
 
 
+def test_the_size_of_a_vector_along_an_axis_needs_no_root() -> None:
+    assert "v_P = ω_arm × r_P/O = [0, 0.09 · 3.333] = [0, 0.3] m/s |v_P| = 0.3 m/s" in page_of_file("planetary-gear")
+
+
 def test_with_accelerations_the_relative_velocity_is_the_road() -> None:
     assert "cross at I" not in page_of_file("slider-crank-offset")
+
+
+def test_a_given_velocity_that_was_put_in_is_named() -> None:
+    assert "(2) v = (x_B - R) ω_rod by (1)" in page_of_file("wheel-that-pushes-a-rod")

@@ -348,7 +348,7 @@ class AskedTelling:
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
             size = self.slides.size(name) or size_of(vector, dimension_of(q), self.phrases)
-            yield Equation((*own, line("|", Name(name), "|"), size, *values))
+            yield Equation((*own, line("|", Name(name), "|"), *([size] if all(vector) else []), *values))
             return
         axis = self._axis(q)
         if own and (way := self.slides.part(name, axis)):

@@ -210,7 +210,8 @@ def speed_about(c: Centre, at: Vec, place: str, name: Line, told: Told) -> list[
     if c.letters is not None:
         square = simplified((at.x - c.letters.x) ** 2 + (at.y - c.letters.y) ** 2)
         sides = list(_lengths(simplified(sp.sqrt(square)), value, phrases))
-    sides = sides or [size_of((x, y), LENGTH, phrases)]
+    oblique = min(abs(x), abs(y)) > NEARLY * size
+    sides = sides or ([size_of((x, y), LENGTH, phrases)] if oblique else [])
     omega = phrases.certain(c.spin)
     turning = line("|", phrases.math(c.spin), "|") if omega < 0 else line(phrases.math(c.spin))
     numbers = (value.number, phrases.of_dimension(abs(omega), RATE, True).number)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 
 COMPONENT = re.compile(r"([va])\((\w+)\)\.[xy] = ")
@@ -23,6 +25,25 @@ def against(w: Written, number: sp.Expr) -> bool:
     if not given.lstrip("-")[:1].isdigit() or number == 0:
         return False
     return bool(number.could_extract_minus_sign()) != given.startswith("-")
+
+
+def with_given(
+    w: Written, blocks: list[Block], stage: Stage, vectors: VectorTelling, number: Callable[[Stage, int], int]
+) -> list[Block]:
+    """The blocks of a closing relation with the number of the given velocity that stands in it in place of an unknown:
+    v = (x_B - R) ω_rod, by (1).
+    """
+    last = blocks[-1] if blocks else None
+    j = next((j for j in vectors.system.tree.closures if j.joint == w.lead and j.place), None)
+    if w.source != "closure" or stage.level != "velocity" or j is None or not isinstance(last, Equation) or last.note:
+        return blocks
+    own = vectors.motion.velocity(j.point, j.mover)
+    put = w.residual.free_symbols - own.x.free_symbols - own.y.free_symbols
+    given = [g for b in stage.blocks for g in b.equations if g.source == "given" and not g.given and not g.times]
+    by = [g for g in given if put & g.residual.free_symbols and not g.residual.free_symbols <= w.residual.free_symbols]
+    if len(by) != 1 or len(last.sides) > 2:
+        return blocks
+    return [*blocks[:-1], replace(last, note=line(f"by ({number(stage, by[0].number)})"))]
 
 
 def vector_before(w: Written, vectors: VectorTelling, level: str) -> list[Block]:

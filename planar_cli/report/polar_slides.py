@@ -15,6 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
+from planar_cli.report.along_slots import by_angle
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.component_sums import Term, along_unit, both_told, sum_of_products
 from planar_cli.report.enough_figures import figures_of
@@ -119,7 +120,8 @@ class SlideTelling:
         terms = [[t for unit, x in row for t in _along(unit, x)] for row in rows]
         components = both_told(terms, self._phrases.figures)
         name, vector = line(Name(f"{level[0]}_{_index(place)}")), self._phrases.vector
-        units = line(Name("e_r"), " = ", *vector(c, s, PURE), ", ", Name("e_theta"), " = ", *vector(-s, c, PURE))
+        radial = line(Name("e_r"), " = ", *by_angle((c, s), (c, s)), *vector(c, s, PURE))
+        units = line(*radial, ", ", Name("e_theta"), " = ", *by_angle((-s, c), (c, s)), *vector(-s, c, PURE))
         return [*blocks, *before], (name, *sides, *([components] if components else [])), units if first else ()
 
     def coriolis(self, answer: str, q: Quantity, values: Sequence[Value]) -> Equation | None:
@@ -216,7 +218,10 @@ def _coriolis(told: Told, one: PolarSlide, answer: str, shown: Sequence[Value]) 
     else:
         letters = Math(2 * sp.Abs(LETTERS[1]) * sp.Abs(one.spin))
         numbers = _sum([(1, ((Decimal(2), 1), (abs(slide), 1), (abs(omega), 1)))], told)
-    return Equation((line(Name(answer)), letters, line(numbers), *shown), None, note=line("across ", one.frame))
+    way = "" if slide * omega > 0 else "-"
+    return Equation(
+        (line(Name(answer)), letters, line(numbers), *shown), None, note=line(f"along {way}", Name("e_theta"))
+    )
 
 
 def _size(one: PolarSlide, phrases: Phrases) -> Math:

@@ -22,7 +22,7 @@ from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.derivatives_after import derivatives_after
 from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, in_numbers, places, with_coordinates
-from planar_cli.report.given_components import vector_before
+from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
@@ -232,7 +232,7 @@ class Telling:
 
     def _reasoned(self, w: Written, stage: Stage) -> list[Block]:
         blocks = with_sum(w, self._equation(as_sum(w), stage), self._named)
-        return self._reasons.once(w, stage.level, self.number(stage, w.number), blocks)
+        return self._reasons.once(w, stage, self.number, with_given(w, blocks, stage, self.vectors, self.number))
 
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
