@@ -79,7 +79,7 @@ def test_a_sheet_tells_what_is_asked_and_how_to_hand_in(tmp_path: Path) -> None:
     assert "2*a(b)" not in page
     assert "<strong>s</strong>, in m/s²" in page
     assert "<strong>n</strong>: three times the acceleration upward, in m/s²" in page
-    assert "β = 20°, μ_k = 0.2" in page
+    assert "Also given: β = 20°, μ<sub>k</sub> = 0.2" in page
     assert "slot.s:  # 12.3 m/s^2" in page
     assert "Give 3 significant figures" in page
 
