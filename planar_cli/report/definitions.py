@@ -18,6 +18,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
+from planar_cli.solve.instant.tangent_angle import GROOVE
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH
 
@@ -64,6 +65,7 @@ class DefinitionTelling:
                 symbol in wanted
                 and (symbol in first) == (kind == "m")
                 and not (expr.is_number and title.startswith("mass"))
+                and not title.startswith(GROOVE)
             ):
                 blocks += self._line(symbol, expr, self._is_length(symbol), OF_ASKED if CENTRE in title else least)
         return alike_together(blocks)

@@ -56,6 +56,7 @@ from planar_cli.report.only_body import with_only_body
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.plain_answers import with_plain_answers
+from planar_cli.report.polar_names import with_polar_names
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.restated import is_restated
@@ -153,7 +154,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
-    named = with_short_impulses(with_one_name(with_only_body((*opening, *blocks), problem)))
+    named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = with_loads_by_letter(named, problem)
     page = told_likewise(with_letters_apart(named, problem), problem)
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))

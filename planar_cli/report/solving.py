@@ -127,7 +127,7 @@ class SolvingTelling:
             for b in stage.blocks
             if not is_given(b)
             and not is_told(b, stage)
-            and not all((id(stage.algebra), w.number) in self.nil for w in b.equations)
+            and not all((id(stage.algebra), w.number) in self.nil | self.merged for w in b.equations)
         ]
 
     @staticmethod

@@ -43,6 +43,14 @@ def as_told(one: sp.Expr, other: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
     return ([other], -one) if other.is_Symbol and not one_is_letter else ([one], -other)
 
 
+def apart(residual: sp.Expr, unknowns: set[sp.Symbol]) -> tuple[list[sp.Expr], sp.Expr]:
+    """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""
+    parts = sp.Add.make_args(residual)
+    left = [p for p in parts if p.free_symbols & unknowns]
+    sense = -1 if left and all(p.could_extract_minus_sign() for p in left) else 1
+    return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
+
+
 def counts_clockwise(term: sp.Expr, system: System) -> bool:
     """Is it a rotation counterclockwise, of a body whose rotation counts clockwise?"""
     return any(e.turn < 0 and -term in (e.spin, e.spin_rate) for e in system.tree.edges)

@@ -22,12 +22,13 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
-from planar_cli.solve.instant.evident_sense import as_told, counts_clockwise, in_its_sense, with_the_motion
+from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
 from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.recognised import recognised
+from planar_cli.solve.instant.tangent_angle import of_groove
 from planar_cli.solve.instant.written import Explicit, Written
 
 LETTERS = "CKQSWZHJ"
@@ -93,7 +94,8 @@ class Writer:
         """The arm or the share of a force: multiplied out, where that keeps its letters."""
         found = tidy(coefficient)
         spread = expanded(found) if longer(found, LONGEST) else found
-        return self.short(coefficient if longer(spread, LONGEST) else spread)
+        told = of_groove(found, self.system, self.numbers.value) if self.plain else None
+        return told or self.short(coefficient if longer(spread, LONGEST) else spread)
 
     def shortened(self, expr: sp.Expr) -> sp.Expr:
         """A known side: powers of speeds stay visible, their long coefficients become numbers."""
@@ -238,11 +240,13 @@ class Writer:
         for body in bodies:
             mass = self.system.scene.bodies[body].mass
             if mass != 0:
-                right += [
-                    mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)
-                ]
+                parts = [(component, direction.dot(d)) for direction, component in self.acceleration(body)]
+                right += [mass * component * self._factor(share) for component, share in parts]
         written = self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
         return replace(written, along=(d.x, d.y))
+
+    def _factor(self, c: sp.Expr) -> sp.Expr:
+        return (of_groove(c, self.system, self.numbers.value) if self.plain else None) or self.short(c)
 
     def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         center, name = self._centre(bodies, choice)
@@ -381,7 +385,7 @@ class Writer:
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = as_told(*left)
-        left, right = (left, right) if left else self._apart(residual)
+        left, right = (left, right) if left else apart(self.shortened(residual), set(self.numbers.unknowns))
         if len(left) == 1 and counts_clockwise(left[0], self.system):
             left, right = [-left[0]], -right
         datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
@@ -389,11 +393,3 @@ class Writer:
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
         return replace(written, along=along, place=condition.place, times=condition.times)
-
-    def _apart(self, residual: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
-        """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""
-        unknowns = set(self.numbers.unknowns)
-        parts = sp.Add.make_args(self.shortened(residual))
-        left = [p for p in parts if p.free_symbols & unknowns]
-        sense = -1 if left and all(p.could_extract_minus_sign() for p in left) else 1
-        return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
