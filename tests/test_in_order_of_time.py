@@ -1,4 +1,4 @@
-"""A motion that a blow parts is told in the order of time."""
+"""A motion that a blow or other forces part is told in the order of time."""
 
 from __future__ import annotations
 
@@ -23,6 +23,9 @@ STEP = re.compile(r"^(?:MOTION|STEP \d+)  (.+?)(?:  +(states .+)|  .*)?$", re.MU
     ("bullet-stays-in-a-block", [
         ("Impulse and momentum", "states before, after"),
         ("Kinetic analysis", ""), ("Work and energy", "states after, stop")]),
+    ("ball-up-with-drag", [
+        ("from up to top", ""), ("Kinetic analysis", ""), ("Motion over time", "states up, top"),
+        ("from top to back", ""), ("Kinetic analysis", ""), ("Motion over time", "states top, back")]),
 ])  # fmt: skip
 def test_a_blow_comes_between_what_leads_to_it_and_the_forces_after_it(stem: str, steps: list[tuple[str, str]]) -> None:
     printed = Terminal(100).render(narrate(worked(FILES[stem])[0]))

@@ -1,5 +1,5 @@
-"""A motion in the order of time, where a blow parts it: what leads to the state just after the blow, and the blow
-itself, come before the forces that act from there on.
+"""A motion in the order of time, where a blow or other forces part it: what leads to the state just after the blow, and
+the blow itself, or the whole way up of a ball in air, come before the forces that act from there on.
 
     STEP 1  Impulse and momentum        the cue strikes
     STEP 2  Kinetic analysis            then the ball slides
@@ -15,8 +15,8 @@ from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RegimeTr
 def steps_before(
     found: MotionTrace, regime: RegimeTrace, legs: Sequence[RouteStep], early: Collection[RouteStep]
 ) -> list[RouteStep]:
-    """The steps that lead up to the first state of a regime, where that is the end of a blow or later; empty: no blow
-    comes before it that was not told. `legs`: all steps that are told; `early`: those that were.
+    """The steps that lead up to the first state of a regime; empty: no blow comes before it that was not told, and no
+    motion. `legs`: all steps that are told; `early`: those that were.
     """
     if found.turnings or not regime.stretches:
         return []
@@ -27,7 +27,7 @@ def steps_before(
         if leg not in early and _last(leg, found) <= start and (leg.needs & found.unknowns) <= known:
             led.append(leg)
             known |= set(leg.unknowns)
-    if not any(isinstance(e.source, ImpactEquation) for leg in led for e in leg.relations):
+    if not any(isinstance(e.source, ImpactEquation) or e.law is not None for leg in led for e in leg.relations):
         return []
     needed = {s for leg in led if not leg.is_datum for s in leg.needs}
     kept = [leg for leg in led if not leg.is_datum or needed & set(leg.unknowns)]
