@@ -16,6 +16,7 @@ from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
 from planar_cli.report.turning_values import DERIVATIVE, over_time
 from planar_cli.report.words import Phrases
+from planar_cli.solve.between.by_functions import FUNCTION
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, Result, RouteStep
 
 ANGLE = "angle of "
@@ -34,6 +35,9 @@ def told_at_once(
     """
     e, r = leg.relations[0], leg.results[0]
     if len(leg.relations) > 1 or len(leg.results) > 1 or not e.stop or r.formula is None:
+        return
+    if e.kind == FUNCTION:
+        yield Equation((Math(r.unknown), phrases.math(sp.sympify(r.formula))), None, line(at(e.stop)))
         return
     if e.kind == "given" and r.formula in found.general and r.unknown not in found.general:
         # v_0 is the speed in state 1 that the equations have given.

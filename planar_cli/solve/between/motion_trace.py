@@ -18,6 +18,7 @@ from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.by_centres import in_centres, without_places
+from planar_cli.solve.between.by_functions import by_functions
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.elapsed import by_what_passes
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
@@ -110,7 +111,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_terminal_speed(by_what_passes(by_what_is_asked(by_lines(made))))
+    return by_functions(by_terminal_speed(by_what_passes(by_what_is_asked(by_lines(made)))))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
