@@ -228,7 +228,7 @@ def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
         "v_G,2 = (R - r) φ̇_2 ω_ball,2 = -(R - r) φ̇_2 / r ball rolls without slipping",
     ),
     ("disk-rolling-in-a-trough", "v_G,2 = (R - r) φ̇_2 ω_disk,2 = -(R - r) φ̇_2 / r disk rolls without slipping"),
-    ("simple-pendulum", "v_2 = l θ̇_2 E_k,2"),
+    ("pendulum-against-a-wall", "v_hit = l φ̇_hit E_k,hit"),
 ])  # fmt: skip
 def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: str, line: str) -> None:
     """A mass centre with a coordinate of its own moves as that tells, whether its body rolls or not."""

@@ -23,7 +23,7 @@ STEMS = (
         "yo-yo",
         "jet-on-a-vane",
     ),
-    *("simple-pendulum", "two-trains-on-crossing-lines"),
+    *("simple-pendulum", "pendulum-against-a-wall", "two-trains-on-crossing-lines"),
 )
 FILES = [p for p in PROBLEMS if p.stem in STEMS]
 
@@ -63,7 +63,7 @@ def test_words_beside_the_same_equations(path: Path) -> None:
     ("yo-yo", "thread: where the cord leaves yoyo it moves as the rim on which it is wound"),
     ("yo-yo", "forget the kinetic energy of a rotation"),
     ("jet-on-a-vane", "A stream presses with the mass that arrives in a second"),
-    ("simple-pendulum", "take the way along the path for the difference of the heights"),
+    ("pendulum-against-a-wall", "take the way along the path for the difference of the heights"),
     ("two-trains-on-crossing-lines", "relative to something that moves is the difference of both"),
 ])  # fmt: skip
 def test_words_of_this_page(stem: str, words: str) -> None:
