@@ -73,7 +73,6 @@ from planar_cli.report.told_at_once import told_at_once
 from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import that_vanish, without_zeros
-from planar_cli.solve.between.by_functions import is_by_functions
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
@@ -129,7 +128,7 @@ class MotionTelling:
         yield from (*times_given(self.found, self.phrases), *turning_blocks(self.found, self.phrases))
         yield from () if self.early else nil_impulses(self.found, self.phrases)
         functions = passing_blocks(self.found, self.phrases, self.told_route)
-        yield from functions if is_by_functions(self.found) else ()
+        yield from functions if self.found.is_by_functions() else ()
         way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         asked = AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()

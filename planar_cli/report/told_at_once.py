@@ -16,8 +16,15 @@ from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
 from planar_cli.report.turning_values import DERIVATIVE, over_time
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.by_functions import FUNCTION
-from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, Result, RouteStep
+from planar_cli.solve.between.trace import (
+    FUNCTION,
+    BalanceTrace,
+    ImpactEquation,
+    MotionTrace,
+    Relation,
+    Result,
+    RouteStep,
+)
 
 ANGLE = "angle of "
 SAME = Decimal("1e-20")

@@ -11,10 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero
-from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Relation, RouteStep
-
-FUNCTION = "function"
-"""The kind of such a relation."""
+from planar_cli.solve.between.trace import FUNCTION, BalanceTrace, MotionTrace, Relation, RouteStep
 
 
 def by_functions(motion: MotionTrace) -> MotionTrace:
@@ -27,11 +24,6 @@ def by_functions(motion: MotionTrace) -> MotionTrace:
         return motion
     changed = tuple(told.get(id(step)) or step for step in motion.route.steps)
     return replace(motion, route=replace(motion.route, steps=changed))
-
-
-def is_by_functions(motion: MotionTrace) -> bool:
-    """Does anything at a state follow from a function, which then comes first?"""
-    return any(e.kind == FUNCTION for step in motion.route.steps for e in step.relations)
 
 
 def _told(step: RouteStep, motion: MotionTrace) -> RouteStep | None:

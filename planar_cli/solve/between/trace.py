@@ -118,6 +118,10 @@ class AimTrace:
     timed: tuple[sp.Expr, ...] = ()
 
 
+FUNCTION = "function"
+"""The kind of a relation by which something at a state is what a function of the place is there."""
+
+
 @record
 class Relation:
     """One equation between states: `residual` vanishes."""
@@ -385,6 +389,10 @@ class MotionTrace:
     def regime(self, solution: InstantSolution) -> RegimeTrace:
         """The regime of a general position."""
         return next(r for r in self.regimes if r.solution is solution)
+
+    def is_by_functions(self) -> bool:
+        """Does anything at a state follow from a function of the place, which then comes first?"""
+        return any(e.kind == FUNCTION for step in self.route.steps for e in step.relations)
 
     def is_read_off(self, find: Find | None) -> bool:
         """Does the number of a find rest on one that following the motion alone has given?"""
