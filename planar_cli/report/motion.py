@@ -69,7 +69,7 @@ from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.times_given import times_given
-from planar_cli.report.told_at_once import told_at_once
+from planar_cli.report.told_at_once import is_by_functions, told_at_once
 from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import that_vanish, without_zeros
@@ -128,7 +128,7 @@ class MotionTelling:
         yield from (*times_given(self.found, self.phrases), *turning_blocks(self.found, self.phrases))
         yield from () if self.early else nil_impulses(self.found, self.phrases)
         functions = passing_blocks(self.found, self.phrases, self.told_route)
-        yield from functions if self.found.is_by_functions() else ()
+        yield from functions if is_by_functions(self.found) else ()
         way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         asked = AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()

@@ -64,6 +64,11 @@ def told_at_once(
     yield Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Math(r.unknown), " = ", shown))
 
 
+def is_by_functions(found: MotionTrace) -> bool:
+    """Does anything at a state follow from a function of the place, which then comes first?"""
+    return any(e.kind == FUNCTION for step in found.route.steps for e in step.relations)
+
+
 def _place_of_rest(r: Result, later: Sequence[RouteStep], found: MotionTrace) -> tuple[Relation, sp.Symbol] | None:
     """The relation of a vibration, and the letter of its place of rest, where a place of a state is that."""
     for e in (e for leg in later for e in leg.relations if e.law is not None and e.law.vibration is not None):

@@ -390,10 +390,6 @@ class MotionTrace:
         """The regime of a general position."""
         return next(r for r in self.regimes if r.solution is solution)
 
-    def is_by_functions(self) -> bool:
-        """Does anything at a state follow from a function of the place, which then comes first?"""
-        return any(e.kind == FUNCTION for step in self.route.steps for e in step.relations)
-
     def is_read_off(self, find: Find | None) -> bool:
         """Does the number of a find rest on one that following the motion alone has given?"""
         rests = {s for r in self.requests if r.find is find for e in r.parts for s in e.free_symbols}
