@@ -73,3 +73,15 @@ def test_one_body_in_equilibrium_and_one_equation_without_the_weight() -> None:
     assert a is not None
     alone = told["this is the result without the weight in one equation of load"]
     assert alone == pytest.approx(80 / 32.2 * float(a[0]))
+
+
+def test_equations_that_give_other_numbers_say_nothing() -> None:
+    # Three instants of one linkage call its speed by one name.
+    worked = read_and_solve(str(PROBLEMS / "kinematics" / "quick-return-stroke.yaml"), "p")
+    (part,) = worked.parts
+    assert part.replay is not None
+    run = part.replay.run({})
+    for name in part.replay.equations.asked:
+        due = [float(v) for f in part.solution.found if f.name == name for v in f.values or ()]
+        assert [float(n[0]) for n in run.asked(name)] == pytest.approx(due)
+    assert "returning" not in part.replay.equations.asked

@@ -47,6 +47,8 @@ MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
 """Quantities of which a part along an axis is told to the right or left, upward or downward."""
 COUNTERCLOCKWISE = "counterclockwise", "clockwise"
 ALONG = {"x": ("to the right", "to the left"), "y": ("upward", "downward")}
+AGREES, NEARLY_ZERO = 1e-6, 1e-9
+"""Relative, and in base units: the equations carried out give what was found."""
 APART = 3.0
 """A mistake tells something where it is off by so many tolerances."""
 
@@ -132,10 +134,25 @@ def _of_part(problem: Problem, part: PartSolution) -> Problem:
 
 
 def _part(part: PartSolution, problem: Problem) -> Part:
+    """A part with its equations, for those finds of which they give what was found."""
     try:
-        return Part(part, problem, Replay(equations_of(part)))
+        replay = Replay(equations_of(part))
     except NotWritten as why:
         return Part(part, problem, None, str(why))
+    asked, run = replay.equations.asked, replay.run({})
+    due = {f.name: [float(v) for v in f.values or ()] for f in part.found}
+    same = {n: a for n, a in asked.items() if _agrees([float(v[0]) for v in run.asked(n)], due[n])}
+    if len(same) < len(asked):
+        # Instants that have the same letters for other numbers.
+        equations = replace(replay.equations, asked=same)
+        replay = Replay(equations, replay)
+    return Part(part, problem, replay) if same else Part(part, problem, None, "its equations give other numbers")
+
+
+def _agrees(numbers: Sequence[float], due: Sequence[float]) -> bool:
+    size = max(map(abs, due), default=0.0)
+    pairs = zip(numbers, due, strict=False)
+    return len(numbers) == len(due) and all(abs(n - d) <= AGREES * size + NEARLY_ZERO for n, d in pairs)
 
 
 # --- numbers of many variants ----------------------------------------------------------------------------------------

@@ -138,7 +138,8 @@ def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Mod
     if len(rates) < 2:
         return
     for rate in sorted(rates, key=lambda s: s.name):
-        yield Model(f"{feedback} with {printed(rate.name.partition('__')[0])}", _without_rate(equations, symbol, rate))
+        said = feedback.replace(" is missing", f" with {printed(rate.name.partition('__')[0])} is missing")
+        yield Model(said, _without_rate(equations, symbol, rate))
 
 
 def _formulas(equations: Equations) -> Iterator[sp.Expr]:
