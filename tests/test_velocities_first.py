@@ -5,7 +5,11 @@ are told by the instantaneous centre.
 from __future__ import annotations
 
 import pytest
-from worked import page_of_file
+from conftest import ROOT
+from worked import page_of_file, worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import Voice, narrate
 
 
 @pytest.mark.parametrize(("stem", "velocity", "acceleration"), [
@@ -67,6 +71,12 @@ def test_the_centre_of_oblique_directions_and_what_is_asked_by_it() -> None:
 
 def test_the_size_of_a_vector_along_an_axis_needs_no_root() -> None:
     assert "v_P = ω_arm × r_P/O = [0, 0.09 · 3.333] = [0, 0.3] m/s |v_P| = 0.3 m/s" in page_of_file("planetary-gear")
+
+
+def test_a_key_names_the_centre_as_well() -> None:
+    solution, _ = worked(ROOT / "problems" / "kinematics" / "instantaneous-centre.yaml")
+    key = " ".join(Terminal(200).render(narrate(solution, Voice(audience="exam"))).split())
+    assert "Principle The instantaneous centre I of a body" in key
 
 
 def test_with_accelerations_the_relative_velocity_is_the_road() -> None:

@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -44,6 +45,8 @@ from planar_cli.units import LENGTH, PURE, RATE, VELOCITY
 
 CENTRE = "I"
 ABOUT_CENTRE = "cross at I, the instantaneous centre of"
+FROM_CENTRE = re.compile(f"{CENTRE}[A-Z]")
+"""A distance from the centre."""
 NEARLY = Decimal("1e-12")
 SHORT = 7
 """A distance of more operations is told by its numbers alone."""

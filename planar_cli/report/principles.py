@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
-from planar_cli.report.by_centre import ABOUT_CENTRE
+from planar_cli.report.by_centre import ABOUT_CENTRE, FROM_CENTRE
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.uses import OVER_TIME, Uses
 from planar_cli.solve.law import RELATIVE as ALIKE
@@ -81,6 +81,7 @@ def _printed(page: Sequence[Block]) -> Printed:
             continue
         names |= set(heads)
         in_turn |= "/dt" in texts
+        centre |= any(FROM_CENTRE.fullmatch(text) for text in texts)
         if CROSS in texts:
             levels |= {h[0] for h in heads[:1] if h[:2] in ("v_", "a_")}
             coriolis |= DOUBLED in texts
