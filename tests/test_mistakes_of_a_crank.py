@@ -54,6 +54,7 @@ def graded(homework: Homework, **typed: str) -> dict[str, Graded]:
         ("omega_AB", "41.84 rad/s cw", "given-not-converted", "n was put in with the number of rpm"),
         ("v_A", "[-9.193, 7.713] m/s", "given-not-converted", "without conversion"),
         ("alpha_AB", "5175 rad/s^2 cw", "given-not-converted", "without conversion"),
+        ("alpha_AB", "5180 rad/s^2 cw", "given-not-converted", "without conversion"),
     ],
 )
 def test_it_is_named(homework: Homework, find: str, typed: str, mistake: str, said: str) -> None:

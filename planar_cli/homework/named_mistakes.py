@@ -17,6 +17,8 @@ WIDEST = 2e-3
 LAST_PLACE = 0.6
 """Of a unit in the last place: rounded once, and a little for what was rounded before."""
 
+LARGEST_WHOLE = 1e15
+"""Beyond it not all digits of a number are certain."""
 AT_PLACES = 1e-7
 """Relative: what equations that are solved in numbers come to may be off by this."""
 
@@ -28,7 +30,7 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
     told = [f for f, v in zip(answer.figures, values, strict=False) if v]
     if not told or min(told) < min(FEWEST, asked):
         return one
-    places = _last_places(values, answer)
+    places = _last_places(values, answer, asked)
     return _told(one, [m for m in expected.mistakes if _same(m.values, values, places)])
 
 
@@ -59,14 +61,23 @@ def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
     return replace(one, mistakes=names, feedback=feedback)
 
 
-def _last_places(values: Sequence[float], answer: Typed) -> list[float]:
-    """A unit in the last place that was typed of each number, in the unit of the find; 0 of a zero."""
+def _last_places(values: Sequence[float], answer: Typed, asked: int) -> list[float]:
+    """A unit in the last place that was typed of each number, in the unit of the find; 0 of a zero. Zeros at the end of
+    a whole number may fill it up behind the figures that are `asked`: 4150 has three.
+    """
+    told = [max(f - _zeros_at_its_end(v), min(f, asked)) for f, v in zip(answer.figures, answer.values, strict=False)]
     as_typed = math.hypot(*answer.values)
     factor = 1.0 if answer.polar or not as_typed else math.hypot(*values) / as_typed
     return [
         factor * 10.0 ** (math.floor(math.log10(abs(v) / factor)) - f + 1) if v else 0.0
-        for v, f in zip(values, answer.figures, strict=False)
+        for v, f in zip(values, told, strict=False)
     ]
+
+
+def _zeros_at_its_end(value: float) -> int:
+    """Of a whole number; 0 of any other."""
+    digits = f"{abs(value):.0f}" if value == round(value) and abs(value) < LARGEST_WHOLE else ""
+    return len(digits) - len(digits.rstrip("0"))
 
 
 def _same(due: Sequence[float], values: Sequence[float], places: Sequence[float]) -> bool:
