@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement
 from planar_cli.figures.diagrams import diagram
-from planar_cli.report.blocks import Block, Document, Drawing, Forces, Heading, Paragraph
+from planar_cli.figures.polygons import polygons
+from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph
 from planar_cli.report.marks import Figure
 from planar_cli.solve.solved_problem import Solution
 
@@ -19,10 +20,18 @@ def illustrated(document: Document, solution: Solution) -> Document:
 
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     first = _arrangement(solution)
+    instant = next((i for part in solution.parts for i in part.instants if part.motion is None), None)
+    step: list[Block] = []
     for block in document.blocks:
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
             first = None
+        if isinstance(block, Heading | Answer):
+            # Of several cases the first one has polygons, as it has the scene.
+            found = polygons(step, instant) if instant is not None else []
+            yield from map(Drawing, found)
+            instant, step = None if found else instant, []
+        step.append(block)
         yield block
         if isinstance(block, Forces) and (figure := diagram(block)) is not None:
             yield Drawing(figure)
@@ -34,7 +43,7 @@ def _arrangement(solution: Solution) -> Figure | None:
     if found is None:
         return None
     part, instant = found
-    return Figure((arrangement(instant, part.motion),), solution.problem.title)
+    return Figure((arrangement(instant, part.motion),), solution.problem.title, name="scene")
 
 
 def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:
@@ -43,7 +52,7 @@ def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:
     before: Block = Heading("", "")
     for block in document.blocks:
         if isinstance(block, Drawing):
-            name = before.body if isinstance(before, Forces) else "scene"
+            name = before.body if isinstance(before, Forces) else block.figure.name
             seen[name] = seen.get(name, 0) + 1
             yield name if seen[name] == 1 else f"{name}-{seen[name]}", block.figure
         before = block

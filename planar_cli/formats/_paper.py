@@ -18,7 +18,7 @@ SIZE = 13.0
 SMALL = 0.72
 """Of an index."""
 WIDE, NARROW = set("mwMW∑Σ@ω"), set("iljtfrI.,:;|'′()[] /")
-_INDEX = re.compile(r"_([^\s/)\]=<>+·]+)")
+_INDEX = re.compile(r"_([^\s/)\]=<>+·²³⁴′]+)")
 
 
 @record

@@ -164,12 +164,13 @@ class Panel:
 class Figure:
     """Panels side by side, in one scale; between them stands `between` (an = of two diagrams that are equal).
 
-    `words`: what it shows, for who cannot see it.
+    `words`: what it shows, for who cannot see it; `name`: for its own file.
     """
 
     panels: tuple[Panel, ...]
     words: str
     between: str = ""
+    name: str = "figure"
 
 
 def spots_of(mark: Mark) -> Iterator[Spot]:
