@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.components import Components
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Role
-from planar_cli.equation.motion import TreeBuilder, Twist
+from planar_cli.equation.motion import Edge, Tree, TreeBuilder, Twist, component
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.setup import Setup
 from planar_cli.equation.struck import StruckScene
@@ -21,11 +22,12 @@ from planar_cli.equation.system import Statements, mode_of
 from planar_cli.errors import refuse
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import AtRest, Binary, Grouped, Name, Quantity, Relation, Side, Statement
-from planar_cli.problem.facts import Mode, Push
+from planar_cli.problem.facts import Joining, Mode, Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
+from planar_cli.solve.impulsive.oblique import oblique_strikes
 from planar_cli.solve.instant.asked import FORCES
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.units import parse_unit
@@ -44,6 +46,28 @@ class AfterTree(TreeBuilder):
 
     known: Mapping[str, sp.Symbol]
     mark: str
+    oblique: Mapping[str, Vec]
+    """Particles that strike something oblique, with the tangent there."""
+
+    def build(self, joinings: Iterable[Joining], hang: bool = True) -> Tree:
+        """The tree; velocities of particles that strike something oblique count along the tangent and the normal."""
+        tree = super().build(joinings, hang)
+        return replace(tree, edges=tuple(self._resolved(e) for e in tree.edges)) if hang else tree
+
+    def _resolved(self, edge: Edge) -> Edge:
+        axis = self.oblique.get(edge.body)
+        if axis is None or edge.joining is not None or edge.components is not None:
+            return edge
+        name = self.center_name(edge.body) or edge.body
+        # The letters have their state, as those of the motion have; the mark of one of several blows is it already.
+        state = next((s.name.partition("__")[2] for s in self.known.values()), "")
+        ending, kinds = "" if self.mark or not state else f"__{state}", ("velocity", "acceleration")
+        index = {way: way if len(self.bodies) == 1 else component(name, way) for way in ("t", "n")}
+        (u_t, v_t), (u_n, v_n) = (
+            self._pair(f"{i}{ending}", *(f"{kind} of {name} along {way}" for kind in kinds)) for way, i in index.items()
+        )
+        own = Components(axis, (u_t, u_n), (v_t, v_n))
+        return replace(edge, slide=u_t, slide_rate=v_t, rise=u_n, rise_rate=v_n, components=own, upward=1)
 
     def _pair(
         self, index: str, speed: str, rate: str, *, turns: bool = False, bent: bool = False
@@ -122,6 +146,7 @@ class Struck(Instant):
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
         made.known, made.mark = self.known, self.mark
+        made.oblique = oblique_strikes(self.scene)
         return made
 
     def name_of(self, push: Push) -> tuple[str, str]:
