@@ -250,7 +250,7 @@ def test_the_sum_from_which_a_line_goes_on_stands_before_it() -> None:
 
 def test_the_root_of_a_speed_that_is_the_state_before_itself() -> None:
     told = page("bob-whose-cord-catches-on-a-nail")
-    assert "not ±6.264 m/s, which is state 2 itself; it goes on in the same sense" in told
+    assert "not ±6.264 m/s: that is state 2 itself; it goes on in the same sense" in told
     assert "At 2, x_bob = 0: l cos φ_P,2 = 0 φ_P,2 = -90°" in told
 
 

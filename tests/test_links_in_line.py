@@ -23,7 +23,7 @@ def page() -> str:
         "B rests for a moment: A then moves perpendicularly to AB and to OA, so that OA and AB lie in one line",
         "At 2, v_slider,x = 0, OA and AB lie in one line, stretched:",
         "(l - r_c) sin θ_crank,1 = e",
-        "not 23.58°, where AB would point to the left",
+        "Not 23.58°: there AB would point to the left",
         "At 3, v_slider,x = 0, folded as at 1, one turn later:",
         "stroke = √((l + r_c)² - e²) - √((l - r_c)² - e²)",
         "turning = √((l - r_c)² - e²)",

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from planar_cli.report.blocks import Answer, Block, Text
+from planar_cli.report.blocks import Answer, Block, Heading, Name, Paragraph, Text, line
 from planar_cli.report.one_name import renamed
 from planar_cli.report.turning_axes import coordinates_turned
 from planar_cli.solve.between.trace import MotionTrace
@@ -23,10 +23,13 @@ def with_axes_of_frames(blocks: Sequence[Block], motion: MotionTrace | None) -> 
     places = {} if motion is None else coordinates_turned(motion)
     if motion is None or len(places) != 1:
         return list(blocks)
-    ((place, point),) = places.items()
+    ((place, (point, frame)),) = places.items()
     names = {place.name: "xi"} | {f"{place.name}{dots}": f"xi{dots}" for dots in RATES}
     names |= {f"{own}__{state}": f"{new}__{state}" for own, new in tuple(names.items()) for state in motion.states}
-    return [_spoken(b, point) for b in renamed(blocks, names)]
+    told = [_spoken(b, point) for b in renamed(blocks, names)]
+    first = next((i for i, b in enumerate(told) if isinstance(b, Heading)), -1)
+    what = f": coordinates of {point} along axes that turn with {frame}, x and y at the start"
+    return [*told[: first + 1], Paragraph(line(Name("xi"), ", ", Name("eta"), what)), *told[first + 1 :]]
 
 
 def _spoken(block: Block, point: str) -> Block:

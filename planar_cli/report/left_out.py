@@ -87,7 +87,7 @@ def _as_before(found: MotionTrace, r: Result, others: list[Decimal], phrases: Ph
     if len(others) != 3 or len(same) != 2 or was * r.value <= 0 or not any(_close(-v, r.value) for v in others):
         return None
     shown = phrases.shown(r.unknown, abs(was))
-    words = f", which is state {_state(found, earlier)} itself; it goes on in the same sense"
+    words = f": that is state {_state(found, earlier)} itself; it goes on in the same sense"
     return Paragraph(line("not ±", shown, words))
 
 

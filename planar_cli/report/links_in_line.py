@@ -53,7 +53,8 @@ def _first(
     slope = simplified(sp.diff(closed, own.first) / sp.cos(own.first))
     whole = slope * sp.sin(own.first) + simplified(closed.xreplace({own.first: sp.S.Zero}))
     yield Equation(tuple(phrases.math(s) for s in balanced(loop, whole)), number)
-    yield Equation(sides, None, line(f"({number}):"), _not_the_other(own, found, phrases))
+    yield Equation(sides, None, line(f"({number}):"))
+    yield from _not_the_other(own, found, phrases)
 
 
 def _again(
@@ -114,11 +115,12 @@ def _rods(own: LinksInLine, found: MotionTrace) -> tuple[str, str, str, str] | N
     return "".join(ends[0]), "".join(ends[1]), joint, end
 
 
-def _not_the_other(own: LinksInLine, found: MotionTrace, phrases: Phrases) -> Line:
+def _not_the_other(own: LinksInLine, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """The sine has a second angle: there the second rod points to the other side."""
     names = _rods(own, found)
     if names is None or phrases.symbolic:
-        return ()
+        return
     mirrored = -(found.value(own.first) * HALF_TURN / PI + HALF_TURN) % (2 * HALF_TURN) + 2 * HALF_TURN
     side = "left" if found.value(sp.cos(own.other)) > 0 else "right"
-    return line("not ", Value(mirrored, "deg", phrases.figures), f", where {names[1]} would point to the {side}")
+    words = f": there {names[1]} would point to the {side}"
+    yield Paragraph(line("Not ", Value(mirrored, "deg", phrases.figures), words))

@@ -51,6 +51,7 @@ from planar_cli.report.laws_solved import with_laws_solved
 from planar_cli.report.likewise import told_likewise
 from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
+from planar_cli.report.near_rest import with_numbers
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.only_body import with_only_body
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -197,7 +198,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
     blocks = with_frames_apart(with_component_letters(blocks, part.found), part.found)
-    blocks = with_axes_of_frames(blocks, part.motion)
+    blocks = with_numbers(with_axes_of_frames(blocks, part.motion))
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):

@@ -4,7 +4,7 @@ in the equilibrium without the terms with ω², which are of the second order.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,7 +13,7 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import simplified
 from planar_cli.report.actions import onward
-from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Text
+from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text
 from planar_cli.report.telling import Telling
 from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
@@ -21,6 +21,7 @@ from planar_cli.solve.between.oscillation_trace import NearRest
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.solution import InstantSolution
 
+SOLVED = "Solved for "
 SECOND_ORDER = "; terms with ω² are of the second order in it and left out"
 
 
@@ -38,6 +39,23 @@ def sides_near(telling: Telling, near: NearRest, deviation: sp.Symbol) -> dict[i
                 sign = 1 if onward(w).left == w.left else -1
                 found[telling.number(stage, w.number)] = (sign * near.slope * deviation, sign * near.inertia)
     return found
+
+
+def with_numbers(blocks: Sequence[Block]) -> list[Block]:
+    """`(1):` before the equation of motion that the last sum above it gives, solved for δ̈."""
+    found: list[Block] = []
+    number: int | None = None
+    for block in blocks:
+        if isinstance(block, Equation) and block.number is not None and _is_sum(block):
+            number = block.number
+        solved = bool(found) and isinstance(found[-1], Paragraph) and found[-1].line[:1] == (Text(SOLVED),)
+        led = isinstance(block, Equation) and solved and number is not None
+        found.append(replace(block, lead=(Text(f"({number}):"),)) if isinstance(block, Equation) and led else block)
+    return found
+
+
+def _is_sum(equation: Equation) -> bool:
+    return any(isinstance(p, Name) and p.name.startswith("Σ") for p in equation.lead)
 
 
 def differences(near: NearRest) -> list[tuple[sp.Symbol, sp.Symbol]]:

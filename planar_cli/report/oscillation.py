@@ -15,7 +15,7 @@ from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragr
 from planar_cli.report.formula import is_negative
 from planar_cli.report.linearised import DEVIATION, near_equilibrium
 from planar_cli.report.modes import mode_blocks
-from planar_cli.report.near_rest import differences
+from planar_cli.report.near_rest import SOLVED, differences
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
@@ -174,7 +174,7 @@ def _stiffness(found: OscillationTrace, linear: bool) -> sp.Expr:
 def _linear_words(found: OscillationTrace, value: Valuation, phrases: Phrases, linear: bool) -> Line:
     """What the linear equation of motion comes from."""
     if linear:
-        return line("Solved for ", phrases.math(RATES[1]), ", all on one side:")
+        return line(SOLVED, phrases.math(RATES[1]), ", this is the equation of motion:")
     near = near_equilibrium(found, value, phrases)
     there = line(", ", *near, ",") if near else ()
     return line("For a small deviation ", phrases.math(DEVIATION), " from there", *there, " its linear part is:")

@@ -181,10 +181,10 @@ def acceleration_words(spin: Math, bent: bool) -> Line:
     return line(*law, ": ", *relative, *coriolis)
 
 
-def coordinates_turned(found: MotionTrace) -> dict[sp.Symbol, str]:
-    """The coordinates along an axis of a turning body, with the points whose they are."""
+def coordinates_turned(found: MotionTrace) -> dict[sp.Symbol, tuple[str, str]]:
+    """The coordinates along an axis of a turning body, with the points whose they are and that body."""
     turned = (t for r in found.requests if (t := _turned(found, r)) is not None)
-    return {t.place: t.point for t in turned}
+    return {t.place: (t.point, t.frame) for t in turned}
 
 
 def in_turning_axes(found: MotionTrace) -> frozenset[str]:
