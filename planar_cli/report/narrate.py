@@ -344,7 +344,7 @@ def _at(found: Found) -> str:
 
 def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[Block]:
     """What acts, unless it was told before."""
-    key = tuple(str(n) for n in (notes := effect_notes(instant)))
+    key = tuple(map(str, notes := effect_notes(instant)))
     if key not in told:
         yield from notes
         told.add(key)
