@@ -117,7 +117,9 @@ class _Reader:
         return items
 
     def _add(self, items: list[Item], made: Item, upright: bool) -> None:
-        if items and items[-1].kind == "function" and made.kind not in ("open", "space"):
+        behind_function = items and items[-1].kind == "function" and made.kind not in ("open", "space")
+        before_function = items and items[-1].kind in ("term", "letters", "close") and made.kind == "function"
+        if behind_function or before_function:
             items.append(_space(SPACES[","]))
         if upright and items and made.kind == items[-1].kind == "letters":
             both = re.sub("<.*?>", "", items.pop().mathml + made.mathml)
@@ -276,7 +278,8 @@ def _row(items: Sequence[Item]) -> Item:
 
 
 def _bracket(kind: str, sign: str) -> Item:
-    return Item(kind, f'<mo stretchy="false">{sign}</mo>')
+    form = "prefix" if kind == "open" else "postfix"
+    return Item(kind, f'<mo form="{form}" stretchy="false">{sign}</mo>')
 
 
 def _upright(text: str) -> Item:

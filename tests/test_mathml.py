@@ -40,6 +40,7 @@ def _told(element: ET.Element) -> str:
         (r"2~\mathrm{kg \cdot m^{2}}", "2 _ kg · msup(m 2)"),
         (r"30^{\circ}", "30 °"),
         (r"\sin^{2} \theta", "msup(sin 2) _ θ"),
+        (r"m g \cos \beta", "m g _ cos _ β"),
         (r"\cos(\omega t)", "cos ( ω t )"),
         (r"\left(\frac{a}{b} - 1\right)", "( mfrac(a b) − 1 )"),
         (r"\left\lvert \frac{a}{b} \right\rvert", "| mfrac(a b) |"),
