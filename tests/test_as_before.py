@@ -17,7 +17,7 @@ from planar_cli.report.told_before import defined_once
     [
         ("simple-pendulum", "as before: the diagram and (1), that is (2) of case released"),
         ("disk-held-by-a-spring", "as before: (1) and (2), that is (2) and (3) of case let go"),
-        ("bicycle-driven-and-braked", "STEP 4 Kinematic analysis as from 1 to 2: (9) to (12), there (1) to (4)"),
+        ("bicycle-driven-and-braked", "STEP 5 Kinematic analysis as from 1 to 2: (10) to (13), there (1) to (4)"),
     ],
 )
 def test_equations_that_had_other_numbers(stem: str, line: str) -> None:
