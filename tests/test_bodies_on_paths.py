@@ -78,9 +78,9 @@ def test_the_speed_of_a_mass_centre_has_its_reason() -> None:
 
 def test_a_long_coefficient_that_is_simple_is_written_so() -> None:
     page = _page("systems/wheel-pulled-uphill")
-    assert "a_By = R α" in page
-    assert "m g R sin β - T R = I_wheel α - m a_G R" in page
-    assert page.count("a_G = -R α = -0.3 (-5.474) = 1.642 m/s²") == 1, "no line twice"
+    assert "a_B = R α" in page
+    assert "T R - m g R sin β = m a_G R + I_wheel α" in page
+    assert page.count("a_G = R α = 0.3 · 5.474 = 1.642 m/s²") == 1, "no line twice"
 
 
 def test_a_spring_between_drawn_places_has_a_length() -> None:
