@@ -85,7 +85,7 @@ def test_what_the_name_would_not_say(name: str, letter: str, beside: str) -> Non
 def test_what_goes_with_it_is_called_after_the_same() -> None:
     """ω_gear,A beside α_gear,A, which is asked for as α_A."""
     page = page_of_file("gear-pair")
-    assert "a_C,gear,A = α_A × r_C/A - ω_A² r_C/A" in page
+    assert "(1) r_A α_A = -r_B α_B" in page
     assert "ω_A = 20 rad/s" in page
 
 
