@@ -74,9 +74,10 @@ def _tangent(leg: RouteStep, r: Result, route: RouteTrace, phrases: Phrases) -> 
     flat = residual.xreplace(letters)
     a, b = (derivative(flat, x) for x in letters.values())
     rest = flat - sp.Add(*(k * x for k, x in zip((a, b), letters.values(), strict=True)))
+    if 0 in (a, b) or not identically_zero(rest) or r.unknown in (a + b).free_symbols:
+        return None
     # Without one of the two waves it is a sine or a cosine alone.
-    absent = 0 in (a, b) or any(map(phrases.value.is_zero, (a, b)))
-    if absent or not identically_zero(rest) or r.unknown in (a + b).free_symbols:
+    if any(map(phrases.value.is_zero, (a, b))):
         return None
     ratio = simplified(-b / a)
     number = phrases.value.known(ratio)
