@@ -56,7 +56,7 @@ def test_friction_about_to_slip_is_drawn_as_it_acts() -> None:
 
 def test_a_couple_about_to_tip_is_drawn_as_it_acts() -> None:
     page = _page("friction/cabinet-on-a-tilting-floor")
-    assert "M_C ↻ (N_C acts at x = M_C/N_C beside C_1)" in page
+    assert "M_C ↻ (of N_C, which acts x beside C_1)" in page
     assert "M_C = 1/2 N_C b\n" in page
 
 

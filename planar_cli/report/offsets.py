@@ -53,9 +53,9 @@ def moment_of_loads(trial: Trial, push: Push, size: Decimal) -> sp.Expr | None:
 
 
 def beside_the_middle(system: System, push: Push, expr: sp.Expr) -> Line:
-    """What the couple of a normal force stands for in a diagram: ` (N_C acts at x = M_C/N_C beside C_1)`."""
+    """What the couple of a normal force stands for in a diagram: ` (of N_C, which acts x beside C_1)`."""
     normal = normal_of(system, push)
     if normal is None or not expr.is_Symbol:
         return ()
     force, letter, place = Math(system.symbols[normal.name]), Math(offset_letter(system)), Name(normal.place)
-    return line(" (", force, " acts at ", letter, " = ", Math(expr / force.expr), " beside ", place, ")")
+    return line(" (of ", force, ", which acts ", letter, " beside ", place, ")")
