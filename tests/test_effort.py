@@ -46,10 +46,11 @@ def test_where_no_law_is_needed_energies_stay() -> None:
 
 
 def test_a_velocity_that_stays_has_its_reason() -> None:
-    """No equation of the rolling ball and of the free carriages says that their accelerations are zero."""
+    """Constant velocity of the rolling ball has told its place already; of the free carriages momentum tells it."""
     ball, carriages = page_of_file("body-ball-that-slides-then-rolls"), page_of_file("three-carriages")
-    assert "no angular acceleration" not in ball
-    assert "(8) T_rolls + U = T_later" in ball
+    place = ball.index("From rolls to later, constant angular velocity of the ball: (9) θ_later = θ_rolls + ")
+    assert place < ball.index("From rolls to later, no angular acceleration of the ball: (11) ω_later = ω_rolls = ")
+    assert "T_rolls + U" not in ball
     assert "no acceleration, x of" not in carriages
     assert carriages.count("conservation of momentum:") == 5
 

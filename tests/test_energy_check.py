@@ -50,10 +50,20 @@ def test_works_and_energies_are_named(stem: str, words: str) -> None:
     assert f"work and energy: {words}" in _page(stem)
 
 
-@pytest.mark.parametrize("stem", ["crate-that-stops", "parcel-on-a-belt"])
-def test_none_where_it_is_the_square_of_the_only_speed_again(stem: str) -> None:
-    """v² = 2 a s was solved for it, of the only body: m/2 times that tests nothing."""
-    assert not _checks(stem)
+def test_none_where_it_is_the_square_of_the_only_speed_again() -> None:
+    """v² = v_0² + 2 a s was solved for it, of the only body: m/2 times that tests nothing."""
+    assert "v_start² + 2 a x_stops" in _page("crate-that-stops")
+    assert not _checks("crate-that-stops")
+
+
+def test_a_way_found_by_its_time_is_tested_by_the_work_done_along_it() -> None:
+    """Of the only body too: v = a t and x = 1/2 a t² were solved, not v² = 2 a s."""
+    page = _page("parcel-on-a-belt")
+    assert "x_carried = 1/2 a t_carried²" in page
+    assert "v_carried² = 2 a" not in page
+    assert _checks("parcel-on-a-belt") == [
+        "work and energy: U = μ m g x_carried = 8 J; T_carried = 1/2 m v_carried² = 8 J"
+    ]
 
 
 def test_none_where_energies_were_used() -> None:

@@ -32,7 +32,7 @@ def test_a_formula_that_stands_in_its_line_is_not_said_once_more() -> None:
 
 
 def test_an_equation_that_stands_solved_is_not_repeated_in_letters() -> None:
-    assert page_of_file("wheel-pulled-uphill").count("a_By = R α") == 2
+    assert page_of_file("wheel-pulled-uphill").count("a_B = R α") == 2
 
 
 def test_where_the_motion_starts_it_is_so() -> None:

@@ -46,9 +46,9 @@ def at_hand(
 
 
 def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) -> set[Known]:
-    """The laws of constant acceleration on which the targets rest. One that is zero is at hand in a throw, where a
-    place over time rests on it; else no equation of it stands on the page, where energies or momentum tell why a
-    velocity stays.
+    """The laws of constant acceleration on which the targets rest. One that is zero is at hand where a place over time
+    rests on it, of what is accelerated along another axis or at another time, as in a throw; else no equation of it
+    stands on the page, where energies or momentum tell why a velocity stays.
     """
     seen: set[sp.Symbol] = set()
     found: dict[Known, tuple[str, bool]] = {}
