@@ -35,7 +35,12 @@ def _page(stem: str) -> str:
         "Answer ω = 15.46 rad/s clockwise",
     ]),
     ("rigid-bodies/half-cylinder-let-go-on-its-side", ["a_G = α × r_G/C", "m CG α ↘ at G, I α ↻"]),
-    ("rigid-bodies/ring-on-a-pin", ["↻ ΣM_O: m g R = I_O α", "a_B = α × r_B/O", "a_B = -2 R α = -g along y", "α = g/(2 R) clockwise"]),
+    ("rigid-bodies/ring-on-a-pin", [
+        "↻ ΣM_O: m g R = I_O α",
+        "a_B = α × r_B/O",
+        "a_B = -2 R α = -g along y",
+        "α = g/(2 R) clockwise",
+    ]),
 ])  # fmt: skip
 def test_a_body_that_begins_to_turn_clockwise_is_counted_so(stem: str, lines: list[str]) -> None:
     page = _page(stem)
