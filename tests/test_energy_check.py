@@ -42,6 +42,10 @@ def test_both_sides_agree(stem: str) -> None:
             "sledge-down-a-slope-and-out-over-level-snow",
             "U = m g L sin β - μ m g (L cos β + x_P,3) = 6039 - 6039 = 0 J",
         ),
+        (
+            "load-wound-up-against-axle-friction",
+            "E_k,1 + U = 1/2 (M k_O² + m r²) ω_1² - m g (y_L,2 - y_L,1) - M_f θ_2 = 69.66",
+        ),
         ("body-atwood-with-heavy-pulley", "U = 88.29 - 58.86 = 29.43 J (weight of A, weight of B); E_k,2 = "),
         ("exercise-3-30", "U = F x_A,2 - 30 μ x_A,2 - 15 μ x_A,2 = 72 - 24 - 12 = 36 J; E_k,2 = 24 + 12 = 36 J"),
     ],

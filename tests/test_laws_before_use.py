@@ -19,6 +19,13 @@ def test_an_equation_that_shows_every_term_needs_no_formula_before() -> None:
     assert "ω_0" not in page
 
 
+def test_no_two_signs_stand_in_a_row() -> None:
+    """The ball runs back: the place at the end less that at the start is negative."""
+    page = page_of_file("rolling-ball-off-a-wall")
+    assert "v_G,4² = v_G,3² + 2 a_G (x_G,4 - x_G,3)" in page
+    assert "+ -" not in page
+
+
 def test_both_sides_of_an_integral_over_the_way_are_told() -> None:
     page = page_of_file("ex-1-08")
     assert "ω dω = α dθ from θ = 0, ω = 0 to any θ: ∫[0 → ω] ω dω" in page

@@ -116,8 +116,10 @@ def _is_of_letters(expr: sp.Expr) -> bool:
 def _sum(terms: list[sp.Expr], phrases: Phrases) -> Line:
     told: list[Inline | str] = []
     for k, term in enumerate(terms):
-        minus = bool(term.as_coeff_Mul()[0].is_negative) or term.could_extract_minus_sign()
-        told += [(" - " if minus else " + ") if k else "-" if minus else "", phrases.math(-term if minus else term)]
+        # A difference is written as the positive one, which may bring the minus to the front or take it away.
+        neat = phrases.neat(term)
+        minus = bool(neat.as_coeff_Mul()[0].is_negative) or (neat.is_Add and neat.could_extract_minus_sign())
+        told += [(" - " if minus else " + ") if k else "-" if minus else "", phrases.math(-neat if minus else neat)]
     return line(*told)
 
 

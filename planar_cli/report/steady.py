@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.report.blocks import Line, Math, Paragraph, line
 from planar_cli.report.origins import is_steady
+from planar_cli.report.rounding import rounded
 from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
@@ -134,4 +135,8 @@ def _sides(own: sp.Expr, first: sp.Expr, gained: sp.Expr, phrases: Phrases) -> t
     if first == 0 or gained == 0:
         return left, in_units_held(own if own != 0 else gained, first + gained, phrases)
     sign, size = (" - ", -gained) if gained.could_extract_minus_sign() else (" + ", gained)
-    return left, line(phrases.math(first), sign, in_units_held(first, size, phrases))
+    right = in_units_held(first, size, phrases)
+    if right.expr.as_coeff_Mul()[0].is_negative:
+        # The smaller place less the larger, as the law has it: v_0² + 2 a (x - x_0), not v_0² + -2 a (x_0 - x).
+        right = Math(rounded(phrases.met(size), phrases.figures))
+    return left, line(phrases.math(first), sign, right)
