@@ -17,6 +17,7 @@ from planar_cli.report.reciprocals import with_reciprocals
     ("ex-4-10", "stretch of the spring CB, s_1 = CB_1 - l_0 = l - √2 l/2"),
     ("ex-4-10", "stretch of the spring CB, s_2 = CB_2 - l_0 = 0 U"),
     ("box-that-tips-over", "At 3, x_G = 0. From 2 to 3"),
+    ("sliding-crate-that-strikes-a-curb", "At 3, x_G = b/2. From 2 to 3"),
     ("box-that-tips-over", "y_G,3 = √(b² + h²)/2 = √(0.6² + 1²)/2 = 0.5831 m"),
     ("satellite-perigee-apogee", "v_A, v_B: the speeds at A and B, perpendicular to the radius ("),
     ("satellite-perigee-apogee", "1/2 m v_A² + m g R² (1/r_B - 1/r_A) = 1/2 m v_B²"),

@@ -227,7 +227,10 @@ def test_a_moment_centre_tells_what_does_not_enter(tmp_path: Path) -> None:
 
 
 def test_no_side_of_an_energy_stands_twice(tmp_path: Path) -> None:
-    assert "T_2 = 1/2 m v_P,2² = 0.25 v_P,2²" in _page_of(tmp_path, BOWL % "")
+    page = _page_of(tmp_path, BOWL % "")
+    assert "T_2 = 1/2 m v_P,2²\n" in page
+    assert "(2)  T_1 + U = T_2:   -m g R sin φ_P,2 = 1/2 m v_P,2²\n" in page
+    assert page.count("1/2 m v_P,2²") == 2
 
 
 def test_friction_that_is_found_to_be_zero_stands_on_the_diagrams() -> None:

@@ -26,6 +26,6 @@ def test_the_page_of_a_wind() -> None:
     page = page_of_file("wind-felt-by-a-cyclist")
     assert "(1) given, w_x unknown: v_air,x = w_x" in page
     assert "v_air/cyclist = v_air - v_cyclist = [v_air,x - v_cyclist,x, v_air,y - v_cyclist,y]" in page
-    assert "(4) v_cyclist,x,fast + w_y = w_x" in page
+    assert "(3) v_cyclist,x,fast + w_y = w_x (3): w_y = w_x - v_cyclist,x,fast" in page
     assert "direction = arctan(-1) = -45° as w_x > 0" in page
     assert "direction = -45°, that is 45° below +x" in page

@@ -151,7 +151,7 @@ def _gives_an_angle(condition: Block, given: Block, spoken: Mapping[str, int]) -
         return False
     own, last = given.sides[0], given.sides[-1]
     turned = isinstance(own, Math) and own.expr.is_Symbol and isinstance(last, Value) and last.unit == "deg"
-    if not turned or not isinstance(own, Math) or condition.lead or not given.lead:
+    if not turned or not isinstance(own, Math) or condition.lead:
         return False
     return own.expr.name in _letters(condition) and spoken[own.expr.name] == 2
 
