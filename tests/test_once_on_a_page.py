@@ -57,3 +57,11 @@ def test_what_turns_about_a_fixed_point_needs_no_place_of_its_mass_centre() -> N
     page = page_of_file("plate-let-go-at-a-corner")
     assert "T_lowest = 1/2 I_A ω_lowest² = 0.4533 ω_lowest² in J" in page
     assert page.count("y_G,lowest = ") == 1
+
+
+def test_a_line_that_is_short_by_letters_above_has_no_other_formula() -> None:
+    """ω_n and φ_eq are told by then; a longer side in letters gives way to the formula in the data."""
+    assert "ω_n φ_eq sin(π/2) = ω_n φ_eq = 1.2247 · 4 = 4.899 rad/s" in page_of_file("body-arm-driven-by-its-angle")
+    assert "dt = M_0² t_2²/(4 m R²) = 15² · 4² / (4 · 20 · 0.3²) = 500 J" in page_of_file(
+        "body-rotor-with-varying-torque"
+    )

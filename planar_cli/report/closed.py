@@ -108,6 +108,10 @@ def _lettered(block: Equation, closed: sp.Expr, phrases: Phrases) -> Equation:
     values = [side for side in rest if isinstance(side, Value)]
     if not values or not isinstance(rest[-1], Value) or any(isinstance(side, tuple) for side in rest):
         return block
+    lettered = [side.expr for side in rest if isinstance(side, Math) and not side.values and side.expr.free_symbols]
+    if any(operations(e) <= operations(closed) for e in lettered):
+        # It is short there by letters that stand above, -l ω_n sin(π/2) = -l ω_n.
+        return block
     put = phrases.substituted(closed, values[0])
     return replace(block, sides=(head, formula, Math(phrases.neat(closed)), *put, *values))
 
