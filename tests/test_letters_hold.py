@@ -45,6 +45,7 @@ NO_OTHER_NUMBERS = {
     "double-planet-train",
     "falling-pole",
     "sack-that-swings-against-a-chest",
+    "tilted-block-that-falls-back",
 }
 """Their numbers fit each other: what touches, the teeth of gears; or the number stands in the line: cos 40°; or with
 others there is no formula.
