@@ -124,7 +124,9 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             where, sure = named if rigid and push.kind != "drive" else "", expr in {*at_limit, *phrases.ledger.values}
-            parts.append([*_push(push, expr, a, phrases, where, sure), *beside_the_middle(system, push, expr)])
+            # A guide holds on both sides, so that its couple is not that of its normal force alone.
+            beside = () if guide else beside_the_middle(system, push, expr)
+            parts.append([*_push(push, expr, a, phrases, where, sure), *beside])
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
