@@ -52,10 +52,11 @@ def test_a_sine_put_into_the_square_of_its_cosine() -> None:
 
 
 def test_right_angles_beside_degrees() -> None:
-    expr, texts = right_angles(A - 3 * sp.pi / 2)
+    expr, texts = right_angles(A - 3 * sp.pi / 2, {A: "203.6°"})
     assert list(texts.values()) == ["270°"]
     assert sorted(map(str, expr.args)) == ["-270 degrees", "theta_a"]
-    assert right_angles(A + sp.pi / 7) == (A + sp.pi / 7, {})
+    assert right_angles(A + sp.pi / 7, {A: "203.6°"}) == (A + sp.pi / 7, {})
+    assert right_angles(A - sp.pi / 2, {A: "3.553"}) == (A - sp.pi / 2, {})
 
 
 @pytest.mark.parametrize(
