@@ -33,12 +33,11 @@ def test_a_constant_speed_along_a_parabola(words: str) -> None:
     assert "unknowns" not in page
 
 
-def test_an_angle_is_eliminated_by_its_squares() -> None:
+def test_an_angle_by_the_components_across_the_line_of_sight() -> None:
     page = _page("textbook/ex-1-15")
     assert "t_collide = t_meet = D/(50 m/s)" in page
-    assert "squared and added, since cos² + sin² = 1: (x_A,start + v_Ax,start t_meet)²" in page
-    assert "D² = 50 D t_meet so that: t_meet = D/(50 m/s)" in page
-    assert "cos β = (x_A,start + v_Ax,start t_meet)/(50 t_meet) = 0" in page
+    assert "sin(150° - β) = sin 120° = 0.8660" in page
+    assert "cos² + sin²" not in page
     assert "1/2 g" not in page, "it drops out of the relative motion"
 
 
