@@ -17,7 +17,7 @@ def test_a_place_of_equilibrium_comes_before_its_oscillations() -> None:
         "x_rest = (k_1 l_1 + k_2 b - k_2 l_2)/(k_1 + k_2) = ",
         "Small oscillations about the equilibrium rest.",
         "F_left = k_1 (x_rest - l_1) = 500 (0.5 - 0.4) = 50 N\n",
-        "F_right = k_2 (b - l_2 - x_rest) = 250 (1.2 - 0.5 - 0.5) = 50 N\n",
+        "F_right = k_2 (b - l_2 - x_rest) = k_1 k_2 (b - l_1 - l_2) / (k_1 + k_2)\n",
         "the equation of motion, from which f, holds follow, and all else checked by",
     )
     places = [page.find(text) for text in lines]

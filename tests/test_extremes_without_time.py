@@ -28,7 +28,7 @@ def test_the_least_speed_to_a_target() -> None:
         "v_0 is smallest, so its derivative with respect to β is zero:",
         "3 sin(2 β) + 10 cos(2 β) = 0",
         "tan(2 β) = -10/3 = -3.333",
-        "β = (π - arctan(10/3))/2 = 53.35°",
+        "β = π/2 - 1/2 arctan(3.333) = 53.35°",
         "v_0 = 10 √(2 g / (5 sin(2 β) - 3 cos² β))",
         "t_window = (40 m)/(v_0 cos β)",
     )

@@ -45,7 +45,7 @@ def test_a_place_beside_a_number_of_that_name() -> None:
     assert "2: x_B′ = 1 m + x_B" in page
     assert "x_B′ - 2 x_A = const." in page
     assert "Δx_B′ = 2 Δx_A" in page
-    assert "x_B′,2 = 1 + 0.3 = 1.3 m" in page
+    assert "x_A,2 = x_B/2 = 0.3/2 = 0.15 m" in page
     assert not re.search(r"x_B = 1 m|x_B -|Δx_B =", page)
 
 

@@ -31,13 +31,13 @@ def _page(name: str) -> str:
             ["0.3783 ω_DC = 0.1103 (-10) = -1.103", "0.5 · 2.578² + 0.1668 (-10)² - 0.13 (-2.916)²"],
         ),
         # Where components of known vectors stand before it, these.
-        ("textbook/ex-2-09", ["0.4619 ω_AB = -0.4309", "0.4619 α_AB = -1.44973 - (-1.39282) = -0.05691"]),
+        ("textbook/ex-2-09", ["= v_D · n = -0.5 · 0.8619 = -0.4309 m/s", "= -1.44973 - (-1.39282) = -0.05691 m/s²"]),
         # A constant angular velocity leaves a known acceleration.
         (
             "kinematics/quick-return",
             [
                 "a_P = -ω_crank² r_P/O = [-0.14095 · 6², -0.05130 · 6²] = [-5.074, -1.847] m/s²",
-                "0.4253 α_arm = 4.1756 - 1.8675",
+                "a_P · n - (2 ω_arm × v_rel e) · n = 4.1756 - 1.8675",
             ],
         ),
         # All components of a point of a body.

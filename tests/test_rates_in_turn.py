@@ -25,7 +25,7 @@ def test_each_rate_is_the_derivative_of_the_one_before() -> None:
     assert "r = h/sin θ\n" in page
     assert "ṙ = -h θ̇ cos θ / sin² θ = -v cos θ\n" in page
     assert "r̈ = dṙ/dt = v θ̇ sin θ = v² sin³ θ / h\n" in page
-    assert "a_load = dv_load/dt = u h² ẋ / (h² + x²)^(3/2) = u² h²" in _page("motion/rope-pulled-by-a-walker")
+    assert "a_load = u h² ẋ / (h² + x²)^(3/2) = u² h²" in _page("motion/rope-pulled-by-a-walker")
 
 
 def test_a_size_of_a_side_is_assumed_positive() -> None:

@@ -7,7 +7,7 @@ from worked import page_of_file
 
 def test_the_mass_centre_of_a_wheel_is_reached_from_its_middle() -> None:
     page = page_of_file("wheel-with-its-mass-centre-off-the-middle")
-    assert "a_O = R α ↖ O moves along a straight line" in page
+    assert "a_O = R α ↘ O moves along a straight line" in page
     assert "a_G = a_O + α × r_G/O - ω² r_G/O r_G/O = [e cos β, -e sin β]" in page
 
 

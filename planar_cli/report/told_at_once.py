@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.problem.scene import Rod
-from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
 from planar_cli.report.turning_values import DERIVATIVE, over_time
@@ -61,7 +61,8 @@ def told_at_once(
         words = rod
     else:
         return
-    yield Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Math(r.unknown), " = ", shown))
+    # As a name it is one of the letters of the page, which may be shorter there.
+    yield Paragraph(line(*spoken(at(e.stop, words), found.ledger.symbols), " ", Name(r.unknown.name), " = ", shown))
 
 
 def is_by_functions(found: MotionTrace) -> bool:
