@@ -24,7 +24,7 @@ FILES = (
     "rigid-bodies/gyration-from-test",
     "textbook/ex-4-05",
 )
-SAMPLE = 25
+SAMPLE = 40
 
 
 def offenders(results: list[mutations.Judged]) -> list[str]:

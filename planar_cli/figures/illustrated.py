@@ -12,6 +12,9 @@ from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, H
 from planar_cli.report.marks import Figure
 from planar_cli.solve.solved_problem import Solution
 
+CASE = "CASE"
+"""The label over a case, whose name is the text."""
+
 
 def illustrated(document: Document, solution: Solution) -> Document:
     """The worked solution of a file with what a lecturer would draw beside it."""
@@ -20,17 +23,19 @@ def illustrated(document: Document, solution: Solution) -> Document:
 
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     first = _arrangement(solution)
-    instant = next((i for part in solution.parts for i in part.instants if part.motion is None), None)
-    step: list[Block] = []
+    instants = {
+        part.case.replace("_", " "): part.instants[0] for part in solution.parts if not part.motion and part.instants
+    }
+    instant, step = instants.get(""), list[Block]()
     for block in document.blocks:
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
             first = None
         if isinstance(block, Heading | Answer):
-            # Of several cases the first one has polygons, as it has the scene.
-            found = polygons(step, instant) if instant is not None else []
-            yield from map(Drawing, found)
-            instant, step = None if found else instant, []
+            yield from map(Drawing, polygons(step, instant) if instant is not None else [])
+            step = []
+            if isinstance(block, Heading) and block.label == CASE:
+                instant = instants.get(block.text)
         step.append(block)
         yield block
         if isinstance(block, Forces) and (figure := diagram(block)) is not None:

@@ -10,7 +10,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from planar_cli.formats._paper import Box, Disc, Paper, Placed, Stroke, Words, along
+from planar_cli.formats._paper import Box, Paper, Placed, Words, along
 from planar_cli.records import record
 
 CELL = 4.0
@@ -78,6 +78,3 @@ def clashes(paper: Paper) -> list[tuple[Placed, Placed]]:
     """The pairs of words that overlap."""
     placed = paper.placed
     return [(a, b) for i, a in enumerate(placed) for b in placed[i + 1 :] if a.box.overlaps(b.box)]
-
-
-__all__ = ["Disc", "Stroke", "clashes", "with_labels"]
