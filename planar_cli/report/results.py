@@ -13,6 +13,7 @@ from planar_cli.report.blocks import Block, Line, Paragraph, line
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.instant import OPPOSED
 from planar_cli.solve.solution import InstantSolution
 
 SIGNS = {">=": "≥", "<=": "≤"}
@@ -107,6 +108,9 @@ def _objection(other: Any, phrases: Phrases) -> Line:
     """Why a branch is left out; an inequality of the file in the notation of the page."""
     if not other.objection:
         return ()
+    if other.objection.endswith(OPPOSED):
+        # The line of the file is told where it is refused; here it is known which root it was.
+        return line("a direction that is given would be the opposite one")
     broken = other.trial.broken
     if other.trial.tests and other.objection == other.trial.objection:
         return broken_by(other.trial, phrases) or line(other.objection)

@@ -45,6 +45,8 @@ from planar_cli.solve.principled import at_instants, position_of
 MOST_MODES = 400
 TINY = Decimal("1e-25")
 OPEN = "velocities are open"
+OPPOSED = "would hold only with the opposite direction"
+"""How the objection to a vector ends that points against the direction that the file gives it."""
 """The objection to modes in which nothing tells how fast the parts move."""
 NONLINEAR = "accelerations enter nonlinearly"
 """The objection to modes in which only a search finds the accelerations."""
@@ -306,7 +308,7 @@ class Instant:
             number = numbers.known(sense)
             if number is not None and number < -TINY:
                 parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
-                return f"{parts} would hold only with the opposite direction"
+                return f"{parts} {OPPOSED}"
         return ""
 
     def _false(self, system: System, outcome: Outcome) -> Broken | None:
