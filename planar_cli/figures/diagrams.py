@@ -44,7 +44,8 @@ def diagram(row: Forces) -> Figure | None:
         return None
     drawn = Drawn(row.scene, left[0].way.value, {})
     panels = [_panel(drawn, row, left, "force", row.heads[0])]
-    if row.right:
+    # In equilibrium there is nothing on the other side.
+    if right:
         panels.append(_panel(drawn, row, right, "inertia", row.heads[1]))
     return Figure(tuple(panels), f"{row.heads[0]} of {row.body}", "=")
 

@@ -1,4 +1,4 @@
-"""The acceleration of the mass centre of a body that turns about a point at rest."""
+"""The acceleration of the mass centre of a body, also of one that turns about a point at rest."""
 
 from __future__ import annotations
 
@@ -23,3 +23,12 @@ def about_fixed_point(instant: InstantSolution, body: str) -> list[tuple[Vec, sp
         rests = all(instant.value.known(p) == 0 for p in (arm.x, arm.y))
         return [] if rests else [(way, part) for way, part in parts if instant.value.known(part) != 0]
     return []
+
+
+def acceleration_of_centre(instant: InstantSolution, body: str, reversed_sense: bool) -> Vec | None:
+    """That of the mass centre of a body, or its opposite; None: none is known."""
+    motion = instant.trial.system.motion
+    if motion is None:
+        return None
+    a = motion.acceleration(instant.instant.scene.bodies[body].center, body)
+    return -a if reversed_sense else a

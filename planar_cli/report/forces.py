@@ -22,7 +22,7 @@ from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.about_fixed_point import about_fixed_point
+from planar_cli.report.about_fixed_point import about_fixed_point, acceleration_of_centre
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
@@ -287,7 +287,9 @@ def _inertia(
         parts += [phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), straight]
     elif any(longer(force, LONGEST) for force, _ in forces) or (not forces and _moves(instant, stage, body, phrases)):
         sign = "-" if reversed_sense else ""
-        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), Text(at)]
+        moves = acceleration_of_centre(instant, body, reversed_sense)
+        where = Text(at) if moves is None else pointing(phrases, at, model.center, moves)
+        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), where]
     else:
         for force, arrow in forces:
             told = _clean(force, stage, phrases, kinds[0])

@@ -44,9 +44,9 @@ from planar_cli.solve.principled import at_instants, position_of
 
 MOST_MODES = 400
 TINY = Decimal("1e-25")
-OPEN = "velocities are open"
 OPPOSED = "would hold only with the opposite direction"
 """How the objection to a vector ends that points against the direction that the file gives it."""
+OPEN = "velocities are open"
 """The objection to modes in which nothing tells how fast the parts move."""
 NONLINEAR = "accelerations enter nonlinearly"
 """The objection to modes in which only a search finds the accelerations."""
