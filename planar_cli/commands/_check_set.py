@@ -79,6 +79,7 @@ class _Class:
         self.report: ClassReport = ClassReport()
         self.kept: list[Result] = []
         self.names = Names()
+        self.is_whole = False
         self.titles = {t.problem: t.title for paper in homework.papers.values() for t in paper.tasks}
 
     def graded(self, files: tuple[str, ...], jobs: int) -> int:
@@ -98,6 +99,7 @@ class _Class:
             self._count_done_before(ran)
         if shard == (1, 1) and (told := passed_over(files)):
             echo(f"note: {told}", err=True)
+        self.is_whole = shard == (1, 1) and not ran.interrupted
         self._close(ran)
         if ran.interrupted:
             return 128 + ran.interrupted
@@ -157,9 +159,9 @@ class _Class:
             self._export(name)
 
     def _absent(self) -> list[str]:
-        """Who is in the list and handed in nothing; of a part of the submissions that cannot be told."""
+        """Who is in the list and handed in nothing; of a part of the submissions, or after Ctrl-C, nobody can tell."""
         names = sorted(name for name, _ in self.homework.students if name not in self.report.counted)
-        return names if self.options["shard"] == "1/1" else []
+        return names if self.is_whole else []
 
     def _of_absent(self) -> list[Result]:
         """Their papers, with nothing answered."""

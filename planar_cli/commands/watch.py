@@ -66,7 +66,11 @@ def _stamp(file: str) -> Stamp | None:
 
 def _told(file: str, status: int, output: str | None) -> str:
     where = f", written to {output}" if output else ""
-    if status in (cli.SOLVED, cli.DISAGREES):
+    if status == cli.SOLVED:
         return f"planar: solved{where}; waiting for {file} to be saved (Ctrl-C ends)"
+    if status == cli.DISAGREES:
+        # It is the status of a page that differs from the answers of the file, and that of no page.
+        told = "no solution, or not the answers that the file states"
+        return f"planar: {told}; waiting for {file} to be saved (Ctrl-C ends)"
     kept = f"; {output} is as before" if output and os.path.exists(output) else ""
     return f"planar: not solved{kept}; waiting for {file} to be saved (Ctrl-C ends)"

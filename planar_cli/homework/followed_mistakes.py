@@ -37,7 +37,8 @@ def with_followed(
         if not _is_followed_the_same(part, finds, problem.problem.us):
             continue
         for k, own in enumerate(values):
-            wrong = list(_without_effects(_problem(problem, part, own), finds))
+            own_problem = _problem(problem, part, own)
+            wrong = [] if own_problem is None else list(_without_effects(own_problem, finds))
             made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
     return made
 
@@ -61,13 +62,13 @@ def _is_followed_the_same(part: Part, finds: Sequence[Found], us: bool) -> bool:
     return bool(finds)
 
 
-def _problem(problem: WorkedProblem, part: Part, values: Mapping[str, str]) -> Problem:
-    """The part with the numbers of a variant."""
+def _problem(problem: WorkedProblem, part: Part, values: Mapping[str, str]) -> Problem | None:
+    """The part with the numbers of a variant; None: these make no problem."""
     if not values:
         return part.problem
     whole, wrong = problem_of(problem.path, with_values(with_first_values(problem.node), values), [])
     if whole is None or wrong:
-        return part.problem
+        return None
     return next((c.problem for c in whole.cases if c.name == part.solution.case), whole)
 
 

@@ -57,7 +57,5 @@ def _in_one(equations: Equations, without: dict[sp.Symbol, sp.Expr]) -> Iterable
     for k, i in places if len(places) > 1 else ():
         changed = with_step_changed(equations, k, i, lambda r: sp.sympify(r.xreplace(without)))
         bodies = " and ".join(map(printed, equations.steps[k].bodies[i]))
-        # Of N - m g cos β nothing would be left that presses: that is to leave out the friction.
-        left = sp.Add.make_args(sp.expand(equations.steps[k].residuals[i].xreplace(without)))
-        if changed is not None and bodies and len(left) > 1:
+        if changed is not None and bodies:
             yield Model(f"this is the result without the weight in one equation of {bodies}", changed)

@@ -36,7 +36,7 @@ def how_near(course: MotionEquations, followed: Followed, stop: Stop, value: Val
     """How near the motion comes, whether the relations hold one by one, or before the states that stand before. In
     letters no number of it says anything.
     """
-    if course.symbolic:
+    if course.symbolic and course.problem.symbols:
         return IN_LETTERS
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
     reader = _reader(course, followed, value)
