@@ -121,7 +121,7 @@ def _found(w: Written, edge: Edge, j: Joining, system: System, phrases: Phrases)
     sine = (vx * nx + vy * ny) / (size * length)
     if abs(sine) < NEARLY or not phrases.has_numbers(rest):
         return None
-    speed = _letter(rest, size, system, phrases)
+    speed = _letter(rest, size, phrases)
     if speed is None:
         return None
     at = (certain(start.point.x) - vy / omega, certain(start.point.y) + vx / omega)
@@ -132,9 +132,11 @@ def _found(w: Written, edge: Edge, j: Joining, system: System, phrases: Phrases)
     return Found(centre, speed, arm, abs(sine), edge, j)
 
 
-def _letter(rest: sp.Expr, size: Decimal, system: System, phrases: Phrases) -> sp.Expr | None:
-    """The known letter whose size is that speed; None: there is none."""
-    inside = [s for s in sorted(rest.free_symbols, key=str) if abs(abs(phrases.certain(s)) - size) < NEARLY * size]
+def _letter(rest: sp.Expr, size: Decimal, phrases: Phrases) -> sp.Expr | None:
+    """The known velocity whose size is that speed; None: there is none."""
+    units = phrases.ledger.units
+    speeds = [s for s in sorted(rest.free_symbols, key=str) if s in units and units[s].dimension == VELOCITY]
+    inside = [s for s in speeds if abs(abs(phrases.certain(s)) - size) < NEARLY * size]
     return inside[0] if inside else None
 
 

@@ -36,7 +36,7 @@ def _about(balance: BalanceTrace, motion: MotionTrace, phrases: Phrases) -> Line
     if m is None or more or CENTRE not in m.why or m.center == m.why.partition(CENTRE)[0]:
         return ()
     point, plain = m.why.partition(CENTRE)[0], dict(motion.route.plain)
-    away = _distance(m, plain)
+    away = _distance(m, point, balance, motion)
     if away is None:
         return ()
     inertia, omega = simplified(m.inertia.xreplace(plain)), m.omega.xreplace(plain)
@@ -53,8 +53,15 @@ def _about(balance: BalanceTrace, motion: MotionTrace, phrases: Phrases) -> Line
     return line(f"about {point}: ", *shown, "; ", *energy, " = ", *given, Name(balance.law.bring))
 
 
-def _distance(m: Moving, plain: dict[sp.Symbol, sp.Expr]) -> sp.Expr | None:
-    """How far the mass centre is from the instantaneous centre, v_G/ω; None: its formula is long."""
-    square = simplified(((m.vx**2 + m.vy**2) / m.omega**2).xreplace(plain))
-    away = simplified(sp.sqrt(square))
-    return None if longer(away, SHORT) or away.has(m.omega) else away
+def _distance(m: Moving, point: str, balance: BalanceTrace, motion: MotionTrace) -> sp.Expr | None:
+    """How far the mass centre is from that point at the end, by their places alone, as the velocities are what is
+    checked; None: its formula is long.
+    """
+    regime = next((r for r in motion.regimes if (balance.since, balance.stop) in r.stretches), None)
+    if regime is None:
+        return None
+    scene, roles = regime.solution.instant.scene, motion.ledger.roles
+    there = {general: x for x, general in motion.general.items() if roles[x].at == balance.stop}
+    arm = scene.bodies[m.body].center - scene.point(point)
+    away = simplified(sp.sqrt(simplified(arm.dot(arm).xreplace(there).xreplace(dict(motion.route.plain)))))
+    return None if longer(away, SHORT) or motion.value.known(away) is None else away

@@ -30,7 +30,7 @@ def _lettered(side: Line, given: Mapping[sp.Symbol, sp.Expr]) -> Line:
             turned = put.could_extract_minus_sign()
             pieces.append(Math(-put if turned else put))
         elif isinstance(piece, Text) and turned and (arrow := next((c for c in piece.text if c in OPPOSITE), "")):
-            pieces.append(Text(piece.text.replace(arrow, OPPOSITE[arrow], 1)))
+            pieces.append(replace(piece, text=piece.text.replace(arrow, OPPOSITE[arrow], 1)))
             turned = False
         else:
             pieces.append(piece)

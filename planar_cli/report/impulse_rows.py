@@ -67,14 +67,15 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     upright = {s.name for row, kept in zip(rows, level, strict=True) for s in _letters(row) - _letters(kept)}
     left_out = any(row != kept for row, kept in zip(rows, level, strict=True)) and not used & upright
     left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in _entries(row.right))
-    note = "J: impulse of a reaction" + ("; the vertical impulses do not enter" if left_out else "")
+    across = "impulses along y" if found.problem.plane == "horizontal" else "vertical impulses"
+    note = "J: impulse of a reaction" + (f"; the {across} do not enter" if left_out else "")
     yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} ({note})"))
     yield from level if left_out else rows
 
 
 def _level(row: Forces) -> Forces:
     """A diagram without vertical impulses."""
-    kept = [e for e in _entries(row.left) if _is_level(e) or _turns(e)]
+    kept = [e for e in _entries(row.left) if not _is_upright(e)] or [line("0")]
     return replace(row, left=line(*(p for i, e in enumerate(kept) for p in (BETWEEN, e)[i == 0 :])))
 
 
@@ -88,6 +89,10 @@ def _entries(side: Line) -> Iterator[Line]:
         else:
             entry.append(piece)
     yield tuple(entry)
+
+
+def _is_upright(entry: Line) -> bool:
+    return any(isinstance(p, Text) and ("↑" in p.text or "↓" in p.text) for p in entry)
 
 
 def _is_level(entry: Line) -> bool:
