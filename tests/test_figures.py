@@ -16,9 +16,11 @@ from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._labels import clashes
 from planar_cli.formats._svg import PRINT, papers_of, svg
 from planar_cli.formats.html import Html
+from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Document, Drawing, Forces, Name, Paragraph, Text, line
 from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Tag, Turn
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 from planar_cli.typeset import pdf
 
 EVERY = 36
@@ -124,3 +126,30 @@ def test_a_page_on_paper(tmp_path: Path) -> None:
     made = pdf(solved, PRINT)
     assert made.startswith(b"%PDF")
     assert made == pdf(solved, PRINT)
+
+
+HIDING = """
+title: Disk turned by a wire
+plane: horizontal
+points: {O: [0, 0], Q: [0.1 m, 0]}
+bodies: {disk: {disk: O, radius: 0.2 m, mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, disk]}
+loads:
+  - torque: {body: disk, moment: -(3 N*m)*theta(disk)}
+states:
+  1: [t = 0, theta(disk) = 20 deg, at rest]
+  2: [theta(disk) = 0]
+find: {w: omega(disk) @ 2}
+figure: {hide: [Q, disk]}
+"""
+
+
+def test_hidden_names_and_a_moment_that_goes_with_the_motion() -> None:
+    problem, wrong = load_text(HIDING)
+    assert problem is not None, wrong
+    solution = solve_problem(problem)
+    scene = dict(figures_of(illustrated(narrate(solution), solution)))["scene"]
+    tags = [m.words[0] for m in scene.panels[0].marks if isinstance(m, Tag)]
+    assert tags == [Name("O")]
+    assert any(isinstance(m, Turn) for m in scene.panels[0].marks)

@@ -74,7 +74,8 @@ def _marks(drawn: Drawn, problem: Problem) -> Iterator[Mark]:
                 continue
             yield standing.get(name, mark) if isinstance(mark, Symbol) else mark
     yield from sketched
-    shown = {p.name: points[p.name] for p in problem.points if p.name in points and not p.unnamed}
+    named = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
+    shown = {name: points[name] for name in named if name in points}
     yield from (Symbol("point", s) for s in shown.values())
     tagged = {**shown, **_particles(drawn, problem, shown)}
     yield from measure_marks(drawn, problem, tagged)
@@ -138,7 +139,8 @@ def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot]) -> dict[s
     found = {}
     for body in problem.bodies:
         spot = drawn.spot(drawn.scene.bodies[body.name].center)
-        if isinstance(body.shape, Particle) and spot is not None and spot not in shown.values():
+        alone = isinstance(body.shape, Particle) and spot not in shown.values() and body.name not in problem.hidden
+        if alone and spot is not None:
             found[body.name] = spot
     return found
 
@@ -151,7 +153,7 @@ def _bodies_named(drawn: Drawn, problem: Problem, tagged: dict[str, Spot]) -> It
         spot = drawn.spot(model.center)
         by_points = body.name in names or any(a + b == body.name for a in names for b in names)
         pointed = isinstance(body.shape, Particle) and spot in tagged.values()
-        if spot is not None and not by_points and not pointed:
+        if spot is not None and not by_points and not pointed and body.name not in problem.hidden:
             yield Tag(spot, line(body.name.replace("_", " ")))
 
 

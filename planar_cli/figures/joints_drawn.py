@@ -10,6 +10,7 @@ from typing import Any
 
 from planar_cli.figures.drawn import Drawn, size_of, words_of
 from planar_cli.figures.shapes import moved
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
     Absorber,
@@ -25,6 +26,7 @@ from planar_cli.problem.sketches import (
     Spiral,
     Twist,
 )
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.report.blocks import Line
 from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
@@ -119,9 +121,13 @@ def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
 @_drawn.register
 def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at = drawn.spot(sketch.at)
-    size = None if isinstance(sketch.size, Table) else drawn.length(sketch.size)
+    # A moment that goes with the motion has no number, and no sense, in a drawing.
+    known = not isinstance(sketch.size, Table) and not any(isinstance(n, Quantity) for n in walk(sketch.size))
+    size = None if isinstance(sketch.size, Table) or not known else drawn.length(sketch.size)
     if at is not None:
-        words = name if isinstance(sketch.size, Table) else size_of(sketch.size) or name
+        # Without a number a minus sign stays: it is not seen from the arrow.
+        told = size_of if known else words_of
+        words = name if isinstance(sketch.size, Table) else told(sketch.size) or name
         yield Turn(at, -1 if size is not None and size < 0 else 1, "force", words)
 
 

@@ -59,7 +59,8 @@ class Torque(Load):
     moment: Side | Table = key(MagnitudeKey("N*m"), "the moment, counterclockwise positive, or a table over time")
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
-        body = self.body if self.body is not None else (self.between or ("", ""))[1]
+        assert self.body is not None or self.between is not None
+        body = self.body if self.body is not None else self.between[1]
         return (Twist(scene.center(body), self.moment),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:

@@ -207,10 +207,9 @@ def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, 
     return reading.side(node, f"the answer {key.text}", whole.report)
 
 
-def check_extras(whole: Fields) -> None:
-    """The form of `figure`, which the solution itself does not need."""
+def hidden(whole: Fields) -> frozenset[str]:
+    """The names that figures do not show, of `figure`."""
     node = whole.node("figure")
-    if node is not None:
-        hide = Fields(node, FIGURE_KEYS, "figure", whole.report).node("hide")
-        for item in [] if hide is None else reading.items(hide, "hide", whole.report, "figure: {hide: [W]}"):
-            reading.name(item, "a name", whole.report)
+    hide = None if node is None else Fields(node, FIGURE_KEYS, "figure", whole.report).node("hide")
+    listed = [] if hide is None else reading.items(hide, "hide", whole.report, "figure: {hide: [W]}")
+    return frozenset(reading.name(item, "a name", whole.report) for item in listed)

@@ -382,6 +382,8 @@ class Problem:
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
     clockwise: tuple[str, ...] = ()
     """Of a case: the bodies whose rotation counts clockwise in what was told before of the same file."""
+    hidden: frozenset[str] = frozenset()
+    """Names that figures do not show."""
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:
         """Does what acts `during` a span act as the motion begins, though not before it alone?"""

@@ -144,8 +144,10 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
     us = all(case.problem.us for case in cases) if cases else base.us
     energy = _letter_of_energy([base, *(case.problem for case in cases)])
     cases = [replace(case, problem=replace(case.problem, us=us, kinetic_energy=energy)) for case in cases]
-    sections.check_extras(whole)
-    return replace(base, cases=tuple(cases), answers=sections.answers(whole), us=us, kinetic_energy=energy)
+    hidden = sections.hidden(whole)
+    cases = [replace(case, problem=replace(case.problem, hidden=hidden)) for case in cases]
+    answers = sections.answers(whole)
+    return replace(base, cases=tuple(cases), answers=answers, us=us, kinetic_energy=energy, hidden=hidden)
 
 
 def _letter_of_energy(parts: Iterable[Problem]) -> str:

@@ -12,6 +12,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.line_names import line_name
 from planar_cli.equation.plain import by_name, identically_zero, longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
@@ -102,7 +103,8 @@ def met_of(leg: RouteStep, found: MotionTrace) -> Met | None:
     way, known = _angle([simplified(x / distance) for x in apart]), _angle(other)
     if size is None or way is None or known is None or not others or longer(distance, SHORT):
         return None
-    names = tuple(pieces_of_name(found.general[s].name)[1] for s in (letters[0][0], others[0]) if s in found.general)
+    own = [found.general[s].name for s in (letters[0][0], others[0]) if s in found.general]
+    names = ["_".join(pieces_of_name(name)[1:-1]) for name in own]
     speed = simplified(sp.sqrt(other[0] ** 2 + other[1] ** 2))
     whole = len(names) == 2 and size.is_number and speed.is_number and distance.free_symbols
     if not whole:
@@ -131,7 +133,7 @@ def data_of_meetings(found: MotionTrace) -> list[RouteStep]:
 
 
 def _told(met: Met, found: MotionTrace, phrases: Phrases, number: int) -> Iterator[Block]:
-    (first, second), angle, time = met.names, met.angle.unknown, met.time.unknown
+    angle, time, between = met.angle.unknown, met.time.unknown, line_name(*met.names)
     one, two = (sp.Symbol(f"v_{name}", real=True) for name in met.names)
     turned = met.way - met.angle_value
     texts = {
@@ -140,11 +142,9 @@ def _told(met: Met, found: MotionTrace, phrases: Phrases, number: int) -> Iterat
     }
     way, known, across, own = texts
     open_angle, given = (sp.Add(way, -x, evaluate=False) for x in (angle, known))
-    yield Paragraph(
-        line(*head(met.meeting, found.ledger.symbols)[:-1], f". They meet if it points along {first}{second}:")
-    )
+    yield Paragraph(line(*head(met.meeting, found.ledger.symbols)[:-1], f". They meet if it points along {between}:"))
     sides = (_product(one, sp.sin, open_angle), _product(two, sp.sin, given))
-    lead, note = line(f"across {first}{second}:"), line("equal components")
+    lead, note = line(f"across {between}:"), line("equal components")
     yield Equation(tuple(Math(side, texts) for side in sides), number, lead, note)
     ratio = _product(sp.S.One if met.sizes[0] == met.sizes[1] else two / one, sp.sin, across)
     sine = phrases.value(met.sizes[1] / met.sizes[0] * sp.sin(met.way - met.known))
@@ -154,7 +154,7 @@ def _told(met: Met, found: MotionTrace, phrases: Phrases, number: int) -> Iterat
     yield Equation((Math(angle), difference, phrases.shown(angle, met.angle.value)), None, (), met.excluded)
     sides = (_product(one, sp.cos, open_angle), _product(two, sp.cos, given))
     nearer = line("(", Math(sp.Add(sides[0], -sides[1], evaluate=False), texts), ") ", Math(time))
-    yield Equation((phrases.math(met.distance), nearer), number + 1, line(f"along {first}{second}:"))
+    yield Equation((phrases.math(met.distance), nearer), number + 1, line(f"along {between}:"))
     speed = sp.Add(_product(one, sp.cos, own), -_product(two, sp.cos, across), evaluate=False)
     elapsed = met.distance / met.closing
     closed = with_unit(elapsed, TIME, phrases.ledger, phrases.figures) or phrases.math(elapsed)

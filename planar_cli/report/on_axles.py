@@ -112,6 +112,7 @@ def _turned(named: Line, way: float, turn: int) -> tuple[Line, ...]:
     in degrees; `turn`: 1 where the body turns counterclockwise, else -1.
     """
     before = (way - turn * RIGHT) % (4 * RIGHT)
+    before -= 4 * RIGHT if before + turn * RIGHT >= 4 * RIGHT else 0
     quarter = f" {'+' if turn > 0 else '-'} {RIGHT}°"
     sides = [line(*named, quarter)] if named else []
     return (*sides, line(f"{before:.1f}°{quarter}"), line(f"{before + turn * RIGHT:.1f}°"))
@@ -125,7 +126,9 @@ def _angle(arm: Vec) -> sp.Symbol | None:
     (wave,) = found
     angle = wave.args[0]
     same = simplified(arm.x * sp.sin(angle) - arm.y * sp.cos(angle)) == 0
-    return angle if angle.is_Symbol and same else None
+    # An arm of -R cos θ, -R sin θ points the other way.
+    outward = simplified(arm.x * sp.cos(angle) + arm.y * sp.sin(angle))
+    return angle if angle.is_Symbol and same and not outward.could_extract_minus_sign() else None
 
 
 def _at(letter: sp.Symbol, state: Any, part: PartSolution) -> sp.Symbol:

@@ -34,7 +34,7 @@
   method             the principle to use, and no other: planar explain methods
   variants           values for variants: {m: {from: 1 kg, to: 5 kg, step: 0.5 kg}, l: [3 m, 4 m]}; planar explain
                      variants
-  figure             {hide: [W]}: names that the figure beside the text does not show; planar draws none
+  figure             {hide: [W]}: names that figures do not show
 
 Words that contain `: ` or ` #` go on indented lines below `>-`:
 

@@ -49,7 +49,13 @@ def by_terminal_speed(motion: MotionTrace) -> MotionTrace:
 
 def _square(law: Law, motion: MotionTrace) -> sp.Expr | None:
     """v_t² of a law g_0 + g_2 v² with constants g_0 and g_2; None: it is another law."""
-    if law.order != 2 or law.factor != 1 or law.vibration is not None or law.constant is not None:
+    if (
+        law.coordinate.unit != "m"
+        or law.order != 2
+        or law.factor != 1
+        or law.vibration is not None
+        or law.constant is not None
+    ):
         return None
     v = law.v
     constant, slope = law.f.xreplace({v: sp.S.Zero}), simplified(derivative(law.f, v) / (2 * v))
@@ -58,6 +64,9 @@ def _square(law: Law, motion: MotionTrace) -> sp.Expr | None:
     ratio = simplified(constant / slope)
     number = motion.value.known(ratio)
     if number is None or simplified(law.f - constant - slope * v**2) != 0:
+        return None
+    if number > 0 and any(r.solution.trial.system.laws for r in motion.regimes):
+        # What a sliding friction brakes is not driven to a speed that stays.
         return None
     return ratio if number > 0 else simplified(-ratio)
 
