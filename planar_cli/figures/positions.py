@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import body_marks
-from planar_cli.problem.scene import Particle
+from planar_cli.problem.scene import Particle, Round
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag
 from planar_cli.solve.between.trace import MotionTrace
@@ -53,9 +53,10 @@ def _dashed(
     state: str,
 ) -> Iterator[Mark]:
     for name, spot in found.items():
-        if spot == first[name] and _same_way(angles[name], ways[name]):
-            continue
         body = there.scene.bodies[name]
+        # That a disk has turned in its place is not to be seen.
+        if spot == first[name] and (isinstance(body.shape, Round) or _same_way(angles[name], ways[name])):
+            continue
         if isinstance(body.shape, Particle):
             yield Symbol("place", spot)
         else:

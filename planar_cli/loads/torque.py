@@ -59,8 +59,10 @@ class Torque(Load):
     moment: Side | Table = key(MagnitudeKey("N*m"), "the moment, counterclockwise positive, or a table over time")
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
-        assert self.body is not None or self.between is not None
-        body = self.body if self.body is not None else self.between[1]
+        body = self.body
+        if body is None:
+            assert self.between is not None
+            body = self.between[1]
         return (Twist(scene.center(body), self.moment),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:

@@ -307,8 +307,7 @@ class State:
     mark: Mark
     before: bool = False
     """Is it an equilibrium that the file lists before the state with which the motion begins?"""
-    dated: bool = False
-    """Is it the `instant` of a file, whose time follows from what it says?"""
+    dated: bool = False  # is it the `instant` of a file, whose time follows from what it says?
     steady: bool = False
     """Is it a time by which the motion has become steady, put in for a state at t = infinity?"""
 
@@ -382,8 +381,7 @@ class Problem:
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
     clockwise: tuple[str, ...] = ()
     """Of a case: the bodies whose rotation counts clockwise in what was told before of the same file."""
-    hidden: frozenset[str] = frozenset()
-    """Names that figures do not show."""
+    hidden: frozenset[str] = frozenset()  # names that figures do not show
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:
         """Does what acts `during` a span act as the motion begins, though not before it alone?"""

@@ -103,8 +103,8 @@ def met_of(leg: RouteStep, found: MotionTrace) -> Met | None:
     way, known = _angle([simplified(x / distance) for x in apart]), _angle(other)
     if size is None or way is None or known is None or not others or longer(distance, SHORT):
         return None
-    own = [found.general[s].name for s in (letters[0][0], others[0]) if s in found.general]
-    names = ["_".join(pieces_of_name(name)[1:-1]) for name in own]
+    moving = [found.general[s].name for s in (letters[0][0], others[0]) if s in found.general]
+    names = ["_".join(pieces_of_name(name)[1:-1]) for name in moving]
     speed = simplified(sp.sqrt(other[0] ** 2 + other[1] ** 2))
     whole = len(names) == 2 and size.is_number and speed.is_number and distance.free_symbols
     if not whole:
