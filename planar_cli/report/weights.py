@@ -60,8 +60,8 @@ class WeightTelling(EnergyPieces):
         """
         ledger, body = self.phrases.ledger, made.words.removeprefix(WEIGHT)
         moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        centre = next((self.centre(m) for m in moving if m.body == body), "G")
-        if not put.free_symbols & set(self.unknowns) or self._short(put):
+        own_body = next((m for m in moving if m.body == body), None)
+        if own_body is None or not put.free_symbols & set(self.unknowns) or self._short(put):
             return None
         for symbol, whole in ledger.definitions.items():
             title = ledger.titles.get(symbol, "").removesuffix(", parallel axes")
@@ -69,17 +69,13 @@ class WeightTelling(EnergyPieces):
             own = [s for s in whole.free_symbols if ledger.titles.get(s) == f"moment of inertia of {body}"]
             if place == title or len(own) != 1:
                 continue
-            square = simplified((whole - own[0]) / self._mass(body))
+            square = simplified((whole - own[0]) / own_body.mass)
             rest = simplified(put / made.factor / sp.sqrt(square)) if square.is_number and square > 0 else sp.S.Zero
             if rest.free_symbols and all(abs(n) == 1 for n in rest.atoms(sp.Number)):
-                letter = sp.Symbol(f"{place}{centre}", positive=True)
+                letter = sp.Symbol(f"{place}{self.centre(own_body)}", positive=True)
                 ledger.know(letter, parse_unit("m"), NAMED)
                 return made.factor * letter * rest
         return None
-
-    def _mass(self, body: str) -> sp.Expr:
-        moving = self.balance.parts.moving if self.balance.parts is not None else ()
-        return next((m.mass for m in moving if m.body == body), sp.S.One)
 
     def _heights(self, ends: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
         """y_1 = formula = number, and y_2: each once, but again where it has a number that was still to be found."""
