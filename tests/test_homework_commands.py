@@ -239,7 +239,28 @@ def test_a_key_with_worked_solutions_is_not_lost(tmp_path: Path, capfd: pytest.C
     before = (out / "key.md").read_text()
     assert run(["key", str(path), "-o", str(out)]) != 0
     assert "holds worked solutions, which this run would leave out: add --both" in capfd.readouterr().err
+    # A key in another format would remove it: one without steps, and one that can have none.
+    for asked, way in (["--format", "html"], "add --both, or name"), (["--both", "--format", "json"], "out: name"):
+        assert run(["key", str(path), *asked, "-o", str(out)]) != 0
+        assert way in capfd.readouterr().err
     assert (out / "key.md").read_text() == before
+    assert run(["key", str(path), "--both", "--format", "html", "-o", str(out)]) == 0
+    assert not (out / "key.md").exists()
+    assert "<strong>Check:</strong>" in (out / "key.html").read_text()
+
+
+def test_names_that_make_one_file_name_have_two_files_over_several_runs(tmp_path: Path) -> None:
+    path, folder = tmp_path / "set.yaml", tmp_path / "feedback"
+    path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")
+    for student in ("Ann Lee", "ann-lee", "Ann Lee", "ann-lee"):
+        handed_in = tmp_path / "class.csv"
+        handed_in.write_text(f"student,problem,find,answer\n{student},slot,v,1 m/s\n")
+        assert run(["check", "--set", str(path), str(handed_in), "--feedback", str(folder)]) == 0
+    told = {p.name: p.read_text().splitlines()[2] for p in folder.iterdir()}
+    assert {name: line.split(":")[0] for name, line in told.items()} == {
+        "ann-lee.txt": "Ann Lee",
+        "ann-lee-2.txt": "ann-lee",
+    }
 
 
 def test_each_student_has_a_text_and_who_is_absent_is_named(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:

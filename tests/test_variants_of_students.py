@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -47,3 +48,16 @@ def test_values_that_are_never_fit_are_told(tmp_path: Path) -> None:
     (problem,) = made(tmp_path, "variants: {number: 6}").problems
     told = prepared(problem, 6, 1).warnings
     assert "slope: no combination with β = 5° is fit" in told
+
+
+def test_a_component_has_the_heading_of_its_own_variant(tmp_path: Path) -> None:
+    """Along the slope of the variant, not of the file."""
+    down = SLOPE.replace("a(block).mag", "a(block).along(-beta)").replace("5 deg, 35", "33 deg, 35")
+    (problem,) = made(tmp_path, "variants: {number: 6}").problems
+    Path(problem.path).write_text(down)
+    ready = prepared(problem, 6, 1)
+    assert len(ready.values) > 3
+    for values, task in zip(ready.values, ready.tasks, strict=True):
+        degrees = float(dict(values).get("beta", "30 deg").split()[0])
+        (a,) = task.expected
+        assert a.heading == pytest.approx(-math.radians(degrees))

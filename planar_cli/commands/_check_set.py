@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
 from planar_cli.commands._counter import counter
-from planar_cli.commands._feedback import feedback
+from planar_cli.commands._feedback import feedback, file_of
 from planar_cli.commands._output import write_files
 from planar_cli.options import WrongUsage
 from planar_cli.problem.show import visible
@@ -116,14 +116,14 @@ class _Class:
                 self._add(result)
 
     def _take(self, line: Line) -> None:
-        from planar_cli.homework.exports._text import slug
         from planar_cli.homework.results import result_of
 
         result = result_of(line.text)
         self._add(result)
         if self.options["feedback"]:
             text = feedback(result, self.homework.title, self.titles)
-            write_files({f"{self.names.of(slug(result.student))}.txt": text.encode()}, self.options["feedback"])
+            folder = self.options["feedback"]
+            write_files({file_of(result.student, folder, self.names): text.encode()}, folder)
         if self.form == "jsonl":
             echo(line.text if not self.options["for_student"] else _for_student(line.text))
         elif self.form == "csv":

@@ -28,12 +28,16 @@ def manifest(files: Mapping[str, bytes], worked: str) -> bytes:
     return (json.dumps(told, indent=1) + "\n").encode()
 
 
-def demand_no_loss(folder: str, key: str) -> None:
-    """PlanarError where a key without worked solutions would take the place of one that has them."""
-    if _written(Path(folder) / MANIFEST).get(WORKED) == key and (Path(folder) / key).exists():
+def demand_no_loss(folder: str, way: str) -> None:
+    """PlanarError where a key with worked solutions stands, which a run without them would remove or write over.
+    `way`: what to do so that the new key has them too; "": its format has none.
+    """
+    key = _written(Path(folder) / MANIFEST).get(WORKED, "")
+    if OF_A_KEY.fullmatch(key) and (Path(folder) / key).exists():
         there = visible(str(Path(folder) / key))
         raise PlanarError(
-            f"{there} holds worked solutions, which this run would leave out: add --both, or name another folder"
+            f"{there} holds worked solutions, which this run would leave out: "
+            f"{f'{way}, or name' if way else 'name'} another folder"
         )
 
 

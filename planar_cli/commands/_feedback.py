@@ -4,10 +4,36 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 
+from planar_cli.homework.exports._text import Names, slug
 from planar_cli.homework.paper import MISSING, RIGHT, Graded, Result
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.show import visible
+
+STUDENT_LINE, LONGEST_LINE = 3, 10_000
+"""The name stands on the third line of a text; so much of a line is read."""
+
+
+def file_of(student: str, folder: str, names: Names) -> str:
+    """The name of the file for this student: one that no other has, in this run or an earlier one in this folder."""
+    while True:
+        name = f"{names.of(slug(student))}.txt"
+        if _is_free(Path(folder) / name, student):
+            return name
+
+
+def _is_free(path: Path, student: str) -> bool:
+    """Nothing stands there, or a text that was written for the same student."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            head = [stream.readline(LONGEST_LINE) for _ in range(STUDENT_LINE)]
+    except FileNotFoundError:
+        return True
+    except OSError:
+        return False
+    name = visible(student)
+    return head[-1].startswith((f"{name}: ", f"{name}, variant "))
 
 
 def feedback(result: Result, title: str, titles: Mapping[str, str]) -> str:

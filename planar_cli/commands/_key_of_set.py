@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from planar_cli.homework.sheets import Handed
 
 SUFFIX = {"markdown": "md", "html": "html", "json": "json", "csv": "csv"}
+WITH_STEPS = ("markdown", "html")
+"""Formats in which a key can hold worked solutions."""
 
 
 def key_of_set(
@@ -41,9 +43,11 @@ def key_of_set(
 
     if exports and output is None:
         raise PlanarError("--export needs a folder: `-o FOLDER`")
-    suffix = SUFFIX[form or "markdown"]
-    if output is not None and not worked and not both:
-        demand_no_loss(output, f"key.{suffix}")
+    style = form or "markdown"
+    suffix = SUFFIX[style]
+    holds_worked = (worked or both) and style in WITH_STEPS
+    if output is not None and not holds_worked:
+        demand_no_loss(output, "add --both" if style in WITH_STEPS else "")
     homework_set = read_set(path)
     homework_set = replace(
         homework_set,
@@ -55,7 +59,6 @@ def key_of_set(
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]
-    style = form or "markdown"
     key = _key(homework, handed_out, style, worked or both, not worked or both)
     if output is None:
         write(key, None)
@@ -70,7 +73,7 @@ def key_of_set(
         }
     data = {name: text.encode() for name, text in {**files, **keys}.items()}
     clear(output, data)
-    write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if worked or both else "")}, output)
+    write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if holds_worked else "")}, output)
     for name in exports:
         _export(homework, name, homework_set.seed, output)
     return cli.SOLVED

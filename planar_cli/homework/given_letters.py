@@ -4,6 +4,7 @@ an answer may be written with them or with their numbers.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -20,6 +21,8 @@ from planar_cli.problem.variations import number_of
 from planar_cli.units import Unit, pretty_unit
 
 GRAVITY = "g", "m/s^2"
+_TOLD = re.compile(r"(?<![\d.])(9\.81|32\.2)(?!\d)")
+"""In the words of a problem: its own g. Metric or in feet."""
 Given = dict[str, tuple[Fraction, Unit]]
 
 
@@ -71,7 +74,7 @@ def _letters(problem: Problem, given: Given) -> tuple[tuple[str, str], ...]:
 def gravity_told(problem: WorkedProblem) -> tuple[str, ...]:
     """g with the number that it has, where answers rest on it and the file does not give it."""
     own = {s.name for s in (*problem.problem.given, *problem.problem.symbols)}
-    if GRAVITY[0] in own or problem.problem.symbols or "9.81" in problem.problem.text:
+    if GRAVITY[0] in own or problem.problem.symbols or _TOLD.search(problem.problem.text):
         return ()
     for part in problem.parts:
         ledger = ledger_of(part)

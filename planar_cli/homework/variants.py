@@ -145,7 +145,8 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
                 continue
             own = tuple(float(n[k]) for n in numbers[one.name])
             scale = scale_of(part, one.unit, problem.problem.us)
-            expected.append(expected_of(problem, part, one, own, scale))
+            data = {name: float(column[k]) for name, column in values.items()}
+            expected.append(expected_of(problem, part, one, own, scale, data))
         found.taken.append(Variant(draw, tuple(expected)))
 
 

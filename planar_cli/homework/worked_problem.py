@@ -250,8 +250,15 @@ def _models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
 # --- what is expected ------------------------------------------------------------------------------------------------
 
 
-def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[float, ...], scale: float) -> Expected:
-    """One find with its numbers in its unit."""
+def expected_of(
+    problem: WorkedProblem,
+    part: Part,
+    found: Found,
+    values: tuple[float, ...],
+    scale: float,
+    own: Mapping[str, float],
+) -> Expected:
+    """One find with its numbers in its unit. `own`: the data of a variant, in base units."""
     what = found.find.found.what if found.find is not None else None
     last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
     direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
@@ -273,7 +280,7 @@ def expected_of(problem: WorkedProblem, part: Part, found: Found, values: tuple[
         rotation and (len(values) == 1 or found.values is None),
         direction,
         axis,
-        heading=heading_of(what, part.replay.equations if part.replay is not None else None),
+        heading=heading_of(what, part.replay.equations if part.replay is not None else None, own),
         size=last == "mag",
     )
 
@@ -341,7 +348,7 @@ def base_expected(problem: WorkedProblem) -> tuple[Expected, ...]:
     us = problem.problem.us
     for part, one in problem.finds:
         values = tuple(float(v) / in_base(one.unit, us) for v in one.values or ())
-        made = expected_of(problem, part, one, values, scale_of(part, one.unit, us))
+        made = expected_of(problem, part, one, values, scale_of(part, one.unit, us), {})
         found.append(_with_formula(made, part, one) if made.kind in ("formula", "equation") else made)
     return tuple(found)
 

@@ -9,6 +9,7 @@ from planar_cli.homework.named_mistakes import WIDEST
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.typed_formula import drawn_places, values_at
 from planar_cli.homework.unreadable import Unreadable
+from planar_cli.problem.reading import listed
 
 ALIKE = 1e-6
 NUDGED, FEWEST = 0.99, 4
@@ -43,14 +44,17 @@ def seen(expected: Expected, text: str) -> str:
 def _of_factor(expected: Expected, text: str) -> str:
     free = [n for n, _ in expected.letters if n not in dict(expected.known)]
     same = _are_equal(_ratios(_values(expected, text), _values(expected, expected.formula)))
-    return f"{_and(free)} stand as they should, but not the number before them" if free and same else ""
+    if not (free and same):
+        return ""
+    stand, it = ("stands as it should", "it") if len(free) == 1 else ("stand as they should", "them")
+    return f"{listed(free, 'and')} {stand}, but not the number before {it}"
 
 
 def _of_letters(expected: Expected, text: str) -> str:
     mine, right = _letters_in(expected, text), _letters_in(expected, expected.formula)
     more, less = [n for n in mine if n not in right], [n for n in right if n not in mine]
     said = ((more, "should not stand in it"), (less, "should stand in it"))
-    return "; ".join(f"{_and(names)} {words}" for names, words in said if names)
+    return "; ".join(f"{listed(names, 'and')} {words}" for names, words in said if names)
 
 
 def _letters_in(expected: Expected, text: str) -> list[str]:
@@ -76,7 +80,3 @@ def _ratios(one: Sequence[float], other: Sequence[float]) -> list[float]:
 
 def _are_equal(numbers: Sequence[float]) -> bool:
     return all(math.isclose(n, numbers[0], rel_tol=ALIKE) for n in numbers)
-
-
-def _and(names: Sequence[str]) -> str:
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))

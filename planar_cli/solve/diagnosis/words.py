@@ -12,6 +12,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.motion import Edge
 from planar_cli.equation.setup import first_unit
 from planar_cli.equation.system import System
+from planar_cli.problem import reading
 from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Name, Number, Quantity, Relation, Side
 from planar_cli.problem.facts import Push
@@ -27,11 +28,8 @@ KINDS = {"normal": "N", "friction": "friction", "tension": "tension", "couple": 
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:
-    """`a`, `a and b`, `a, b and c`."""
-    items = list(dict.fromkeys(words))
-    if len(items) < 2:
-        return "".join(items)
-    return f"{', '.join(items[:-1])} {last} {items[-1]}"
+    """`a`, `a and b`, `a, b and c`, each once."""
+    return reading.listed(dict.fromkeys(words), last)
 
 
 def one_of(words: Iterable[str]) -> str:
