@@ -7,8 +7,10 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def _page(stem: str) -> str:
@@ -80,8 +82,12 @@ def test_a_speed_that_counts_against_an_axis_is_said_to() -> None:
 
 
 def test_a_case_counts_as_the_file_did_where_its_own_sense_is_open() -> None:
-    """Where the push acts is sought; that the ball turns clockwise was told before."""
-    page = _page("rigid-bodies/ball-pushed-without-friction")
+    """Where the push acts is sought; that the ball turns clockwise was told before. As more is asked, all is found anew."""
+    text = (ROOT / "problems/rigid-bodies/ball-pushed-without-friction.yaml").read_text()
+    problem, wrong = load_text(text.replace("a_best: a(G).x", "pressed: N(C)").replace(", a_best: F/m", ""))
+    assert problem is not None
+    assert not wrong
+    page = " ".join(Terminal(400).render(narrate(solve_problem(problem))).split())
     assert "↺" not in page
     assert "↻ ΣM_G: F (h - R) = I_G α" in page.split("CASE")[1]
 

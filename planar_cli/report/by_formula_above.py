@@ -22,6 +22,7 @@ from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.problem.expression import Name as Named
 from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.report.blocks import (
     Answer,
     Block,
@@ -53,13 +54,19 @@ OWN = ("given", "unknowns", "find", "instant", "cases", "answers", "title", "tex
 INDEPENDENT = "checked by an independent"
 
 
-def by_formula_above(part: PartSolution, solution: Solution, phrases: Phrases | None, own: list[Block]) -> list[Block]:
-    """The blocks of a case with its steps told so; as they are where it asks something else. `phrases`: of the case."""
+def by_formula_above(
+    part: PartSolution, solution: Solution, phrases: Phrases | None, own: list[Block], above: list[Block]
+) -> list[Block]:
+    """The blocks of a case with its steps told so; as they are where it asks something else. `phrases`: of the case.
+    `above`: what the page says before it.
+    """
     found = _asked(part, solution)
-    told = [] if found is None or phrases is None else _equations(*found, phrases)
+    told = [] if found is None or phrases is None else _equations(found, phrases, above)
     if found is None or not told:
         return own
-    head = Heading("STEP 1", "The formula above, set to zero", line(Name(found[0].name), " = 0"))
+    letter = found.letter
+    named = line(Name(found.zero.name) if letter is None else Math(letter), " = 0")
+    head = Heading("STEP 1", "The formula above, set to zero", named)
     kept = [b for b in own if not isinstance(b, Check | Heading | Paragraph | Equation | Forces | Table | Result)]
     answers = [b for b in kept if isinstance(b, Answer)]
     checks = [b for b in own if isinstance(b, Check) and any(INDEPENDENT in getattr(p, "text", "") for p in b.line)]
@@ -71,7 +78,7 @@ def without_foretold(blocks: list[Block], part: PartSolution, solution: Solution
     found = _asked(part, solution)
     if found is None:
         return blocks
-    letters = {s.name for s in found[1].asked[0].free_symbols}
+    letters = {s.name for s in found.answer.asked[0].free_symbols}
     return [b for b in blocks if not (isinstance(b, Note) and b.kind == "Discussion" and _names(b.line) & letters)]
 
 
@@ -80,13 +87,48 @@ def _names(words: Line) -> set[str]:
     return {s.name for side in sides if isinstance(side, Math) for s in side.expr.free_symbols}
 
 
-def _asked(part: PartSolution, solution: Solution) -> tuple[Found, Found] | None:
-    """What is to vanish, as it was found in general, and the value that is asked; None: it is another case."""
+@record
+class _Asked:
+    """What is to vanish, as it was found in general, the value that is asked, and what else is asked with that value.
+    `general`: the solution in which the first was found.
+    """
+
+    zero: Found
+    answer: Found
+    others: tuple[Found, ...]
+    general: PartSolution
+
+    @property
+    def letter(self) -> sp.Symbol | None:
+        """The letter of what is to vanish; None: it has none of its own."""
+        (expr,) = self.zero.asked if len(self.zero.asked) == 1 else (sp.S.Zero,)
+        letter = -expr if expr.could_extract_minus_sign() else expr
+        return letter if isinstance(letter, sp.Symbol) else None
+
+    def named(self, expr: sp.Expr) -> sp.Expr:
+        """The letter that the general solution has for an expression: a_G for R α; the expression where it has none."""
+        stages = (stage for instant in self.general.instants for stage in instant.stages)
+        return next((s for stage in stages for s, e in stage.algebra.explicit.items() if e == expr), expr)
+
+    def opened(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the general solution in the letters of the file."""
+        formulas: dict[sp.Symbol, sp.Expr] = {}
+        for instant in self.general.instants:
+            formulas |= instant.instant.scene.ledger.definitions
+            for stage in instant.stages:
+                formulas |= {**stage.algebra.explicit, **stage.algebra.formulas}
+        while inside := expr.free_symbols & formulas.keys():
+            expr = expr.xreplace({s: formulas[s] for s in inside})
+        return simplified(expr)
+
+
+def _asked(part: PartSolution, solution: Solution) -> _Asked | None:
+    """What is asked, where a case asks for which value of a datum something vanishes; None: it is another case."""
     whole = solution.problem
     case = next((c.problem for c in whole.cases if c.name == part.case), None)
-    if case is None or part.motion is not None or len(part.found) != 1 or case.instant is None:
+    if case is None or part.motion is not None or not part.found or case.instant is None:
         return None
-    (answer,) = part.found
+    answer, *others = part.found
     what = answer.find.found.what if answer.find is not None else None
     new = {u.name for u in case.unknowns} - {u.name for u in whole.unknowns}
     before = {_key(s) for s in whole.instant or ()}
@@ -102,7 +144,7 @@ def _asked(part: PartSolution, solution: Solution) -> tuple[Found, Found] | None
         return None
     finds = (f for f in first.found if f.find is not None and _key(f.find.found.what) == _key(sides.left))
     zero = next((f for f in finds if f.kind == "number" and f.expressions), None)
-    return None if zero is None else (zero, answer)
+    return None if zero is None else _Asked(zero, answer, tuple(others), first)
 
 
 def _like(case: Problem, whole: Problem) -> bool:
@@ -115,25 +157,75 @@ def _key(tree: Any) -> str:
     return re.sub(r"mark=Mark\([^)]*\)", "", repr(tree))
 
 
-def _equations(zero: Found, answer: Found, phrases: Phrases) -> list[Block]:
-    """The formula set to zero, what that leaves of it, and the value; empty where the value does not fulfil it."""
-    (x,) = answer.asked or (None,)
-    if not zero.expressions or not answer.expressions or not isinstance(x, sp.Symbol):
+def _equations(found: _Asked, phrases: Phrases, above: list[Block]) -> list[Block]:
+    """The formula set to zero, what that leaves of it, the value, and what else is asked with it; empty where the value
+    does not fulfil it, or something asked has no formula.
+    """
+    (x,) = found.answer.asked or (None,)
+    if not found.zero.expressions or not found.answer.expressions or not isinstance(x, sp.Symbol):
         return []
-    formula, value = simplified(zero.expressions[0]), answer.expressions[0]
+    formula, value = _general(found, x), found.answer.expressions[0]
     own = next((s for s in formula.free_symbols if s.name == x.name), None)
     if own is None or longer(formula, LONGEST) or not identically_zero(formula.xreplace({own: value})):
         return []
     open_, shown = formula.xreplace({own: x}), phrases.shown(x)
     if not is_clean(phrases.ledger, open_):
         return []
-    sides: tuple[Any, ...] = (phrases.math(x), phrases.math(value), *phrases.substituted(value, shown), shown)
+    others = [_other(found, one, own, phrases) for one in found.others]
+    if any(o is None for o in others):
+        return []
+    sides: tuple[Any, ...] = (phrases.math(x), phrases.math(value), *phrases.substituted(value, shown))
+    if not phrases.symbolic:
+        sides = (*sides, shown)
     left = _left(open_, x)
+    found_again = left is not None and left[0] == x and left[1] == value
     return [
-        Equation((phrases.math(open_), Math(sp.S.Zero))),
-        *([Equation((phrases.math(left[0]), phrases.math(left[1])))] if left is not None else []),
+        _set_to_zero(found.letter, phrases.math(open_), above),
+        *([Equation((phrases.math(left[0]), phrases.math(left[1])))] if left is not None and not found_again else []),
         Equation(sides),
+        *(o for o in others if o is not None),
     ]
+
+
+def _general(found: _Asked, x: sp.Symbol) -> sp.Expr:
+    """The formula of what is to vanish with the datum open, also where the general solution has a formula for it."""
+    assert found.zero.expressions
+    (closed,) = found.zero.expressions[:1]
+    if found.letter is not None and all(s.name != x.name for s in closed.free_symbols):
+        return found.opened(found.letter)
+    # What counts against its letter, as an angular acceleration where the page counts clockwise, has the other sign.
+    against = found.letter is not None and found.zero.asked[0] != found.letter
+    return simplified(-closed if against else closed)
+
+
+def _set_to_zero(letter: sp.Symbol | None, formula: Math, above: list[Block]) -> Equation:
+    """(3):  F_C = m a_G - P = P (R (R + r)/(R² + k_G²) - 1) = 0, from the line above that found the letter."""
+    nought = Math(sp.S.Zero)
+    if letter is None:
+        return Equation((formula, nought))
+    first = next((b for b in above if isinstance(b, Equation) and b.sides[0] == Math(letter) and b.lead), None)
+    if first is None:
+        return Equation((Math(letter), formula, nought))
+    told = () if formula in first.sides or not isinstance(first.sides[1], Math) else (first.sides[1],)
+    return Equation((Math(letter), *told, formula, nought), None, first.lead)
+
+
+def _other(found: _Asked, other: Found, own: sp.Symbol, phrases: Phrases) -> Equation | None:
+    """a_best = a_G = 5 F h/(7 m R) = F/m: what else is asked, by the general solution; None: that has no formula."""
+    if len(other.asked) != 1 or len(other.expressions or ()) != 1 or other.kind != "number":
+        return None
+    (asked,), (closed,) = other.asked, other.expressions or ()
+    general = found.opened(asked)
+    value = found.answer.expressions[0] if found.answer.expressions else own
+    if own not in general.free_symbols or longer(general, LONGEST):
+        return None
+    if not identically_zero(general.xreplace({own: value}) - closed):
+        return None
+    sides: list[Any] = [Name(other.name), phrases.math(found.named(asked)), phrases.math(general)]
+    if other.values is None:
+        return Equation((*sides, phrases.math(closed)))
+    shown = phrases.in_units(other.values[0], other.unit, other.energy)
+    return Equation((*sides, *phrases.substituted(general, shown[0]), *shown))
 
 
 def _left(formula: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:

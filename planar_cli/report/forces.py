@@ -235,9 +235,11 @@ def _at(instant: InstantSolution, point: Any, body: str) -> str:
     points = sorted(scene.points.items(), key=lambda item: body not in scene.owners.get(item[0], ()))
     places = [(f" at {name}", place) for name, place in points]
     places += [(_centre(scene, b), scene.center(b)) for b in scene.bodies]
-    for words, place in places:
-        if all(value.is_zero(getattr(place, a) - getattr(point, a)) for a in ("x", "y")):
-            return words
+    # A point with the same formula comes before one that these data lay there, as H(0, h) on G for h = R.
+    for is_zero in (lambda e: e == 0, value.is_zero):
+        for words, place in places:
+            if all(is_zero(getattr(place, a) - getattr(point, a)) for a in ("x", "y")):
+                return words
     return ""
 
 

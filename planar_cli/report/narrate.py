@@ -129,7 +129,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             # Of what the formula above is set to zero for, the heading says all that is new.
-            headed = why is None and (shorter := by_formula_above(part, solution, mine, own)) is not own
+            headed = why is None and (shorter := by_formula_above(part, solution, mine, own, blocks)) is not own
             if headed:
                 blocks = without_foretold(blocks, part, solution)
                 own = [b for b in shorter if not stood_above(b, blocks)]
