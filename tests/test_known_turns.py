@@ -82,7 +82,7 @@ def test_a_speed_that_counts_against_an_axis_is_said_to() -> None:
 
 
 def test_a_case_counts_as_the_file_did_where_its_own_sense_is_open() -> None:
-    """Where the push acts is sought; that the ball turns clockwise was told before. As more is asked, all is found anew."""
+    """The place of the push is sought; that the ball turns clockwise was told. As more is asked, it is found anew."""
     text = (ROOT / "problems/rigid-bodies/ball-pushed-without-friction.yaml").read_text()
     problem, wrong = load_text(text.replace("a_best: a(G).x", "pressed: N(C)").replace(", a_best: F/m", ""))
     assert problem is not None
