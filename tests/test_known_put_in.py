@@ -7,11 +7,12 @@ from worked import page_of_file
 
 
 @pytest.mark.parametrize("line", [
-    "(4) ↺ ΣM_B: N_C l - 1/2 m g l = 1/6 m l² α_AB",
-    "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = m l² α_AB",
+    "(4) ↺ ΣM_B: N_C l - 1/2 m g l = I_BC α_BC + 1/2 m l α_BC · l/2 + m l α_AB · l/2 = 1/6 m l² α_AB",
+    "· 3 l/2 + m l α_AB · 3 l/2 = m l² α_AB",
+    "(7) ↺ ΣM_B: 1/2 m g l - l A_y = I_AB α_AB - 1/2 m l α_AB · l/2 = -1/6 m l² α_AB",
     "(4): N_C = 1/2 m g + 1/6 m l α_AB (5): α_AB = -3 g/(2 l)",
 ])  # fmt: skip
-def test_what_is_one_letter_but_for_its_sign_is_put_in(line: str) -> None:
+def test_what_is_one_letter_but_for_its_sign_is_put_in_after_the_moments_themselves(line: str) -> None:
     assert line in page_of_file("two-rods-falling-flat")
 
 

@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
+from planar_cli.report.raw_moments import without_nothing
 from planar_cli.report.shown import place_at, place_drawn, place_of_rest
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
 from planar_cli.report.state_words import place
@@ -131,7 +132,9 @@ def _once(sides: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def _side(side: Any, places: Mapping[sp.Symbol, sp.Expr], phrases: Phrases) -> Any:
-    return _line(side, places, phrases) if isinstance(side, tuple) else next(_pieces((side,), places, phrases))
+    if isinstance(side, tuple):
+        return without_nothing(_line(side, places, phrases))
+    return next(_pieces((side,), places, phrases))
 
 
 def _line(whole: Line, places: Mapping[sp.Symbol, sp.Expr], phrases: Phrases) -> Line:

@@ -28,6 +28,7 @@ from planar_cli.report.grooves import groove_told
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product, with_direction
+from planar_cli.report.raw_moments import with_raw_moments
 from planar_cli.report.reasons import Reasons
 from planar_cli.report.relative_motion import is_told
 from planar_cli.report.rolled_points import is_named, rolling, touching
@@ -237,10 +238,8 @@ class Telling:
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
         if w.given and (words := self._at_limit(w)):
-            return [
-                Paragraph(self._named(words)),
-                Equation((self.phrases.math(w.left), self.phrases.math(w.right)), number),
-            ]
+            sides = (self.phrases.math(w.left), self.phrases.math(w.right))
+            return [Paragraph(self._named(words)), Equation(sides, number)]
         if w.given:
             return self.data.blocks(w, number)
         if w.law == "relation":
@@ -256,6 +255,7 @@ class Telling:
         if w.law == "moment":
             head = Paragraph(moment_words(self.system, self.phrases, w, stage))
             lead = line(f"{sense_of(turn)} ", Name(f"ΣM_{w.lead}"), ":")
+            sides = sides if self.numeric.put_whole(w, stage) else with_raw_moments(w, turn, sides, self.phrases)
         else:
             head = Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w, stage), ":"))
             lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")

@@ -29,7 +29,7 @@ from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.tangent_angle import of_groove
-from planar_cli.solve.instant.written import Explicit, Written
+from planar_cli.solve.instant.written import Explicit, Written, put_together
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
@@ -257,22 +257,23 @@ class Writer:
             return turning + couple
 
         left = self._loads(bodies, moment)
-        right: list[sp.Expr] = []
-        for body in bodies:
-            right += self._inertia_terms(body, center, name, alone=len(bodies) == 1)
-        return self._written("moment", bodies, name, choice.words, left, self.kept_lines(right))
+        alone = len(bodies) == 1
+        parts = [part for body in bodies for part in self._inertia_terms(body, center, name, alone)]
+        right = self.kept_lines([force * about for force, about in parts])
+        written = self._written("moment", bodies, name, choice.words, left, right)
+        return replace(written, moments=put_together(parts, written.right))
 
-    def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[sp.Expr]:
-        """m a_G × arm + I α; I_C α where C is a fixed point of the body."""
+    def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[tuple[sp.Expr, sp.Expr]]:
+        """m a_G and its arm, I α and 1; I_C α where C is a fixed point of the body."""
         model = self.system.scene.bodies[body]
         alpha = self.motion.accelerations[body].angular if model.rigid else sp.S.Zero
         if alone and model.rigid and alpha != 0 and model.mass != 0 and self._fixed(body, center):
-            return [self._inertia_about(body, center, name) * alpha]
-        terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
+            return [(self._inertia_about(body, center, name) * alpha, sp.S.One)]
+        terms = [] if model.inertia == 0 or alpha == 0 else [(model.inertia * alpha, sp.S.One)]
         if model.mass != 0:
             arm = self.system.scene.arms.between(center, model.center)
             terms += [
-                model.mass * component * self.arm(arm.cross(direction))
+                (model.mass * component, self.arm(arm.cross(direction)))
                 for direction, component in self.acceleration(body)
             ]
         return terms

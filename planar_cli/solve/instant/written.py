@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 
 from planar_cli.principles.base import Premise
@@ -35,6 +37,8 @@ class Written:
     """Of a relation, the point that it is about."""
     times: int = 0
     """How often a relation of the file was differentiated."""
+    moments: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    """What the right side of a sum of moments is put together of: each m a with its arm, each I α with the factor 1."""
 
     @property
     def residual(self) -> sp.Expr:
@@ -49,3 +53,9 @@ class Explicit:
     symbol: sp.Symbol
     expression: sp.Expr
     words: str
+
+
+def put_together(parts: Iterable[tuple[sp.Expr, sp.Expr]], right: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """The parts of a side, force and arm, that are not zero; empty where the side is less than their sum."""
+    kept = tuple((force, arm) for force, arm in parts if force * arm != 0)
+    return kept if sp.Add(*(force * arm for force, arm in kept)) == right else ()
