@@ -21,6 +21,7 @@ from planar_cli.report.centres_put_in import centres_put_in
 from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
+from planar_cli.report.energies_told import as_told
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.first_state import first_state_first
 from planar_cli.report.flights import FlightTelling
@@ -132,7 +133,7 @@ class MotionTelling:
         way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         asked = AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
-        yield from first_state_first(way, list(asked), self.found)
+        yield from first_state_first(way, list(as_told(asked, way, self.numeric)), self.found)
         yield from functions  # where they did not come first
 
     # --- the route ---------------------------------------------------------------------------------------------------

@@ -20,14 +20,7 @@ from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.at_one_state import where_asked, where_told
 from planar_cli.report.axes_of_frames import with_axes_of_frames
 from planar_cli.report.bars import with_bars
-from planar_cli.report.blocks import (
-    Block,
-    Check,
-    Document,
-    Equation,
-    Heading,
-    Note,
-)
+from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, Note
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
 from planar_cli.report.carried_out import carried_out
@@ -66,6 +59,7 @@ from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
 from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
+from planar_cli.report.sought_at_state import with_sought_names
 from planar_cli.report.special_case import special_case
 from planar_cli.report.stated_text import stated_text
 from planar_cli.report.steps import SOLVING, without_ritual
@@ -198,7 +192,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
     blocks = with_frames_apart(with_component_letters(blocks, part.found), part.found)
-    blocks = with_numbers(with_axes_of_frames(blocks, part.motion))
+    blocks = with_sought_names(with_numbers(with_axes_of_frames(blocks, part.motion)), part.motion)
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     if why is None and not by_hand and (case := special_case(part, phrases)):

@@ -14,6 +14,7 @@ from planar_cli.equation.ledger import Kind, Role
 from planar_cli.equation.plain import by_name, longer
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.derivation import at_right_angles
+from planar_cli.solve.between.energies_beside import energies_inside, energy_is_worth_a_letter
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.trace import Request
 from planar_cli.solve.between.velocities_beside import is_worth_a_letter, velocities_inside
@@ -64,7 +65,7 @@ class FindTeller:
         places = self._places(asked)
         if self.course.symbolic:
             return found
-        if told := self._by_velocities(asked, kept):
+        if told := self._by_parts(asked, kept):
             return told
         if len({(id(reader.regime), stop.name) for reader, stop, _ in places}) != 1:
             return found
@@ -83,26 +84,31 @@ class FindTeller:
             self.numbers[own] = Decimal(0) if known.is_zero(formula) else known(formula)
         return replace(found, parts=parts, beside=lines)
 
-    def _by_velocities(self, asked: AskedFind, kept: KeptLetters) -> Request | None:
-        """A find by the velocities of points of which it is made up; None: these are letters anyway."""
+    def _by_parts(self, asked: AskedFind, kept: KeptLetters) -> Request | None:
+        """A find by the velocities of points, or the kinetic energies, of which it is made up; None: these are letters
+        anyway.
+        """
         lines: dict[sp.Symbol, sp.Expr] = {}
         put: dict[sp.Symbol, sp.Expr] = {}
-        for symbol, name, state in velocities_inside(asked):
+        inside = [("m/s", is_worth_a_letter, *found) for found in velocities_inside(asked)]
+        inside += [("J", energy_is_worth_a_letter, *found) for found in energies_inside(asked)]
+        order = [s.name for s in self.course.states]
+        for unit, is_worth, symbol, name, state in sorted(inside, key=lambda one: order.index(one[-1])):
             (formula,) = self._parts(replace(asked, raw=(symbol,)), kept)
-            if not is_worth_a_letter(formula):
+            if not is_worth(formula):
                 continue
-            own = self._velocity(name, state)
+            own = self._part(name, state, unit)
             lines[own], put[symbol], self.numbers[own] = formula, own, self.value(formula)
         if not lines:
             return None
         parts = self._parts(replace(asked, raw=(asked.raw[0].xreplace(put),)), kept)
         return Request(asked.find, parts, asked.unit, tuple(lines.items()))
 
-    def _velocity(self, name: str, state: str) -> sp.Symbol:
-        """The letter of a component of the velocity of a point."""
+    def _part(self, name: str, state: str, unit: str) -> sp.Symbol:
+        """The letter of a component of the velocity of a point, or of a kinetic energy."""
         key = sp.Symbol(name, real=True), state
         if key not in self._made:
-            self._made[key] = self.course.ledger.fresh(f"{name}__{state}", "m/s", role=Role(Kind.STATE, None, state))
+            self._made[key] = self.course.ledger.fresh(f"{name}__{state}", unit, role=Role(Kind.STATE, None, state))
         return self._made[key]
 
     @staticmethod

@@ -1,0 +1,32 @@
+"""A share of an energy is told by the energies of which it is made; what is sought has its own name from the start."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_a_share_of_an_energy_is_told_by_the_energies() -> None:
+    page = page_of_file("box-that-tips-over")
+    assert "T_1 = 1/2 m v_0² = 1/2 · 40 · 1.7194² = 59.13 J" in page
+    # As it stands in the balance of energies.
+    assert "T_2 = 1/2 I_C ω_2² = 9.067 (-1.8964)² = 32.61 J" in page
+    assert "share = 1 - T_2/T_1 = 1 - 32.61/59.13 = 0.4485" in page
+
+
+def test_energies_of_several_bodies_are_told_in_the_order_of_their_states() -> None:
+    page = page_of_file("ball-strikes-the-end-of-a-pinned-rod")
+    before, after = page.index("T_1 = 1/2 m v_Bx,1²"), page.index("T_2 = 1/6 M l² ω_2² + 1/2 m v_Bx,2²")
+    assert before < after < page.index("lost = ")
+
+
+def test_what_is_sought_has_one_name() -> None:
+    """v_0, which the file seeks, not the velocity of G at state 1."""
+    page = page_of_file("box-that-tips-over")
+    assert "↺ H_C: -1/2 m v_0 h = I_C ω_2" in page
+    assert "v_Gx,1" not in page
+
+
+def test_what_is_given_at_a_state_keeps_its_name() -> None:
+    """The wind goes as fast as the cyclist, whose speed is given, for a reason."""
+    page = page_of_file("wind-felt-by-a-cyclist")
+    assert "At slow: w_x = v_cyclist,x,slow = 3.333 m/s" in page
