@@ -71,8 +71,8 @@ def page_of(text: str) -> str:
 
 def test_a_root_is_left_out_by_what_rules_it_out() -> None:
     page = page_of(THROWN)
-    assert "the positive root, as t_3 > 0" in page
-    assert "the negative root, as it moves downward there" in page
+    assert "the positive root: t_3 > 0" in page
+    assert "the negative root: it moves downward" in page
     assert "not -" not in page
 
 

@@ -12,7 +12,7 @@ from planar_cli.report.idle_lines import without_idle_lines
 v, t_2, t_3, theta_1, theta_2 = sp.symbols("v t__2 t__3 theta__1 theta__2")
 BALL, ROD = (Forces(body, line("m g ↓"), line("m a ↑")) for body in ("ball", "rod"))
 SUM = Equation((Math(v), Math(2 * v)), 1)
-ROOT = Paragraph(line("the positive root, as ", "v > 0"))
+ROOT = Paragraph(line("the positive root: ", "v > 0"))
 
 
 def test_a_dropped_ball_has_no_sideways_velocity() -> None:
@@ -60,11 +60,20 @@ def test_a_place_that_a_blow_keeps_is_told_where_it_is_used(used: bool) -> None:
     assert without_idle_lines([same, later]) == ([same, later] if used else [later])
 
 
-def test_the_reason_of_a_root_stands_beside_its_equation() -> None:
+def test_the_reason_of_a_root_stands_beside_it() -> None:
     solved = Equation((Math(v), Math(t_2)), None, line("(1):"))
     first, second = without_idle_lines([SUM, solved, ROOT])
+    assert first == SUM
+    assert isinstance(second, Equation)
+    assert second.note == ROOT.line
+
+
+def test_a_root_that_is_a_state_before_stands_beside_the_equation() -> None:
+    solved = Equation((Math(v), Math(t_2)), None, line("(1):"))
+    remark = Paragraph(line(Math(v), " = 0 is state 1", " itself"))
+    first, second = without_idle_lines([SUM, solved, remark])
     assert isinstance(first, Equation)
-    assert first.note == ROOT.line
+    assert first.note == remark.line
     assert second == solved
 
 

@@ -65,7 +65,7 @@ def test_a_heading_returns_after_another() -> None:
     law = Equation((Math(x), Math(y)), 1)
     blocks = [heading, law, other, law, heading, law]
     assert in_one_line(blocks) == blocks
-    remark = Paragraph(line("the positive root, as x grows"))
+    remark = Paragraph(line("the positive root: x grows"))
     assert in_one_line([heading, law, remark, heading, law]) == [heading, law, remark, law]
 
 

@@ -69,7 +69,7 @@ def test_a_string_to_a_fixed_point_of_a_turning_body() -> None:
 def test_a_bob_swings_about_the_point_from_which_it_hangs() -> None:
     page = page_of_file("exercise-3-43")
     assert "φ_P: the angle of the radius to P from the x axis" in page
-    assert "the negative root, as it moves clockwise there" in page
+    assert "the negative root: it moves clockwise" in page
     assert "T = m g (1 + 2 (M + m) (1 - cos θ) / M)" in page
     assert "Discussion With θ = 0: v_wagon = 0; T = m g." in page
 

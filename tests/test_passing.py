@@ -19,7 +19,7 @@ def _page(name: str) -> str:
 def test_a_square_holds_while_the_sense_is_kept() -> None:
     page = _page("textbook/ex-1-08")
     assert "ω dω = α dθ from θ = 0, ω = 0 to any θ:" in page
-    assert "the positive root, as θ grows" in page
+    assert "the positive root: θ grows" in page
     assert "d(1/2 ω²)/dθ = d(g sin θ / r)/dθ = g cos θ / r = α" in page
     assert "throughout" not in page
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TypeGuard
 
 from planar_cli.report.blocks import Block, Equation, Forces, Math, Name, Paragraph, Text, Value
-from planar_cli.report.left_out import tells_of_others, tells_the_root
+from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the_root
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
@@ -208,18 +208,23 @@ def _leading(block: Block) -> str:
 
 
 def with_roots_beside(blocks: Sequence[Block]) -> list[Block]:
-    """Blocks in which the reason of a root stands beside the equation that has it, before its solution; beside the
-    solution, where something else stands there already.
+    """Blocks in which the reason of a root stands beside it; beside the equation that it solves, where something else
+    stands there already. A root that only tells of a state before stands beside the equation, before the one sought.
     """
     found: list[Block] = []
     for block in blocks:
         if isinstance(block, Paragraph) and tells_the_root(block):
             last, before = [*found[:-3:-1], None, None][:2]
+            if _is_bare(last):
+                found[-1] = replace(last, note=block.line)
+                continue
             if _is_bare(before) and before.number is not None:
                 found[-2] = replace(before, note=block.line)
                 continue
-            if _is_bare(last):
-                found[-1] = replace(last, note=block.line)
+        if isinstance(block, Paragraph) and tells_a_state(block) and len(found) > 1:
+            before = found[-2]
+            if _is_bare(before) and before.number is not None:
+                found[-2] = replace(before, note=block.line)
                 continue
         if isinstance(block, Paragraph) and tells_of_others(block) and found and _is_bare(found[-1]):
             found[-1] = replace(found[-1], note=block.line)

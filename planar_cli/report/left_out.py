@@ -24,12 +24,12 @@ from planar_cli.solve.between.trace import MotionTrace, Result
 SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
 """Roots that differ by less, in parts of themselves and at all, are the same."""
 MOST_ROOTS = 4
-ROOT = " root, as "
+ROOT, ITSELF = " root: ", " itself"
 FIRST, WHICH = "the first such time after ", "the root for which "
 SENSES = {
-    "omega": ("it turns counterclockwise there", "it turns clockwise there"),
-    "x": ("it moves to the right there", "it moves to the left there"),
-    "y": ("it moves upward there", "it moves downward there"),
+    "omega": ("it turns counterclockwise", "it turns clockwise"),
+    "x": ("it moves to the right", "it moves to the left"),
+    "y": ("it moves upward", "it moves downward"),
 }
 
 
@@ -50,6 +50,8 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     if not why:
         return
     kind = found.ledger.roles[found.general[r.unknown]].kind
+    if _is_mirrored(found, r, others, kind):
+        return
     single = _is_a_root_below(found, r) or (len(others) == 1 and others[0] * r.value < 0)
     if single and kind in (Kind.TIME, Kind.SPEED):
         if kind is Kind.SPEED and r.value > 0 and not _has_turned(found, r.unknown):
@@ -67,6 +69,20 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
             parts += [", " if i else ""]
             parts.append(phrases.math(root.expression) if letters else phrases.shown(r.unknown, root.value))
         yield Paragraph(line(*parts, ": ", *why))
+
+
+def _is_mirrored(found: MotionTrace, r: Result, others: list[Decimal], kind: Kind) -> bool:
+    """Is the only other root of a time, of a place that starts from zero, or of a distance, the same one on the other
+    side, after which nobody asks?
+    """
+    if kind not in (Kind.TIME, Kind.COORDINATE) or len(others) != 1 or not _close(others[0], -r.value):
+        return False
+    if kind is Kind.TIME:
+        return r.value > 0
+    general = found.general[r.unknown]
+    earlier = _before(found, r.unknown, found.ledger.roles[r.unknown].at or "")
+    from_zero = earlier is not None and abs(found.value(earlier)) <= TINY
+    return from_zero or (r.value > 0 and _is_radius(found, general))
 
 
 def _is_a_root_below(found: MotionTrace, r: Result) -> bool:
@@ -119,6 +135,12 @@ def tells_the_root(block: Block) -> bool:
     return isinstance(first, Text) and first.text.endswith(ROOT)
 
 
+def tells_a_state(block: Block) -> bool:
+    """Does a sentence tell that a root of what is asked is a state before, so that it stands beside the equation?"""
+    last = block.line[-1] if isinstance(block, Paragraph) else None
+    return isinstance(last, Text) and last.text == ITSELF and not tells_of_others(block)
+
+
 def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phrases) -> Iterator[Block]:
     """The root of what is asked that only tells of a state before: nearest = 0.82 m is state 1 itself."""
     asked = found.named[r.unknown]
@@ -129,7 +151,7 @@ def _of_asked(found: MotionTrace, r: Result, others: list[Decimal], phrases: Phr
         if same:
             shown: Any = "0" if abs(same[0]) <= TINY else phrases.shown(r.unknown, same[0])
             if shown == "0" or not phrases.symbolic:
-                yield Paragraph(line(Math(r.unknown), " = ", shown, " is state ", before, " itself"))
+                yield Paragraph(line(Math(r.unknown), " = ", shown, " is state ", before, ITSELF))
             return
 
 
@@ -225,7 +247,7 @@ def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
     """In which sense something moves, where what its speed is tells the axis, or the direction of its path does."""
     positive = r.value > 0
     if speed.name.endswith("_dot"):
-        return line(Name(speed.name.removesuffix("_dot")), " grows there" if positive else " decreases there")
+        return line(Name(speed.name.removesuffix("_dot")), " grows" if positive else " decreases")
     titles = (r.solution.trial.system.titles.get(speed, "") for r in found.regimes)
     title = next(filter(None, titles), "")
     key = "omega" if title.startswith("angular velocity") else title.rpartition(" along ")[2]
@@ -238,7 +260,7 @@ def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
     system = here[0].solution.trial.system if here else None
     way = (_way(found, system, r, speed, stop) or _round(system, speed, positive)) if system is not None else ""
     sense = "in the positive sense" if positive else "in the negative sense"
-    return line(f"it moves {way or sense} there")
+    return line(f"it moves {way or sense}")
 
 
 def _way(found: MotionTrace, system: System, r: Result, speed: sp.Symbol, stop: str) -> str:

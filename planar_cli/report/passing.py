@@ -1,6 +1,6 @@
 """What is asked of a motion as a function: where it holds, and the check that its derivative is the law again.
 
-θ̇ dθ̇ = θ̈ dθ from θ = 0, θ̇ = 0 to any θ:   …   the positive root, as θ grows
+θ̇ dθ̇ = θ̈ dθ from θ = 0, θ̇ = 0 to any θ:   …   the positive root: θ grows
 d(1/2 θ̇²)/dθ = g cos θ / r, which is θ̈
 """
 
@@ -98,7 +98,7 @@ def _root_words(route: RouteTrace) -> Iterator[Block]:
     grows = results[0].value > 0
     q = Math(e.law.coordinate.symbol)
     kind, way = ("positive", " grows") if grows else ("negative", " decreases")
-    yield Paragraph(line(f"the {kind} root, as ", q, way))
+    yield Paragraph(line(f"the {kind} root: ", q, way))
 
 
 def _lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:

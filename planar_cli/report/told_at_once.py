@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind
 from planar_cli.problem.scene import Rod
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.spoken import spoken
@@ -52,7 +53,9 @@ def told_at_once(
         return
     shown: Any = Math(sp.S.Zero) if r.formula == 0 else phrases.shown(r.unknown, r.value)
     if over_time(e) and r.formula == 0 and r.unknown not in (e.residual / r.unknown).free_symbols:
-        words = f"{e.words}, {DERIVATIVE}"
+        # Of a place everybody knows that its speed is zero there.
+        speed = found.ledger.roles[found.general.get(r.unknown, r.unknown)].kind is Kind.SPEED
+        words = e.words if speed else f"{e.words}, {DERIVATIVE}"
     elif over_time(e) and (resting := _place_of_rest(r, later, found)) is not None:
         # A vibration is fastest where it would rest, which its law has told by then.
         words, shown = f"{e.words}, {DERIVATIVE}", Math(resting[1])
