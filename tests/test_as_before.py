@@ -15,13 +15,26 @@ from planar_cli.report.told_before import defined_once
 @pytest.mark.parametrize(
     ("stem", "line"),
     [
-        ("simple-pendulum", "as before: the diagram and (1), that is (2) of case released"),
-        ("disk-held-by-a-spring", "as before: (1) and (2), that is (2) and (3) of case let go"),
+        ("simple-pendulum", "as before: the diagram and (2) of the first part"),
+        ("simple-pendulum", "as before: the diagram (turned), (1) and (2) of the first part"),
+        ("disk-held-by-a-spring", "as before: (2) and (3) of case let go"),
         ("bicycle-driven-and-braked", "STEP 5 Kinematic analysis as from 1 to 2: (10) to (13), there (1) to (4)"),
     ],
 )
 def test_equations_that_had_other_numbers(stem: str, line: str) -> None:
     assert line in page_of_file(stem)
+
+
+def test_a_place_that_is_put_in() -> None:
+    """At the highest place the line is S = m (g cos θ + l θ̇²), and which place that is."""
+    page = page_of_file("simple-pendulum")
+    assert "with θ = 180°, θ̇ = 0: S_top = -m g" in page
+    assert page.count("↖ ΣF: S_rod - m g cos θ = m l θ̇²") == 1
+    assert "eom = " not in page
+
+
+def test_a_diagram_in_which_one_force_is_turned_is_drawn_again() -> None:
+    assert "turned" not in page_of_file("body-block-sent-up-a-slope")
 
 
 def test_results_from_equations_with_other_numbers() -> None:

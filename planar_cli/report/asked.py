@@ -19,7 +19,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import ALL
 from planar_cli.report.asked_energy import kinetic_energy
-from planar_cli.report.asked_letters import closed_letter
+from planar_cli.report.asked_letters import closed_letter, is_second_rate, is_solved
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
 from planar_cli.report.axes_asked import along_radius, axis_of, dimension_of, noted, rational, without, without_vector
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
@@ -84,6 +84,8 @@ class AskedTelling:
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
             what = one.find.found.what
+            if is_second_rate(what) and is_solved(answer.asked[0], self.instant):
+                continue  # The answer names θ̈, which has its line.
             if isinstance(what, Quantity) and (chain := rate_in_turn(answer, what, every, self.instant, self.phrases)):
                 yield from chain
                 continue

@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import longer
+from planar_cli.problem.expression import Name, Quantity
 from planar_cli.report.blocks import Block, Equation, Line, Math, line
 from planar_cli.report.inertias import is_sought
 from planar_cli.report.words import Phrases
@@ -39,6 +40,16 @@ def closed_letter(answer: Found, instant: InstantSolution, phrases: Phrases) -> 
         )
     elif phrases.symbolic:
         yield _with_numbers(answer, closed, replace(phrases, symbolic=False, lettered=frozenset(ledger.letters)))
+
+
+def is_second_rate(what: object) -> bool:
+    """Is the second rate of a coordinate asked, as an equation of motion is?"""
+    return isinstance(what, Quantity) and what.word == "ddot" and isinstance(what.argument, Name)
+
+
+def is_solved(expr: sp.Expr, instant: InstantSolution) -> bool:
+    """Is it what an unknown of the equations is in their last lines?"""
+    return any(expr == formula for stage in instant.stages for formula in stage.algebra.formulas.values())
 
 
 def _with_given(

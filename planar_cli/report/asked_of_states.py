@@ -17,6 +17,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
+from planar_cli.report.at_equilibrium import place_put_in
 from planar_cli.report.at_its_state import at_its_state
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
@@ -225,7 +226,7 @@ class AskedTelling:
         elif span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))
         elif span is None:
-            yield Equation(tuple(sides))
+            yield Equation(tuple(sides), None, place_put_in(asked.find.name, formula, self.found))
         else:
             yield from self.spans.lines(span, (), tuple(sides))
 

@@ -25,6 +25,7 @@ from planar_cli.report.blocks import (
     Text,
     line,
 )
+from planar_cli.report.turned_diagrams import is_turned, steps_turned, without_arrows
 
 LONG = 7
 """A formula of more operations is not printed a second time with other numbers."""
@@ -32,7 +33,7 @@ LEAST = 3
 """Fewer lines are printed again, unless they are all of a step."""
 TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBER = re.compile(r"Decimal\('([^']+)'\)")
-NUMBERED = re.compile(r"\(\d+\)")
+NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
 INERTIA, BETWEEN = "moment of inertia of", ",  "
 """Begins the line of a moment of inertia; stands between the forces of a diagram."""
@@ -45,8 +46,10 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         return list(blocks)
     drawn = [printed.reduced(b) for b in blocks]
     known = [printed.knows(b) for b in drawn]
+    turned = list(steps_turned(drawn, known, printed.knows_turned))
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
     known = [k and not _is_led_anew(drawn, known, i) for i, k in enumerate(known)]
+    known = [a or b for a, b in zip(known, turned, strict=True)]
     found: list[Block] = []
     start = 0
     while start < len(drawn):
@@ -58,7 +61,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         while stop > start and stop < len(drawn) and _leads(drawn[stop - 1]) and not isinstance(drawn[stop], Heading):
             stop -= 1
         run = drawn[start:stop]
-        told = _as_before(run, printed)
+        told = _as_before(run, printed, _cited(drawn[stop:]))
         if run and isinstance(heading, Heading) and heading in before:
             found[-1] = _headed(heading, run, told)
             start = stop
@@ -89,6 +92,7 @@ class _Printed:
         self.said = {_told(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
         self.numbered = {b.number: _told(b) for b in before if isinstance(b, Equation) and b.number is not None}
         self._numbers = {said: number for number, said in self.numbered.items()}
+        self._turned = {without_arrows(said): number for said, number in self._numbers.items()}
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
         self.formulas = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_long(b)}
@@ -99,14 +103,22 @@ class _Printed:
             last = self.diagrams.get(block.body)
             return last is not None and _read(last) == _read(block)
         if isinstance(block, Equation) and block.number is not None:
-            return self.number(block) is not None
+            return _told(block) in self._numbers
         return isinstance(block, TOLD) and _told(block) in self.said
+
+    def knows_turned(self, block: Block) -> bool:
+        """Would it stand there word for word, but for directions that are turned?"""
+        if isinstance(block, Forces):
+            last = self.diagrams.get(block.body)
+            return last is not None and is_turned(_read(last), _read(block))
+        return isinstance(block, Equation) and block.number is not None and self.number(block) is not None
 
     def number(self, equation: Equation) -> int | None:
         """The number of an equation there; None: it did not stand there, or another had its number later."""
         said = _told(equation)
         same = equation.number is not None and self.numbered.get(equation.number) == said
-        return equation.number if same else self._numbers.get(said)
+        other = self._numbers.get(said)
+        return equation.number if same else self._turned.get(without_arrows(said)) if other is None else other
 
     def reduced(self, block: Block) -> Block:
         """The diagram of a body by the forces that are gone from the last one; a long formula of a named quantity with
@@ -190,18 +202,28 @@ def _leads(block: Block) -> bool:
     return isinstance(block, Paragraph)
 
 
-def _as_before(run: Sequence[Block], printed: _Printed) -> Line:
+def _cited(blocks: Sequence[Block]) -> frozenset[str]:
+    """The numbers of equations in what is told."""
+    said = " ".join(map(_read, blocks))
+    inside = ((int(low), int(high)) for low, high in RUN.findall(said))
+    within = {f"({n})" for low, high in inside for n in range(low, high + 1)}
+    return frozenset(NUMBERED.findall(said)) | within
+
+
+def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -> Line:
     """What stands in place of a run of lines: the diagram, the numbers of equations, quantities with their values; ():
-    there is nothing to name.
+    there is nothing to name. `cited`: the numbers that the lines after it name.
     """
     equations = [b for b in run if isinstance(b, Equation) and b.number is not None]
-    told: list[Line] = [line("the diagram")] if any(isinstance(b, Forces) for b in run) else []
+    drawn = [b for b in run if isinstance(b, Forces)]
+    as_it_is = "the diagram" if all(map(printed.knows, drawn)) else "the diagram (turned)"
+    told: list[Line] = [line(as_it_is)] if drawn else []
     if equations:
         shifted = _shifted(equations, printed)
-        told.append(line("; ".join(_ranges(run, printed) for run in shifted)))
+        told.append(line("; ".join(_ranges(run, printed, cited) for run in shifted)))
     else:
         told += [valued for b in run if (valued := _valued(b))]
-    last = " and " if equations else ", "
+    last = " and " if len(equations) == 1 else ", "
     return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))
 
 
@@ -217,12 +239,14 @@ def _shifted(equations: Sequence[Equation], printed: _Printed) -> list[list[tupl
     return runs
 
 
-def _ranges(run: Sequence[tuple[int, int]], printed: _Printed) -> str:
+def _ranges(run: Sequence[tuple[int, int]], printed: _Printed, cited: frozenset[str]) -> str:
     """(1) to (3), of the case before; (1) of case root, which stands further up; of equations that had other numbers
-    there, (6) to (8), that is (5) to (7) of case root.
+    there, (6) to (8), that is (5) to (7) of case root, by the old ones alone where none of the new is `cited`.
     """
     (first, old), (last, older) = run[0], run[-1]
     own, place = _range(first, last), printed.places[old]
+    if first != old and not cited & {f"({n})" for n, _ in run}:
+        return f"{_range(old, older)} {place}"
     if first != old:
         return f"{own}, that is {_range(old, older)} {place}"
     return own if place == printed.last else f"{own} {place}"
