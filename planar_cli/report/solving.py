@@ -93,6 +93,15 @@ class SolvingTelling:
         chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
         return chain if itself or len(chain) == 2 else ()
 
+    def take_outright(self, w: Written, found: SolvedLine | None, stage: Stage) -> None:
+        """An equation of forces that stands as unknown = formula is its own solution, where that would add nothing."""
+        alone = any(b.equations == (w,) and len(b.unknowns) == 1 for b in stage.blocks)
+        if found is None or found.letters or not alone or w.left != found.symbol or not self.phrases.symbolic:
+            return
+        chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
+        if len(chain) == 2 and is_written(w, found, self.phrases):
+            self.merged.add((id(stage.algebra), w.number))
+
     def _is_constant(self, symbol: sp.Symbol) -> bool:
         """Has it a number all the time, though the page is in letters?"""
         told = self.constants is not None and self.phrases.symbolic

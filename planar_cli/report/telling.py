@@ -78,8 +78,7 @@ class Telling:
     ) -> None:
         self.steps, self._before, self._wanted = steps, numbers, wanted or frozenset()
         self.instant, self.phrases, self.audience = instant, phrases, audience
-        self.system = instant.trial.system
-        self.scene = instant.instant.scene
+        self.system, self.scene = instant.trial.system, instant.instant.scene
         self.stages = used_blocks(instant.stages, wanted)
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
@@ -268,6 +267,7 @@ class Telling:
         """0 = m a_x, so that a_x = 0: of a direction in which nothing acts this is all there is to solve."""
         found = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if found is None or found.formula != 0 or 0 not in (w.left, w.right) or found.letters:
+            self.solving.take_outright(w, found, stage)
             return sides
         letter = self.phrases.math(found.symbol)
         self.solving.nil.add((id(stage.algebra), w.number))
