@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.report.blocks import Block, Equation, Math, Paragraph
 from planar_cli.report.laws import is_law_heading, is_rate_of
+from planar_cli.report.results_once import results_once
 
 SAME = Decimal("1e-12")
 
@@ -36,7 +37,7 @@ def with_laws_solved(
                 kept.pop()
                 continue
         kept.append(block)
-    return told, kept
+    return results_once(told, kept)
 
 
 def _is_constant(block: Block, varying: Collection[sp.Symbol]) -> bool:

@@ -190,6 +190,11 @@ class NumericTelling:
             return ()
         return letter, *sides[1:-1], self.phrases.shown(found.symbol, found.value)
 
+    def keep(self, w: Written, stage: Stage, components: Across | None) -> None:
+        """The components of known vectors that were told before a relation."""
+        if components is not None:
+            self.components[id(stage.algebra), w.number] = components
+
     def told(self, w: Written, stage: Stage) -> None:
         """An equation stands on the page with its numbers."""
         self._put.add((id(stage.algebra), w.number))

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.greek import GREEK
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
+from planar_cli.report.angles_alike import alike_told
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
@@ -82,8 +83,7 @@ class Telling:
         self.stages = used_blocks(instant.stages, wanted)
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
-        self._premised: set[str] = set()
-        self._reasons = Reasons()
+        self._premised, self._reasons = set[str](), Reasons()
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         nothing = {z for s in self.stages for z in vanishing(s)}
         told = {u for s in self.stages for b in s.blocks for u in b.unknowns if not is_given(b)}
@@ -216,8 +216,7 @@ class Telling:
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
         sides, note = self.numeric.named(x, stage)
-        lead = () if note else line(x.words + ":")
-        return Equation(sides, self.number(stage, x.number), lead, note)
+        return Equation(sides, self.number(stage, x.number), () if note else line(x.words + ":"), note)
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
@@ -243,8 +242,8 @@ class Telling:
             return self.data.blocks(w, number)
         if w.law == "relation":
             return self._relation(w, stage, number)
-        sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
+            sides, note = self.numeric.sides(w, stage, (w.left, w.right))
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, lead_of(w.lead), note)]
         turn = self.system.tree.turn(w.bodies) if w.law == "moment" else 1
         w = clockwise_too(onward(w), turn)
@@ -298,9 +297,10 @@ class Telling:
         if (end := named_end(w, stage, self.system)) is not None:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         level = level_of(w, stage, self.scene.ledger)
-        words = self.vectors.before(w, level) or [Paragraph(length or self._named(self._relation_words(w, stage)))]
-        if self.vectors.components is not None:
-            self.numeric.components[id(stage.algebra), w.number] = self.vectors.components
+        words = alike_told(w, self.stages, self.system, self.phrases, self.number)
+        words = words or self.vectors.before(w, level)
+        words = words or [Paragraph(length or self._named(self._relation_words(w, stage)))]
+        self.numeric.keep(w, stage, self.vectors.components)
         if self.vectors.components and w.place in self.scene.points:
             above = list(self.asked.absolute(w.place, level[0]))
             words = [*above, *without_repeats(words, above)]
