@@ -298,7 +298,7 @@ class Telling:
             length = end_told(w, end, self.number(stage, end[0].number), self.phrases)
         level = level_of(w, stage, self.scene.ledger)
         words = alike_told(w, self.stages, self.system, self.phrases, self.number)
-        words = words or self.vectors.before(w, level)
+        words = words or self.vectors.before(w, level) or []
         words = words or [Paragraph(length or self._named(self._relation_words(w, stage)))]
         self.numeric.keep(w, stage, self.vectors.components)
         if self.vectors.components and w.place in self.scene.points:
