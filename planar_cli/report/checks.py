@@ -86,7 +86,7 @@ def road_blocks(part: PartSolution) -> list[Check]:
                 *found,
                 Check(line("the equation of motion, from which ", *follow, f", and all else {INDEPENDENT}")),
             ]
-        return [*found, Check(line(f"{INDEPENDENT}, but for ", *names[1:]))]
+        return [*found, Check(line("all but ", *names[1:], f" {INDEPENDENT}"))]
     if part.instants and part.instants[-1].checks.get("digits") is not None:
         found.append(Check(line(f"equations of motion {INDEPENDENT}")))
     return found

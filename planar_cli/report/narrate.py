@@ -24,6 +24,7 @@ from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, 
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
 from planar_cli.report.carried_out import carried_out
+from planar_cli.report.checked_once import checked_once
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
@@ -151,7 +152,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(n for n in opening if n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = with_loads_by_letter(named, problem)
-    page = told_likewise(with_letters_apart(named, problem), problem)
+    page = checked_once(told_likewise(with_letters_apart(named, problem), problem))
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 

@@ -8,6 +8,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
 from planar_cli.report.by_centre import ABOUT_CENTRE, FROM_CENTRE
 from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.points_of_principles import in_letters, placed_from, turned_about
 from planar_cli.report.uses import OVER_TIME, Uses
 from planar_cli.solve.law import RELATIVE as ALIKE
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING, SECOND_RATES
@@ -36,7 +37,7 @@ DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in eq
 class Printed:
     """Formulas of kinematics that a page prints. `names`: in its equations; `levels`: v, a of the points of bodies that
     turn; `coriolis`: 2 ω × v_rel; `in_turn`: what is asked as the derivative of what stands before it; `centre`: an
-    instantaneous centre.
+    instantaneous centre; `turned`, `placed`: the points of ω × r_B/A and of r_B = r_A + r_B/A.
     """
 
     names: frozenset[str]
@@ -44,24 +45,26 @@ class Printed:
     coriolis: bool
     in_turn: bool
     centre: bool
+    turned: tuple[str, str]
+    placed: tuple[str, str]
 
 
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
     """What the head of a page names, a sentence for each."""
     found = _printed(page)
-    told = list(_laws(uses, found)) or list(_kinematics(uses, found)) or list(_last(uses))
+    told = list(_laws(uses, found)) or list(_kinematics(uses, found)) or list(_last(uses, found))
     # The force of a stream that is asked needs no law of motion beside it.
     return [STREAM, *told] if uses.streams and STREAM not in told else told
 
 
-def _last(uses: Uses) -> Iterator[str]:
+def _last(uses: Uses, page: Printed) -> Iterator[str]:
     """What a page rests on that uses none of the other principles."""
     if uses.asked & {"v", "a", "dot", "ddot", "omega", "alpha"} or uses.laws:
         yield DERIVATIVES
     elif uses.extreme:
         yield EXTREME
     elif uses.asked and uses.asked <= {"r", "x", "y"}:
-        yield POSITIONS
+        yield in_letters(POSITIONS, page.placed)
     elif uses.asked & {"I", "k"}:
         yield "Parallel axes: I_A = I_G + m d²."
 
@@ -85,7 +88,15 @@ def _printed(page: Sequence[Block]) -> Printed:
         if CROSS in texts:
             levels |= {h[0] for h in heads[:1] if h[:2] in ("v_", "a_")}
             coriolis |= DOUBLED in texts
-    return Printed(frozenset(names), frozenset(levels), coriolis or CORIOLIS in names, in_turn, centre)
+    return Printed(
+        names=frozenset(names),
+        levels=frozenset(levels),
+        coriolis=coriolis or CORIOLIS in names,
+        in_turn=in_turn,
+        centre=centre,
+        turned=turned_about(page),
+        placed=placed_from(page),
+    )
 
 
 def _laws(uses: Uses, page: Printed) -> Iterator[str]:
@@ -152,7 +163,7 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
         again = SECOND_RATES in uses.passages or (page.in_turn and uses.asked & {"a", "ddot", "alpha"})
         yield f"Position vectors, differentiated: v = dr/dt{', a = dv/dt' if again else ''}."
     elif PLACES in uses.passages:
-        yield POSITIONS
+        yield in_letters(POSITIONS, page.placed)
     if CURVE in uses.passages:
         yield "The path of a point: its coordinates, with their parameter eliminated."
     if uses.kinetic_energy:
@@ -160,7 +171,7 @@ def _kinematics(uses: Uses, page: Printed) -> Iterator[str]:
 
 
 def _relative(uses: Uses, page: Printed) -> Iterator[str]:
-    if "r_dot" in page.names and "e_r" not in page.names:
+    if "r_dot" in page.names and "e_r" not in page.names and (uses.forces or uses.coriolis):
         yield POLAR
         return
     if page.coriolis or "a_xi" in page.names or (uses.forces and uses.sliding):
@@ -179,7 +190,8 @@ def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
         yield "The instantaneous centre I of a body: v_P = IP ω, perpendicular to IP."
     elif page.levels and (not uses.coriolis or "e_r" in page.names):
         told = {"v": "v_B = v_A + ω × r_B/A", "a": "a_B = a_A + α × r_B/A - ω² r_B/A"}
-        yield f"Rigid bodies: {', '.join(told[v] for v in 'va' if v in page.levels)}."
+        formulas = ", ".join(told[v] for v in "va" if v in page.levels)
+        yield f"Rigid bodies: {in_letters(formulas, page.turned)}."
     elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:
         yield "Rotation about a fixed axis: v = r ω, a_t = r α, a_n = r ω²."
     if uses.rolling or ROLLING in uses.passages:
