@@ -45,3 +45,14 @@ def test_a_moment_of_inertia_by_a_distance_keeps_its_number() -> None:
 
 def test_what_a_guide_presses_is_not_told_where_nothing_asks() -> None:
     assert "N_P = 0" not in page("bungee-jump")
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("atwood-machine", ["(2): T_cord = m_A g + m_A a_Ay (1), (2) in (3): a_Ay = -(m_A - m_B) g / (m_A + m_B)",
+                        "(2): T_cord = 2 m_A m_B g / (m_A + m_B) Answer"]),
+    ("block-on-wedge", ["(1) in (2): a_S =", "(3): a_P,wedge = -g sin β - a_S cos β = -(M + m) g sin β"]),
+])  # fmt: skip
+def test_what_is_put_in_and_where_a_formula_comes_from_is_said(stem: str, lines: list[str]) -> None:
+    told = page(stem)
+    assert [line for line in lines if line not in told] == []
+    assert "in terms of" not in told

@@ -23,6 +23,7 @@ from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, Note
 from planar_cli.report.blow_limits import blow_limits, grips_in_letters
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
+from planar_cli.report.by_its_line import by_its_line
 from planar_cli.report.carried_out import carried_out
 from planar_cli.report.checked_once import checked_once
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
@@ -133,7 +134,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             told_case = why is not None or headed
             blocks += () if told_case else changed_notes(problem, case, own, (first, mine), voice.figures)
         own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
-        own = without_primes(list(without_ritual(own)))
+        own = by_its_line(without_primes(list(without_ritual(own))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":

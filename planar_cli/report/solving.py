@@ -185,17 +185,27 @@ class SolvingTelling:
         elif self._put_into(block):
             lines = [x for x in lines if not x.letters]
         elif block.letters and len(block.unknowns) > 1:
-            numbers = [self.number(stage, w.number) for w in block.equations]
-            parts: list[Any] = [f"{numbered(numbers)} together"]
-            if block.letters:
-                parts.append(", in terms of ")
-                for i, s in enumerate(block.letters):
-                    parts += [", " if i else "", Math(s)]
-            blocks.append(Paragraph(line(*parts, ":")))
+            blocks += self._carrying(block, stage)
             lines = [x for x in lines if not (x.letters and self._stands(x, block))]
             lines = self._each_once(lines)
         merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
         return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _carrying(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        """What is said before lines that carry letters: of one letter nothing, as its result names the few equations
+        that are put into its own, (2) in (3). Among velocities their relations stand in the same column.
+        """
+        result = next((x for x in block.lines if x.symbol in block.letters and not x.letters), None)
+        put = [n for x in block.lines if x.letters for n in x.equations]
+        few = stage.level != "velocity" and len(block.letters) == 1 and 0 < len(put) <= FEW - 1
+        if few and result is not None and not {*put} & {*result.equations}:
+            self._inserted[result.symbol] = tuple(put)
+            return []
+        numbers = [self.number(stage, w.number) for w in block.equations]
+        parts: list[Any] = [f"{numbered(numbers)} together, in terms of "]
+        for i, s in enumerate(block.letters):
+            parts += [", " if i else "", Math(s)]
+        return [Paragraph(line(*parts, ":"))]
 
     def _small_system(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         """Numeric equations of which several unknowns would have to be carried: each as a row, numbers on the right,
@@ -310,8 +320,8 @@ class SolvingTelling:
             *others, last = (self.number(stage, n) for n in x.equations)
             lead = line(f"{numbered(others)} in ({last}):")
         elif x.symbol in self._inserted:
-            inserted = numbered([self.number(stage, n) for n in self._inserted[x.symbol]])
-            lead = line(f"{inserted} in ", *lead)
+            inserted = {self.number(stage, n) for n in self._inserted[x.symbol]} | set(self._put_for(x, stage))
+            lead = line(f"{numbered(sorted(inserted))} in ", *lead)
         elif put_in := self._put_for(x, stage):
             lead = line(f"{numbered(put_in)} in ", *lead)
         if x.letters:
