@@ -45,6 +45,11 @@ class Row:
         return self.sides[0] if self.sides else ""
 
     @property
+    def is_datum(self) -> bool:
+        """Does it only say what the file gives?"""
+        return self.lead == "given:" or re.search(r" {3}given$", self.text) is not None
+
+    @property
     def numeric(self) -> bool:
         """Is it an equation in numbers, with the unit in which it counts behind it?"""
         return re.search(r" {3}in \S+$", self.text) is not None
@@ -279,7 +284,7 @@ def standing(page: Page, answer: Told) -> str:
     """
     best, solved = "none", set[tuple[int, str]]()
     for r in page.of("equation"):
-        if r.part > answer.part or len(r.sides) < 2 or r.lead == "given:":
+        if r.part > answer.part or len(r.sides) < 2 or r.is_datum:
             continue
         best = min(best, _grade(r, answer, (r.part, r.left) in solved), key=GRADES.index)
         if len(r.sides) == 2 and symbols(r.sides[1]) and value_of(r.sides[1]) is None:
@@ -550,7 +555,7 @@ def repeated(page: Page) -> Iterator[str]:
 
 def renamed(page: Page) -> Iterator[str]:
     """Rule 8: an answer under another name than its line, or of the other sign without a word of direction."""
-    rows = [r for r in page.of("equation") if len(r.sides) > 1 and len(r.left.split()) == 1 and r.lead != "given:"]
+    rows = [r for r in page.of("equation") if len(r.sides) > 1 and len(r.left.split()) == 1 and not r.is_datum]
     for a in answers(page):
         if a.value is None or not a.value[0]:
             continue

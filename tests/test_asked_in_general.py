@@ -27,6 +27,6 @@ def test_a_stated_speed_stands_in_the_letter_that_drives() -> None:
 def test_a_point_that_a_line_leads_stays_on_it() -> None:
     assert kept("wall: place of B across its line") == "B stays on the line wall"
     assert kept("B: place of B across its line") == "B stays on its line"
-    assert "At 2, B stays on the line wall: (5) x_A,2 = -l cos θ_2 = -4 cos 135° = 2.828 m" in page_of_file(
+    assert "At 2, B stays on the line wall: (3) x_A,2 = -l cos θ_2 = -4 cos 135° = 2.828 m" in page_of_file(
         "body-ladder-drawn-away"
     )

@@ -27,6 +27,6 @@ def test_the_coin_slides_as_its_friction_reaches_the_limit() -> None:
     assert "ω_2 = (μ² g² - r² α_0²)^(1/4)/√r = (0.35² · 9.81² - 0.2² · 1.5²)^(1/4)/√0.2 = 4.135 rad/s" in page
     assert "t_2 = ω_2/α_0 = 4.135/1.5 = 2.757 s" in page
     assert "F_x² + F_y² ≤ (μ N)² with x² + y² constant" in page
-    assert "(2) → ΣF_x: F_Cx = -m (x_P ω² + y_P α_0)" in page
+    assert "(1) → ΣF_x: F_Cx = -m (x_P ω² + y_P α_0)" in page
     assert "numerical" not in page
     assert "coin slides on table" not in page, "nothing rests on what follows the last state"

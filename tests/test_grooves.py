@@ -37,14 +37,14 @@ find: {v: v(P).mag, a: a(P).mag, F: reaction(slot/pin).mag, N: reaction(wall).ma
     "told",
     [
         "r = b (2 - cos θ) = 0.04 (2 - cos 120°) = 0.1 m",
-        "(2) ṙ = b ω sin θ = 0.04 · 6 sin 120° = 0.2078 m/s",
-        "(3) r̈ = b ω² cos θ = 0.04 · 6² cos 120° = -0.72 m/s²",
+        "(1) ṙ = b ω sin θ = 0.04 · 6 sin 120° = 0.2078 m/s",
+        "(2) r̈ = b ω² cos θ = 0.04 · 6² cos 120° = -0.72 m/s²",
         "ψ = 70.89°, from OP to the tangent of groove; sin ψ = 0.9449",
         "= m r̈ ↖, 2 m ṙ ω ↙, m r ω² ↘",
-        "(4) ↖ ΣF: -N_groove,force sin ψ = m r̈ - m r ω²",
-        "(5) ↙ ΣF: N_fork + N_groove,force cos ψ = 2 m ṙ ω",
-        "(4), (5), 2 unknowns: N_groove,force, N_fork",
-        "(4): N_groove,force = m (r ω² - r̈) / sin ψ",
+        "(3) ↖ ΣF: -N_groove,force sin ψ = m r̈ - m r ω²",
+        "(4) ↙ ΣF: N_fork + N_groove,force cos ψ = 2 m ṙ ω",
+        "(3), (4), 2 unknowns: N_groove,force, N_fork",
+        "(3): N_groove,force = m (r ω² - r̈) / sin ψ",
     ],
 )
 def test_a_can_in_a_groove(told: str) -> None:

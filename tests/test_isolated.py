@@ -30,7 +30,7 @@ def test_a_slanting_damper_shows_the_rate_of_its_length_before_its_force() -> No
     assert "length of the dashpot: √(1.2² + 0.5²) = 1.3 m" in page
     assert "rate of its length, v along WP: -12 v/13 = -12 · 1.5 / 13 = -1.385 m/s it pushes" in page
     assert page.index("rate of its length") < page.index("F_dashpot = -12/13 c_d v")
-    assert "(2): a_P = (12 F_dashpot/13 - 4/5 k_s (l_coil - l_0))/m = (12 (-41.54)/13" in page
+    assert "(1): a_P = (12 F_dashpot/13 - 4/5 k_s (l_coil - l_0))/m = (12 (-41.54)/13" in page
 
 
 def test_a_spring_without_a_name_is_called_by_its_ends() -> None:

@@ -104,7 +104,7 @@ def test_a_mass_centre_that_swings_down_counts_downward(stem: str) -> None:
     ("rigid-bodies/wheel-with-its-mass-centre-off-the-middle", [
         "ω_wheel = 3 rad/s clockwise",
         "ω and α are counted clockwise, the way in which the wheel turns.",
-        "given: ω = 3 rad/s",
+        "ω = 3 rad/s given",
         "a_O = R α ↘",
         "F ↖ at C (assumed)",
         "F = m (e ω² + g sin β - R α)",

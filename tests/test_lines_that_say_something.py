@@ -82,7 +82,7 @@ def test_a_given_acceleration_has_its_number() -> None:
         ("{v_max: v in km/h}", "{P: P}"),
     ):
         text = text.replace(old, new)
-    assert "given: a = -v²/ρ = -20²/100 = -4 m/s²" in page(text)
+    assert "a = -v²/ρ = -20²/100 = -4 m/s² given" in page(text)
 
 
 def test_what_is_zero_at_sight_stands_in_no_check() -> None:

@@ -23,4 +23,4 @@ def test_what_is_asked_at_the_first_state_stands_before_the_way() -> None:
 def test_the_reason_of_a_cord_is_given_once() -> None:
     page = page_of_file("ex-1-10")
     assert page.count("The cable keeps its length and does not slip on the wheel:") == 1
-    assert "(1), differentiated: (3) a_Ax = -r_h α" in page
+    assert "(1), differentiated: (2) a_Ax = -r_h α" in page

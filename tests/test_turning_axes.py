@@ -10,7 +10,7 @@ from worked import page_of_file
 
 LINES = [
     "ξ, η: coordinates of P along axes that turn with frame, x and y at the start",
-    "(4) ξ_2 = ξ_1 + u t_2 = 1 + 0.4 · 0.5 = 1.2 m",
+    "(3) ξ_2 = ξ_1 + u t_2 = 1 + 0.4 · 0.5 = 1.2 m",
     "At 2, in axes ξ, η that turn with frame: η = ξ²/(2 p) = 1.2² / (2 · 1) = 0.72 m",
     "Velocity, v = v_rel + ω × r, along ξ and η: v_rel = [ξ̇, η̇], ω × r = [-w η, w ξ]",
     "v_P,frame = u √(p² + ξ²) / p",

@@ -7,7 +7,7 @@ from worked import page_of_file
 
 def test_the_condition_of_a_largest_value_is_said() -> None:
     page = page_of_file("follower-with-cycloidal-lift")
-    told = "a is largest, where its derivative is zero: (3) cos(2 π t_a/T) = 0"
+    told = "a is largest, where its derivative is zero: (2) cos(2 π t_a/T) = 0"
     assert told in page
 
 

@@ -1,8 +1,8 @@
 """A speed that the file gives as the size of a velocity, of what moves along a curve: it is told as the speed, not as a
 square, and where it does not change there is no tangential acceleration.
 
-    constant speed:   v_P = v
-    v_P constant:     a_Pt = 0
+    v_P = v             constant speed
+    a_Pt = 0            v_P constant
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
+
+SPEEDS = (line("constant speed:"), line("speed:"))
 
 
 def speed_told(
@@ -45,7 +47,7 @@ def speed_told(
     number_of = found.value if found.value is not None else phrases.value(found.formula)
     value = (phrases.math(root),) if phrases.symbolic else (phrases.shown(x, number_of),)
     lasting = any(v.times and v.lead == w.lead for b in stage.blocks for v in b.equations)
-    return Equation((letter, *value), number, line("constant speed:" if lasting else "speed:")), found
+    return Equation((letter, *value), number, SPEEDS[not lasting]), found
 
 
 def turned(w: Written) -> str:

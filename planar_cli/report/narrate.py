@@ -30,6 +30,7 @@ from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.component_letters import with_component_letters
+from planar_cli.report.data_numbers import without_numbered_data, without_restated_data
 from planar_cli.report.decisions import decision_lines
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
@@ -153,7 +154,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         opening = tuple(n for n in opening if n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = with_loads_by_letter(named, problem)
-    page = checked_once(told_likewise(with_letters_apart(named, problem), problem))
+    page = checked_once(told_likewise(with_letters_apart(without_restated_data(named), problem), problem))
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 
@@ -204,7 +205,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     decided = any(s.skids() or any(mode.tests for mode in s.modes.values()) for s in systems)
     if not decided and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
-    return blocks
+    return without_numbered_data(blocks, part.motion is not None)
 
 
 def _of_instants(
