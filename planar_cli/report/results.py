@@ -23,7 +23,9 @@ SAME = Decimal("1e-20")
 
 
 def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> list[Block]:
-    """The roots that were not taken, with the reason."""
+    """The roots that were not taken, with the reason. Of a direction that is given, that a root would turn it round is
+    not worth saying.
+    """
     sought = instant.sought
     choice = next((c for c in sought.branch.choices if c.symbol == x.symbol), None) if sought is not None else None
     if choice is None or len(choice.roots) < 2:
@@ -35,10 +37,13 @@ def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> li
     free = not any(c.objection for c in instant.left_out if _root_of(c, x) == 1 - choice.taken)
     if len(left) == 1 and left[0].value == -own and free and _is_speed(instant, x):
         return [_opposite(phrases.shown(x.symbol, left[0].value), own > 0)]
+    reason = _reason(instant, choice, phrases)
+    if not reason:
+        return []
     parts: list[Any] = ["other roots: "]
     for i, root in enumerate(left):
         parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
-    return [Paragraph(line(*parts, " (", _reason(instant, choice, phrases), ")"))]
+    return [Paragraph(line(*parts, " (", reason, ")"))]
 
 
 def _is_speed(instant: InstantSolution, x: SolvedLine) -> bool:
@@ -76,9 +81,10 @@ def _reason(instant: InstantSolution, choice: Any, phrases: Phrases) -> Line:
         own = _same_root(choice, roots.get(choice.symbol))
         apart = sum(c.taken != taken.get(s) for s, c in roots.items())
         if own is not None and own != choice.taken and (own not in nearest or apart < nearest[own][0]):
-            nearest[own] = (apart, _objection(other, phrases) or _of_size(instant, choice, own))
+            turned = other.objection.endswith(OPPOSED)
+            nearest[own] = (apart, () if turned else _objection(other, phrases) or _of_size(instant, choice, own))
     lost = {i for i in range(len(choice.roots)) if i != choice.taken} - nearest.keys()
-    reasons = sorted({why for _, why in nearest.values()}, key=str)
+    reasons = sorted({why for _, why in nearest.values() if why}, key=str)
     reasons += [line("with it the other equations have no solution")] * bool(lost)
     return line(*(part for i, why in enumerate(reasons) for part in ("; " if i else "", why)))
 
@@ -108,9 +114,6 @@ def _objection(other: Any, phrases: Phrases) -> Line:
     """Why a branch is left out; an inequality of the file in the notation of the page."""
     if not other.objection:
         return ()
-    if other.objection.endswith(OPPOSED):
-        # The line of the file is told where it is refused; here it is known which root it was.
-        return line("a direction that is given would be the opposite one")
     broken = other.trial.broken
     if other.trial.tests and other.objection == other.trial.objection:
         return broken_by(other.trial, phrases) or line(other.objection)

@@ -83,7 +83,7 @@ class Telling:
         self.stages = used_blocks(instant.stages, wanted)
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
-        self._premised, self._reasons = set[str](), Reasons()
+        self._premised, self._reasons = set[str](), Reasons(instant, phrases)
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         nothing = {z for s in self.stages for z in vanishing(s)}
         told = {u for s in self.stages for b in s.blocks for u in b.unknowns if not is_given(b)}
