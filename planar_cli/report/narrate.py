@@ -57,9 +57,11 @@ from planar_cli.report.polar_names import with_polar_names
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.restated import is_restated
+from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.said import said_once, says_nothing
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
+from planar_cli.report.slips_at_start import with_slips_told
 from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.sought_at_state import with_sought_names
@@ -160,7 +162,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
-    part, positive = with_signs(with_plain_answers(with_across_speeds(with_known_put_in(part))))
+    part, positive = with_signs(with_plain_answers(with_across_speeds(with_known_put_in(with_rolling_told(part)))))
     figures = voice.figures
     telling = None
     if part.motion is not None:
@@ -297,6 +299,7 @@ def _instant_blocks(
         asked = asked_told(telling.asked, mine, blocks)
         return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count
     blocks = where_asked(blocks, part.motion, instant, telling, phrases)
+    blocks = with_slips_told(blocks, part.motion, instant, voice.figures)
     if why is None:
         blocks = with_asked(blocks, telling, part.motion)
     acting = stretches(part, instant)
