@@ -28,7 +28,7 @@ def page(stem: str) -> str:
     ("ex-4-13", ["to be found: φ_max = θ_3 - θ_1", "(cos φ_max - 1)", "cos φ_max = 54.4", "φ_max = 62.46°"]),
     ("block-runs-into-a-spring", ["to be found: s = x_deepest - d", "1/2 m v0² - 1/2 k s² = 0", "s = v0 √(m/k) ="]),
     ("block-between-two-springs", ["nearest = 0.58 m", "nearest = 0.82 m is state 1 itself"]),
-    ("flywheel-of-a-punch-press", ["U of the torque motor = M turns", "= 83.33 rad = 13.26 rev"]),
+    ("flywheel-of-a-punch-press", ["U of the motor = M turns", "= 83.33 rad = 13.26 rev"]),
 ])  # fmt: skip
 def test_what_is_asked_is_the_unknown(stem: str, lines: list[str]) -> None:
     told = page(stem)

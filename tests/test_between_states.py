@@ -80,7 +80,7 @@ LAWS = [
 ]
 SAID = [
     ("4-08", "From 1 to 2, work and kinetic energy"),
-    ("4-08", "U of the force pull = P (R + r) θ_2"),
+    ("4-08", "U of the pull = P (R + r) θ_2"),
     ("4-08", "T_1 + U = T_2: P (R + r) θ_2 = 1/2 m (R² + k_G²) ω_2²"),
     ("4-11", "U of the spring AD"),
     ("4-11", "At 2, y_D is smallest"),

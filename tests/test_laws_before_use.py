@@ -47,7 +47,7 @@ def test_the_work_of_a_force_that_changes_is_an_integral_first() -> None:
 
 
 def test_a_force_that_stays_the_same_needs_no_integral() -> None:
-    assert "U of the force pull = P (R + r) θ_2" in page_of_file("ex-4-08")
+    assert "U of the pull = P (R + r) θ_2" in page_of_file("ex-4-08")
 
 
 def test_a_datum_of_another_quantity_has_its_relation() -> None:

@@ -34,10 +34,20 @@ def _page(text: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("named", "told"), [("angle: 0 deg}", "U of F = F d"), ("angle: 0 deg, name: push}", "U of the force push")]
+    ("named", "told"), [("angle: 0 deg}", "U of F = F d"), ("angle: 0 deg, name: push}", "U of the push = F d")]
 )
 def test_work_of_a_force(named: str, told: str) -> None:
     assert told in _page(PUSHED.replace("angle: 0 deg}", named))
+
+
+@pytest.mark.parametrize(("named", "told"), [
+    ("angle: 0 deg, name: gravity}", "U of gravity = 3 Q d"),
+    ("angle: 0 deg, name: S}", "U of S = 3 Q d"),
+    ("angle: 0 deg}", "U of the force on block = 3 Q d"),
+])  # fmt: skip
+def test_a_force_without_a_letter_is_called_by_what_it_is(named: str, told: str) -> None:
+    text = PUSHED.replace("magnitude: F", "magnitude: 3 * Q").replace(" F: 6 N,", "")
+    assert told in _page(text.replace("angle: 0 deg}", named))
 
 
 @pytest.mark.parametrize(("other", "told"), [("Q", " of F"), ("F", " of the force block"), ("2 N", " of F")])
