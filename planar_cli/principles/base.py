@@ -282,6 +282,10 @@ class Principle(ABC):
         """Equations between the ends of a stretch of time. `chosen`: no other principle may take part."""
         return ()
 
+    def of_part(self, position: Position, body: str, words: str, pull: sp.Expr) -> Balance | None:
+        """The balance of one body on which one reaction alone works, at the rate `pull`, which is told by `words`."""
+        return None
+
     def across(self, position: Position) -> Iterable[Family]:
         """Equations between velocities after a sudden change and impulses; the accelerations and forces of `position`
         are these, and its wrenches hold the momenta before.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar, final
 
 import sympy as sp
@@ -87,6 +88,14 @@ class WorkEnergy(Principle):
             for group in groups:
                 yield from _of(position, group, [s for s, bodies in sources if bodies & set(group)], group)
         yield from _of(position, whole, [s for s, _ in sources], ())
+
+    def of_part(self, position: Position, body: str, words: str, pull: sp.Expr) -> Balance | None:
+        """T_1 + U_1-2 = T_2 of one body, with the work of the reaction that works on it."""
+        if not _closed(position):
+            return None
+        own = [s for s, bodies in _sources(position) if body in bodies]
+        balance = next(_of(position, (body,), [*own, Source(words, pull)], (body,)), None)
+        return None if balance is None else replace(balance, internal=())
 
 
 def _of(

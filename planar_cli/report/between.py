@@ -30,6 +30,7 @@ from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.report.put_in import put_in
 from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.sides import said
+from planar_cli.report.spread import each_half
 from planar_cli.report.standing import standing, standing_lines
 from planar_cli.report.turning_groups import Turning, by_group, turning_group
 from planar_cli.report.words import Phrases
@@ -169,7 +170,7 @@ class BetweenTelling:
         # What is the same in all works is not taken out of their sum: each of them was told.
         apart = bool(self.geometry) or (gain.is_Mul and bool(gain.free_symbols & set(self.unknowns)))
         whole = self._put(b.before) + (sp.Add(*gains) if apart else gain)
-        told = self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
+        told = self._equation(whole, each_half(self._put(b.after)), number, lead, dimension_of_balance(b), parts)
         bare = self.lettered and number not in self.counted
         made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)

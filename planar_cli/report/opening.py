@@ -26,8 +26,6 @@ IDLE = (idle_masses, idle_inertias)
 MOST_GIVEN = 18
 """More data are in the file, and not on the page."""
 GRAVITY = "g"
-REST = (" (no answer rests on it)", " (no answer rests on them)")
-"""Of a length that only places what is drawn, and of several."""
 MOST_PIECES = 24
 """A formula of the file of more pieces is given by its value alone."""
 
@@ -89,10 +87,10 @@ def _rows(
 ) -> list[Sequence[Line]]:
     """All that a file gives: its letters, then what has none. `aside`: letters that only place what is drawn."""
     letters = [d for s in problem.given if s.name not in aside and (d := _datum(s, phrases, figures))]
-    placing = [d for s in problem.given if s.name in aside and (d := _datum(s, phrases, figures))]
+    placing = [line(Name(s.name)) for s in problem.given if s.name in aside]
     numbers, *others = given_rows(problem, seen, figures)
     if placing and others:
-        others[0] = (*others[0], line("drawn with ", *_listed(placing), REST[len(placing) > 1]))
+        others[0] = (*others[0], line("whatever ", *_listed(placing)))
     return [
         [
             *letters,

@@ -19,6 +19,14 @@ def spread(expr: sp.Expr) -> sp.Expr:
     return expr if same else sp.Add(*terms)
 
 
+def each_half(energy: sp.Expr) -> sp.Expr:
+    """Kinetic energies that have no more in common than their 1/2, each with its own: 1/2 I ω² + 1/2 m v²."""
+    number, rest = energy.as_coeff_Mul()
+    if number == 1 or not rest.is_Add:
+        return energy
+    return sp.Add(*(number * term for term in rest.args))
+
+
 def _term(term: sp.Expr) -> sp.Expr:
     number, rest = term.as_coeff_Mul()
     factors = sp.Mul.make_args(rest)

@@ -24,6 +24,7 @@ from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
 from planar_cli.solve.between.methods import by_method, not_reached_by
 from planar_cli.solve.between.motion_trace import motion_trace
+from planar_cli.solve.between.part_equations import part_equations
 from planar_cli.solve.between.provisos import course_provisos
 from planar_cli.solve.between.reached import reaching
 from planar_cli.solve.between.route import Router
@@ -151,6 +152,10 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     balanced, placed = course.equilibria, set(course.equilibria.branch.values)
     if placed & set(course.sought()) or any(placed & e.residual.free_symbols for e in equations):
         unknowns, equations = unknowns | placed, (*balanced.equations, *equations)
+    parts = part_equations(course, found.value)
+    course.between.tensions = dict(parts.tensions)
+    unknowns, equations = unknowns | set(parts.numbers), (*equations, *parts.equations)
+    value = found.value.extended(parts.numbers)
     allowed = by_method(equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)
@@ -159,11 +164,11 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     follows = method is None or method in course.between.integrating
     by_steps = followed if follows else None
     natural = course.natural(unknowns)
-    router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps, natural)
-    wanted = in_order(course, found.finds, asked_letters(found.finds) & unknowns)
+    router = Router(allowed, unknowns, value, course.symbolic, steps, by_steps, natural)
+    wanted = [*in_order(course, found.finds, asked_letters(found.finds) & unknowns), *parts.numbers]
     route = router.route(wanted)
     if method is not None:
-        free = Router(equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
+        free = Router(equations, unknowns, value, course.symbolic, found.branch.steps, followed, natural)
         if missing := not_reached_by(follows, route, wanted, lambda: free.route(wanted)):
             raise by_method_alone(course, missing, allowed)
     return router, route

@@ -7,7 +7,8 @@ A balance is put on paper where everything that a source brings is a function of
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
 from itertools import pairwise
 
 import sympy as sp
@@ -78,6 +79,8 @@ class StateBalance:
     """What sources bring, by their words; those that bring nothing are left out."""
     amounts: tuple[tuple[str, sp.Expr], ...] = ()
     """The amount at the end, by body."""
+    given: Mapping[str, Mapping[sp.Symbol, sp.Expr]] = field(default_factory=dict)
+    """By the bodies whose amount is told by what the file gives: letters of the state, with what they are."""
 
     @property
     def gain(self) -> sp.Expr:

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.led import rolls, root_edge
+from planar_cli.equation.plain import simplified
 from planar_cli.principles.base import EnergyParts, Moving, Storage, Stored
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -29,7 +31,7 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
         return None
     acting = _acting(course, b)
     own = (replace(m, why=_why(m, acting[-1], b.stop, value)) for m in b.law.moving)
-    moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in own)
+    moving = tuple(_at(m, partial(_place, acting[-1], b, m.body)) for m in own)
     found = []
     for words, brought in b.brought:
         # What ends on the way is no source of the last regime.
@@ -39,6 +41,12 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
                 found += _storage(words, brought, stored, regime, b, value)
                 break
     return EnergyParts(moving, tuple(found), tuple(_midway(acting[-1], b.stop, value)))
+
+
+def _place(regime: Regime, b: StateBalance, body: str, expr: sp.Expr) -> sp.Expr:
+    """A quantity of a body at the end of a balance, by what is given where its amount is told so."""
+    found, given = b.stop.at(regime.closed(expr)), b.given.get(body)
+    return found if given is None else simplified(found.xreplace(dict(given)))
 
 
 def _midway(regime: Regime, stop: Stop, value: Valuation) -> Iterator[tuple[tuple[str, ...], str]]:

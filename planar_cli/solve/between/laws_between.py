@@ -36,6 +36,8 @@ class LawsBetween:
     """The balances in closed formulas, stretch by stretch."""
     impulses: dict[tuple[str, str, str], sp.Symbol] = field(default_factory=dict)
     """The letters for impulses of reactions, by push and states."""
+    tensions: dict[str, sp.Symbol] = field(default_factory=dict)
+    """The tensions that the work on a part tells, by the finds that ask for them."""
 
     def exprs(self, regime: Regime) -> list[sp.Expr]:
         """What a regime has to work out for them; made once."""

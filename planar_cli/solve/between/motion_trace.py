@@ -78,6 +78,8 @@ def motion_trace(
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
     told = tracer.route(route)
     lasting = lasting_letters(course.distinct_regimes(), course.given())
+    worked = {s: found.value(course.regimes[0].closed(s)) for s in course.between.tensions.values()}
+    lasting = replace(lasting, numbers={**lasting.numbers, **worked})
     teller = FindTeller(course, lasting, found.value.extended(lasting.numbers), level)
     requests = teller.requests(found.finds)
     made = MotionTrace(
@@ -86,7 +88,7 @@ def motion_trace(
         ledger=course.ledger,
         value=found.value.extended({**lasting.numbers, **tracer.vibrations.numbers, **teller.numbers}),
         symbolic=course.symbolic,
-        unknowns=course.chain().unknowns,
+        unknowns=course.chain().unknowns | worked.keys(),
         general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
         varying=frozenset(s for regime in course.distinct_regimes() for s in regime.letters),
         free=frozenset(course.regimes[0].free if course.regimes else ()),

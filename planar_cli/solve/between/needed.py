@@ -40,7 +40,8 @@ def wanted_of(
     regime = _regime(course, instant)
     if regime is None:
         return None, None
-    said = [sp.sympify(e) for e in course.said.get(id(regime), ())]
+    by_work = set(course.between.tensions.values())
+    said = [e for e in map(sp.sympify, course.said.get(id(regime), ())) if e not in by_work]
     lines = _pairs_in_line(course, routes)
     said = [e for e in said if not lines or not says_in_line(regime.closed(e), lines)]
     finds = {e for of_state in asked.values() for parts in of_state.values() for e in parts}
@@ -113,6 +114,8 @@ def asked_at(course: StatedMotion, finds: Iterable[AskedFind], instant: InstantS
     regime = _regime(course, instant)
     found: dict[str, dict[str, tuple[sp.Expr, ...]]] = {}
     for a in finds:
+        if a.find.name in course.between.tensions:
+            continue
         pending = {s: a.reader.pending[s] for p in a.raw for s in p.free_symbols if s in a.reader.pending}
         states = {state for _, state, _ in pending.values()}
         if regime is None or len(states) != 1 or any(other.regime is not regime for other, _, _ in pending.values()):

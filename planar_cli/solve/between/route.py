@@ -22,6 +22,7 @@ from planar_cli.equation.plain import by_name, derivative, letters, longer, simp
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.angles_between import by_angles, by_the_angle_between
 from planar_cli.solve.between.at_hand import at_hand
+from planar_cli.solve.between.by_given import by_given
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
@@ -70,7 +71,7 @@ class Router:
         self.plain = self._plain(equations)
         self._residuals: dict[sp.Expr, sp.Expr] = {}
         equations = [without_factors(e, value) for e in with_aims(equations)]
-        equations = [by_the_angle_between(e, unknowns, value) for e in equations]
+        equations = by_given([by_the_angle_between(e, unknowns, value) for e in equations], unknowns, self.plain)
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
         self._zeros: dict[sp.Symbol, sp.Expr] = {}
         self._same: dict[sp.Symbol, sp.Expr] = {}
@@ -80,8 +81,7 @@ class Router:
         """With zeros and names of the file put in."""
         if not self.plain:
             return equation.residual
-        found = self._residuals.get(equation.residual)
-        if found is None:
+        if (found := self._residuals.get(equation.residual)) is None:
             found = self._residuals[equation.residual] = equation.residual.xreplace(self.plain)
         return found
 
