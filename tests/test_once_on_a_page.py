@@ -16,7 +16,7 @@ def test_no_closed_form_beside_the_same_formula() -> None:
 def test_a_velocity_that_is_given_is_not_found_from_what_follows() -> None:
     page = page_of_file("ex-4-07")
     assert "v⃗_O = [1, 0]" not in page  # it stands under Given
-    assert page.count("v⃗_O = ω_disk × r⃗_O/C") == 1
+    assert page.count("ω_disk = v_O/r") == 1
 
 
 def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:

@@ -16,7 +16,7 @@ from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
-from planar_cli.equation.told_turns import rolling_as_asked
+from planar_cli.equation.told_turns import rolling_as_asked, rolling_as_given
 from planar_cli.problem.expression import AtRest, Quantity, Relation
 from planar_cli.problem.facts import Joining, Mode
 from planar_cli.problem.scene import GROUND, Round
@@ -39,6 +39,8 @@ def with_known_turns(
         builder.clockwise = scene.displacement.clockwise
         return builder
     builder.clockwise = frozenset(scene.bodies) if states_clockwise(scene.problem) else frozenset()
+    modes = tuple(modes)
+    builder.clockwise |= rolling_as_given(scene, statements, modes)
     asked = rolling_as_asked(scene, statements, modes)
     if asked:
         builder.clockwise = frozenset(wheel for wheel, sense in asked.items() if sense < 0)

@@ -71,7 +71,7 @@ def kinetic_energy(answer: Found, q: Quantity, telling: Telling) -> list[Block]:
     inside = (s for b in scene.bodies.values() for s in sp.sympify(b.inertia).free_symbols & whole.free_symbols)
     made = {s: scene.ledger.definitions[s] for s in inside if s in scene.ledger.definitions}
     new = [inertia_line(s, e, scene, phrases) for s, e in made.items() if s not in telling.vectors.named]
-    head = Paragraph(line("Kinetic energy, of each body by its mass centre and its turning:"))
+    head = Paragraph(line("Kinetic energy of each body:"))
     return [head, *blocks, *alike_together(new), *_summed(answer, energies, phrases)]
 
 

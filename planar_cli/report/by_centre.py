@@ -28,6 +28,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.centre_reasons import beside, half_of_diagonal
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import sum_of_products
 from planar_cli.report.enough_figures import DEGREE, figures_of
@@ -168,7 +169,7 @@ def centre_told(w: Written, stages: Sequence[Stage], told: Told, number: int) ->
 def _arm(found: Found, told: Told) -> Iterator[Block]:
     """IO, in letters or by the angle between both directions; beside it where I is."""
     c, phrases = found.centre, told.phrases
-    at = line("I = ", *phrases.vector(*c.place, LENGTH))
+    at = line(*beside(c, told), "I = ", *phrases.vector(*c.place, LENGTH))
     size = phrases.certain(found.arm) / found.sine
     value = phrases.of_dimension(size, LENGTH)
     own = line(between(CENTRE, c.from_place))
@@ -222,7 +223,7 @@ def speed_about(c: Centre, at: Vec, place: str, name: Line, told: Told) -> list[
     numbers = (value.number, phrases.of_dimension(abs(omega), RATE, True).number)
     speed = phrases.of_dimension(size * abs(omega), VELOCITY)
     return [
-        Equation((line(own), *sides, value)),
+        Equation((line(own), *sides, value), None, note=half_of_diagonal(c, at, _short(place), told)),
         Equation((name, line(own, " ", *turning), _of_two(numbers, phrases, divided=False), speed)),
     ]
 
@@ -270,8 +271,13 @@ def _of_two(numbers: tuple[Decimal, Decimal], phrases: Phrases, divided: bool, m
 
 def between(start: str, end: str) -> Inline:
     """The distance of two points: IO; IG of a mass centre G_rod; r of names of several letters."""
-    end = "G" if end.startswith(("G_", "G,")) else end
+    end = _short(end)
     return Text(f"{start}{end}") if len(end) == 1 else Name(f"r_{_index(end)}/{start}")
+
+
+def _short(place: str) -> str:
+    """G of a mass centre G_rod."""
+    return "G" if place.startswith(("G_", "G,")) else place
 
 
 def _index(place: str) -> str:

@@ -16,7 +16,6 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
-from planar_cli.report.by_centre import centre_told
 from planar_cli.report.counted import clockwise_too, counted, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
@@ -33,6 +32,7 @@ from planar_cli.report.raw_moments import with_raw_moments
 from planar_cli.report.reasons import Reasons
 from planar_cli.report.relative_motion import is_told
 from planar_cli.report.rolled_points import is_named, rolling, touching
+from planar_cli.report.rolled_speeds import about_centre
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.rope_rates import rope_told
@@ -288,7 +288,7 @@ class Telling:
         if not self._at_limit(w) and (told := self.data.of_letter(w, moving, number)) is not None:
             return [told]
         whole = rope_told(w, stage, self.numeric, self.system, number, self.vectors.zero)
-        whole = whole or centre_told(w, self.stages, self.vectors, number)
+        whole = whole or about_centre(w, stage, self.stages, self.vectors, number)
         if whole := whole or groove_told(w, stage, self.vectors, number):
             self.solving.merged.add((id(stage.algebra), w.number))
             return whole
