@@ -56,3 +56,11 @@ def test_what_is_put_in_and_where_a_formula_comes_from_is_said(stem: str, lines:
     told = page(stem)
     assert [line for line in lines if line not in told] == []
     assert "in terms of" not in told
+
+
+def test_an_acceleration_given_as_a_letter_is_that_letter() -> None:
+    """In the lift what is asked is the unknown, and the lift's own acceleration is a_0 wherever it stands."""
+    told = page("atwood-machine-in-a-lift")
+    assert "T - m_1 g = m_1 (a_0 - ÿ)" in told
+    assert "(2): T = m_1 (g + a_0 - ÿ) (2) in (3): ÿ = (m_1 - m_2) (g + a_0) / (m_1 + m_2)" in told
+    assert told.count("s̈") == 1

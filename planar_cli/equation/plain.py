@@ -195,6 +195,16 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     return min([*last, *forms], key=_effort)
 
 
+def in_factors(expr: sp.Expr) -> sp.Expr:
+    """The plainer of an expression simplified and, of a short one without functions, in its factors:
+    (m_1 - m_2) (g + a) for m_1 (g + a) - m_2 g - m_2 a.
+    """
+    found = simplified(expr)
+    if longer(found, SOME) or not found.is_rational_function(*found.free_symbols):
+        return found
+    return min((found, factored(found)), key=_effort)
+
+
 def _log_of_exp(expr: sp.Expr) -> bool:
     return isinstance(expr, sp.log) and isinstance(expr.args[0], sp.exp)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import in_factors, longer
 from planar_cli.solve.solution import InstantSolution
 
 LONGEST, MOST = 8, 200
@@ -29,6 +29,6 @@ def in_letters(expr: sp.Expr, instant: InstantSolution) -> sp.Expr | None:
             return None
     if found == expr or not found.free_symbols <= {*ledger.letters, *ledger.values}:
         return None
-    found = simplified(found)
+    found = in_factors(found)
     easy = all(max(abs(n.p), n.q) <= LARGEST for n in found.atoms(sp.Rational))
     return None if found == expr or found.is_Symbol or longer(found, LONGEST) or not easy else found

@@ -4,13 +4,13 @@ they are: of two equal rods that fold alike, α_BC = -α_AB and I_AB = I_BC = 1/
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.counting import operations
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import in_factors, longer, simplified
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
@@ -22,6 +22,7 @@ LONGEST = 60
 """A longer equation or formula is left as it is."""
 OF_FORCES = ("force", "moment")
 Known = Mapping[sp.Symbol, sp.Expr]
+Put = Callable[[sp.Expr, Known], sp.Expr]
 
 
 def with_known_put_in(part: PartSolution) -> PartSolution:
@@ -40,8 +41,19 @@ def _instant(instant: InstantSolution) -> InstantSolution:
     if not instant.stages or not instant.stages[-1].algebra.symbolic:
         return instant
     *first, last = instant.stages
+    given = _given(last, instant)
+    last = _stage(last, given, in_letters=True) if given else last
     known = _known(last, instant)
+    if given and not known:
+        return replace(instant, stages=(*first, last))
     return replace(instant, stages=(*first, _stage(last, known))) if known else instant
+
+
+def _given(stage: Stage, instant: InstantSolution) -> Known:
+    """a_D = a_0: accelerations that the file gives as a letter of its own."""
+    letters = set(instant.instant.scene.ledger.letters)
+    equations = (b.equations[0] for b in stage.blocks if len(b.equations) == 1 and b.equations[0].given)
+    return {w.left: w.right for w in equations if w.left.is_Symbol and w.right in letters}
 
 
 def _known(stage: Stage, instant: InstantSolution) -> Known:
@@ -70,17 +82,21 @@ def _speeds(instant: InstantSolution) -> Known:
     return found
 
 
-def _stage(stage: Stage, known: Known) -> Stage:
-    return replace(stage, blocks=tuple(_block(b, known) for b in stage.blocks))
+def _stage(stage: Stage, known: Known, in_letters: bool = False) -> Stage:
+    """`in_letters`: each is put in as it is, and not only where that makes it shorter."""
+    if not in_letters:
+        return replace(stage, blocks=tuple(_block(b, known, _put) for b in stage.blocks))
+    drawn = {b: [(v, _exactly(e, known)) for v, e in parts] for b, parts in stage.accelerations.items()}
+    return replace(stage, blocks=tuple(_block(b, known, _exactly) for b in stage.blocks), accelerations=drawn)
 
 
-def _block(block: SolvedBlock, known: Known) -> SolvedBlock:
-    lines = tuple(x if x.symbol in known else replace(x, formula=_put(x.formula, known)) for x in block.lines)
-    return replace(block, equations=tuple(_equation(w, known) for w in block.equations), lines=lines)
+def _block(block: SolvedBlock, known: Known, put: Put) -> SolvedBlock:
+    lines = tuple(x if x.symbol in known else replace(x, formula=put(x.formula, known)) for x in block.lines)
+    return replace(block, equations=tuple(_equation(w, known, put) for w in block.equations), lines=lines)
 
 
-def _equation(w: Written, known: Known) -> Written:
-    return replace(w, left=_put(w.left, known), right=_put(w.right, known)) if w.law in OF_FORCES else w
+def _equation(w: Written, known: Known, put: Put) -> Written:
+    return replace(w, left=put(w.left, known), right=put(w.right, known)) if w.law in OF_FORCES else w
 
 
 def _put(expr: sp.Expr, known: Known) -> sp.Expr:
@@ -88,3 +104,7 @@ def _put(expr: sp.Expr, known: Known) -> sp.Expr:
         return expr
     found = simplified(expr.xreplace(dict(known)))
     return found if operations(found) < operations(expr) else expr
+
+
+def _exactly(expr: sp.Expr, known: Known) -> sp.Expr:
+    return in_factors(expr.xreplace(dict(known))) if expr.free_symbols & known.keys() else expr

@@ -12,7 +12,7 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import by_name, letters, longer, replaced, rounded_inside, simplified
+from planar_cli.equation.plain import by_name, in_factors, letters, longer, replaced, rounded_inside
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.equation.tipping import tipping
@@ -383,7 +383,7 @@ class Finisher:
             return expr
         if not self.symbolic:
             return expr if longer(expr, 199) else factor_terms(expr)
-        return simplified(expr)
+        return in_factors(expr)
 
 
 def _differ(one: Decimal | None, other: Decimal | None) -> bool:
