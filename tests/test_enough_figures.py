@@ -146,3 +146,10 @@ def test_digits_of_all_pages() -> None:
 
 def test_a_sum_of_numbers_is_what_its_printed_numbers_give() -> None:
     assert "56.667 - 13.333 = 43.33 = 0.3106 v_P,2²" in page_of_file("weight-dropped-on-nested-springs")
+
+
+def test_both_components_of_a_vector_have_the_same_figures() -> None:
+    """[0.81915 · 0.6 - 0.57358 · 2, 0.57358 · 0.6 + 0.81915 · 2]: the second needs them."""
+    page = page_of_file("collar-on-rotating-rod")
+    assert "[0.81915 · 0.6 - 0.57358 · 2, 0.57358 · 0.6 + 0.81915 · 2]" in page
+    assert page.index("e_r = [cos 35°") < page.index("e_r + r ω e_θ")

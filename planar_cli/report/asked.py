@@ -267,9 +267,9 @@ class AskedTelling:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
             frame = self.vectors.carrier(self.vectors.edges[body].parent)
             if (polar := self.slides.told(body, place, frame, level)) is not None:
-                before, polar_sides, units = polar
+                before, polar_sides = polar
                 yield from before
-                yield from self._once(key, polar_sides, vector, level, units)
+                yield from self._once(key, polar_sides, vector, level)
                 return
             yield from self._joined(self.vectors.edges[frame], level)
             yield from self.vectors.along(body)

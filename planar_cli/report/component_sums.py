@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -112,15 +112,21 @@ def both_told(terms: Sequence[Sequence[Term]], figures: int) -> Line:
         return ()
     if sum(map(len, terms)) > MOST_TERMS:
         return ()
-    x, y = (sum_of_products(parts, figures) for parts in terms)
+    needed = [figures if not p or _is_nothing(p) else figures_of(numbers_of(p), worker(p), figures) for p in terms]
+    sizes = [{abs(n) for n in numbers_of(parts)} for parts in terms]
+    # A number of both components is spelled alike in both.
+    both = dict.fromkeys(sizes[0] & sizes[1], max(needed))
+    x, y = (sum_of_products(parts, figures, dict.fromkeys(sizes[i], needed[i]) | both) for i, parts in enumerate(terms))
     return line("[", x, ", ", y, "]")
 
 
-def sum_of_products(parts: Sequence[Term], figures: int) -> Math:
-    """A sum of signed products of numbers, with as many figures as its result needs."""
-    if not parts:
-        return Math(sp.S.Zero)
-    numbers = [n for _, factors in parts for n, _ in factors]
+def numbers_of(parts: Sequence[Term]) -> list[Decimal]:
+    """The numbers of signed products, in their order."""
+    return [n for _, factors in parts for n, _ in factors]
+
+
+def worker(parts: Sequence[Term]) -> Callable[[Sequence[Decimal]], Decimal]:
+    """What such products come to with other numbers."""
 
     def worked(values: Sequence[Decimal]) -> Decimal:
         left, total = list(values), Decimal(0)
@@ -131,17 +137,30 @@ def sum_of_products(parts: Sequence[Term], figures: int) -> Math:
             total += product
         return total
 
-    total = worked(numbers)
-    if abs(total) <= NOTHING * max(map(abs, numbers)):
+    return worked
+
+
+def _is_nothing(parts: Sequence[Term]) -> bool:
+    numbers = numbers_of(parts)
+    return abs(worker(parts)(numbers)) <= NOTHING * max(map(abs, numbers))
+
+
+def sum_of_products(parts: Sequence[Term], figures: int, enough: Mapping[Decimal, int] | None = None) -> Math:
+    """A sum of signed products of numbers, with as many figures as its result needs; `enough`: those of each number, by
+    its size.
+    """
+    if not parts or _is_nothing(parts):
         return Math(sp.S.Zero)
-    enough = figures_of(numbers, worked, figures)
+    if enough is None:
+        needed = figures_of(numbers_of(parts), worker(parts), figures)
+        enough = {abs(n): needed for n in numbers_of(parts)}
     texts: dict[sp.Symbol, str] = {}
     terms: list[sp.Expr] = []
     for i, (sign, factors) in enumerate(parts):
         own: list[sp.Expr] = []
         for j, (number, power) in enumerate(factors):
             symbol = sp.Symbol(f"{NUMBER}{i}{j}", real=True)
-            texts[symbol] = significant(number, enough)
+            texts[symbol] = significant(number, enough[abs(number)])
             own.append(symbol**power)
         terms.append(sp.Mul(sign, *own, evaluate=False) if sign < 0 or len(own) > 1 else own[0])
     return Math(sp.Add(*terms, evaluate=False) if len(terms) > 1 else terms[0], texts)

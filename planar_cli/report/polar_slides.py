@@ -103,16 +103,15 @@ class SlideTelling:
         self._slides: dict[str, PolarSlide] = {}
         """What was told, by the index of the point."""
 
-    def told(self, body: str, place: str, frame: str, level: str) -> tuple[list[Block], tuple[Line, ...], Line] | None:
-        """What stands before the vector of a place, the sides of its equation, and what stands beside it; None: it is
-        not told in polar coordinates.
+    def told(self, body: str, place: str, frame: str, level: str) -> tuple[list[Block], tuple[Line, ...]] | None:
+        """What stands before the vector of a place, and the sides of its equation; None: it is not told in polar
+        coordinates.
         """
         one = polar_slide(self._vectors.system, self._phrases, body, place, frame)
         if one is None:
             return None
         first = _index(place) not in self._slides
         self._slides[_index(place)] = one
-        blocks: list[Block] = [Paragraph(_opened(self._vectors, one))] if first else []
         (c, s), (outer, beside) = one.outward, one.parts(level)
         tell = _velocity if level == "velocity" else _acceleration
         before, *sides = tell(self._vectors, one)
@@ -122,7 +121,8 @@ class SlideTelling:
         name, vector = line(Name(f"{level[0]}_{_index(place)}")), self._phrases.vector
         radial = line(Name("e_r"), " = ", *by_angle((c, s), (c, s)), *vector(c, s, PURE))
         units = line(*radial, ", ", Name("e_theta"), " = ", *by_angle((-s, c), (c, s)), *vector(-s, c, PURE))
-        return [*blocks, *before], (name, *sides, *([components] if components else [])), units if first else ()
+        opened: list[Block] = [Paragraph(_opened(self._vectors, one)), Equation((units,))] if first else []
+        return [*opened, *before], (name, *sides, *([components] if components else []))
 
     def coriolis(self, answer: str, q: Quantity, values: Sequence[Value]) -> Equation | None:
         """The size of the Coriolis acceleration, where that is asked after it was told."""
