@@ -7,7 +7,7 @@ from worked import page_of_file
 
 def test_a_moment_of_a_mass_times_an_acceleration_has_its_letters() -> None:
     page = page_of_file("rod-disk-wall")
-    assert "√2/2 N_E l - √2/4 m g l = √2/4 m l R α_disk + 1/4 m l² α_rod + I_rod α_rod" in page
+    assert "√2/2 N_E l - √2/4 m g l = 1/4 m l² α_rod + I_rod α_rod - √2/4 m a_O l" in page
 
 
 def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:

@@ -20,7 +20,7 @@ def test_what_several_equations_tell_outright_stands_first() -> None:
 def test_single_bodies_instead_of_a_group_whose_inner_force_is_asked() -> None:
     page = page_of_file("rod-disk-wall")
     assert "disk, moments about C: (3) ↺ ΣM_C: R O_x = I_disk α_disk - M a_O R" in page
-    assert "rod: (4) → ΣF_x: O_x - N_E = -√2/4 m l α_rod - m R α_disk" in page
+    assert "rod: (4) → ΣF_x: O_x - N_E = m a_O - √2/4 m l α_rod" in page
     assert "disk, rod, moments" not in page
 
 

@@ -43,3 +43,13 @@ def holds_fraction(total: sp.Expr) -> bool:
     """Is a term of a sum divided by letters?"""
     factors = (f for t in total.args for f in sp.Mul.make_args(t))
     return any(f.is_Pow and f.exp.is_Integer and f.exp.is_negative for f in factors)
+
+
+def in_storeys(expr: sp.Expr) -> bool:
+    """Does a fraction stand in the bracket of a product, or under a fraction stroke: (m/2 + (M R + I/R)/R) α?"""
+    for p in sp.preorder_traversal(expr):
+        if p.is_Mul and any(f.is_Add and holds_fraction(f) for f in p.args):
+            return True
+        if p.is_Pow and p.exp.is_negative and p.base.is_Add and holds_fraction(p.base):
+            return True
+    return False

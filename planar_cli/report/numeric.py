@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.by_its_letter import by_another, in_letter
 from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.given_components import against
 from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
@@ -264,17 +265,17 @@ class NumericTelling:
 
     def by_letter(self, block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, Printed]]:
         """What the other unknowns of a block are by its one letter, in numbers: S = 100 - 3.333 a_A."""
-        for x, formula in _in_letter(block, stage):
+        for x, formula in in_letter(block, stage):
             found = put_in(x.symbol, formula, {x.symbol, *block.letters}, self.phrases)
             if found is not None and formula.free_symbols & set(block.letters):
                 unit = self.phrases.ledger.units.get(x.symbol)
                 own = None if unit is None else coherent_unit(unit.dimension, us=self.phrases.ledger.us).text
                 note = found.note if own is None else line(f"in {pretty_unit(TURNING.get(own, own))}")
-                yield x, ((Math(x.symbol), found.right), note)
+                yield x, ((Math(x.symbol), *by_another(x, block, stage, self.phrases), found.right), note)
 
     def at_letter(self, one: SolvedLine, block: SolvedBlock, stage: Stage) -> Math | None:
         """The same with the number of the letter: 100 - 3.333 · 20.73; None: it is one number."""
-        formula = next(f for x, f in _in_letter(block, stage) if x.symbol == one.symbol)
+        formula = next(f for x, f in in_letter(block, stage) if x.symbol == one.symbol)
         return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
     @staticmethod
@@ -341,18 +342,6 @@ class NumericTelling:
             whole = VELOCITY if level_of(w, stage, self.phrases.ledger) == "velocity" else ACCELERATION
             return whole / LENGTH if w.lead.startswith(ANGLE_OF) else whole
         return _of_statement(w) if w.source == "given" else None
-
-
-def _in_letter(block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, sp.Expr]]:
-    """The formulas of the other unknowns of a block in its one letter."""
-    explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
-    told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
-    formulas = {x.symbol: x.formula.xreplace(explicit) for x in told}
-    for x in told:
-        formula = x.formula.xreplace(explicit)
-        for _ in told:
-            formula = formula.xreplace(formulas)
-        yield x, formula
 
 
 def level_of(w: Written, stage: Stage, ledger: Ledger) -> str:

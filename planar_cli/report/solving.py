@@ -12,6 +12,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
+from planar_cli.report.nested import in_storeys
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
@@ -55,6 +56,8 @@ class SolvingTelling:
         self._inserted: dict[sp.Symbol, tuple[int, ...]] = {}
         self._outright: set[sp.Symbol] = set()
         """What several equations tell together, though they do not tell each of their unknowns."""
+        self._carried_in_numbers: set[sp.Symbol] = set()
+        """What would be fractions of fractions in letters."""
         self._by_letter: dict[sp.Symbol, Math | None] = {}
         """The numbers of what was told by the one letter of its block, with that of the letter put in."""
 
@@ -174,8 +177,9 @@ class SolvingTelling:
         lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
         if len(block.unknowns) > 1 and not block.letters:
             self._outright.add(block.lines[0].symbol)
-        if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
-            blocks = self._put_in(block, stage)
+        long = any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage)
+        if long or self._in_storeys(block, stage):
+            blocks = self._put_in(block, stage) if long else []
             lines = [x for x in lines if not x.letters]
             if len(block.unknowns) > 1:
                 self._name_together(block, lines, stage)
@@ -271,10 +275,21 @@ class SolvingTelling:
         by_letter = list(self.numeric.by_letter(block, stage))
         for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
-            told.append(
-                Equation(chain, None, line(f"{numbered([self.number(stage, n) for n in one.equations])}:"), beside)
-            )
+            own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
+            told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
         return [*told, Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
+
+    def _in_storeys(self, block: SolvedBlock, stage: Stage) -> bool:
+        """Would letters make fractions of fractions of what is carried, where numbers make it a few short lines?"""
+        results = [x for x in block.lines if x.symbol in block.letters]
+        if not any(in_storeys(x.formula) for x in block.lines if x.letters):
+            return False
+        if any(in_letters(x.formula, self.instant) is not None for x in results):
+            return False
+        found = self.numeric.inserted(block, stage)
+        carried = [x.symbol for x, _ in self.numeric.by_letter(block, stage)] if found is not None else []
+        self._carried_in_numbers.update(carried)
+        return 1 < len(carried) <= FEW
 
     def _put_into(self, block: SolvedBlock) -> bool:
         """Do the lines in letters all stand already as equations, so that they are put into the last ones?"""
@@ -322,7 +337,7 @@ class SolvingTelling:
         elif x.symbol in self._inserted:
             inserted = {self.number(stage, n) for n in self._inserted[x.symbol]} | set(self._put_for(x, stage))
             lead = line(f"{numbered(sorted(inserted))} in ", *lead)
-        elif put_in := self._put_for(x, stage):
+        elif (put_in := self._put_for(x, stage)) and x.symbol not in self._by_letter:
             lead = line(f"{numbered(put_in)} in ", *lead)
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.numeric.formula(x.symbol, x.formula)), None, lead)]
@@ -336,7 +351,8 @@ class SolvingTelling:
             solution = self.numeric.solution(x, stage)
             quotient = self.numeric.quotient(x, stage) if solution else ()
             sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
-        by_letter = self._by_letter.get(x.symbol) if not put and longer(x.formula, SHORT) else None
+        short = not longer(x.formula, SHORT) and x.symbol not in self._carried_in_numbers
+        by_letter = None if put or short else self._by_letter.get(x.symbol)
         if by_letter is not None:
             sides = (self.phrases.math(x.symbol), by_letter, shown)
         if x.symbol in self._solved and len(sides) > 3:

@@ -23,6 +23,7 @@ from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
+from planar_cli.solve.instant.named_parts import by_named
 from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
@@ -157,7 +158,7 @@ class Writer:
             (Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown)
             for unknown in dict.fromkeys((*form_x.terms, *form_y.terms))
         ]
-        parts += self._normal_parts(Vec(form_x.constant, form_y.constant))
+        parts = [*by_named(parts, self.lines), *self._normal_parts(Vec(form_x.constant, form_y.constant))]
         return [self._unit_part(Vec(self.short(v.x), self.short(v.y)) if size != 1 else v, size) for v, size in parts]
 
     def _normal_parts(self, v: Vec) -> list[tuple[Vec, sp.Expr]]:

@@ -1,0 +1,35 @@
+"""The unknowns of several equations by the one letter in which they are told: O_x = 0.15 α_disk = -0.3182 α_rod."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.report.blocks import Math
+from planar_cli.report.put_in import put_in
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.stages import Stage
+
+
+def in_letter(block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, sp.Expr]]:
+    """The formulas of the other unknowns of a block in its one letter."""
+    explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+    told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
+    formulas = {x.symbol: x.formula.xreplace(explicit) for x in told}
+    for x in told:
+        formula = x.formula.xreplace(explicit)
+        for _ in told:
+            formula = formula.xreplace(formulas)
+        yield x, formula
+
+
+def by_another(x: SolvedLine, block: SolvedBlock, stage: Stage, phrases: Phrases) -> list[Math]:
+    """What an unknown is by the one other of which its own equation tells it, where that is not the letter."""
+    own = next((y.formula for y in block.lines if y.symbol == x.symbol and not y.letters), sp.S.Zero)
+    own = own.xreplace(stage.algebra.explicit)
+    others = own.free_symbols & set(block.unknowns)
+    found = put_in(x.symbol, own, {x.symbol, *others}, phrases) if len(others) == 1 else None
+    return [] if found is None or others <= set(block.letters) else [found.right]
