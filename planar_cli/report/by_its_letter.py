@@ -7,14 +7,17 @@ from collections.abc import Iterator
 import sympy as sp
 
 from planar_cli.report.blocks import Math
+from planar_cli.report.closed_letters import in_letters
+from planar_cli.report.nested import in_storeys
 from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.solution import InstantSolution
 
 
-def in_letter(block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, sp.Expr]]:
+def by_its_letter(block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, sp.Expr]]:
     """The formulas of the other unknowns of a block in its one letter."""
     explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
     told = [x for x in block.lines if x.letters and x.symbol not in block.letters]
@@ -33,3 +36,10 @@ def by_another(x: SolvedLine, block: SolvedBlock, stage: Stage, phrases: Phrases
     others = own.free_symbols & set(block.unknowns)
     found = put_in(x.symbol, own, {x.symbol, *others}, phrases) if len(others) == 1 else None
     return [] if found is None or others <= set(block.letters) else [found.right]
+
+
+def makes_storeys(block: SolvedBlock, instant: InstantSolution) -> bool:
+    """Are formulas in the letter fractions of fractions, and is the result no short formula of the file's letters?"""
+    results = [x for x in block.lines if x.symbol in block.letters]
+    nested = any(in_storeys(x.formula) for x in block.lines if x.letters)
+    return nested and all(in_letters(x.formula, instant) is None for x in results)

@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.by_its_letter import by_another, in_letter
+from planar_cli.report.by_its_letter import by_another, by_its_letter
 from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.given_components import against
 from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
@@ -265,7 +265,7 @@ class NumericTelling:
 
     def by_letter(self, block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, Printed]]:
         """What the other unknowns of a block are by its one letter, in numbers: S = 100 - 3.333 a_A."""
-        for x, formula in in_letter(block, stage):
+        for x, formula in by_its_letter(block, stage):
             found = put_in(x.symbol, formula, {x.symbol, *block.letters}, self.phrases)
             if found is not None and formula.free_symbols & set(block.letters):
                 unit = self.phrases.ledger.units.get(x.symbol)
@@ -275,7 +275,7 @@ class NumericTelling:
 
     def at_letter(self, one: SolvedLine, block: SolvedBlock, stage: Stage) -> Math | None:
         """The same with the number of the letter: 100 - 3.333 · 20.73; None: it is one number."""
-        formula = next(f for x, f in in_letter(block, stage) if x.symbol == one.symbol)
+        formula = next(f for x, f in by_its_letter(block, stage) if x.symbol == one.symbol)
         return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
     @staticmethod

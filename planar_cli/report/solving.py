@@ -10,9 +10,9 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.by_its_letter import makes_storeys
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
-from planar_cli.report.nested import in_storeys
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
@@ -263,31 +263,29 @@ class SolvingTelling:
 
     def _last_in_numbers(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         """The one letter of a block from its last equation, into which the others are put."""
-        found = self.numeric.inserted(block, stage)
-        x = next((x for x in block.lines if x.symbol in block.letters), None)
+        found, x = (
+            self.numeric.inserted(block, stage),
+            next((x for x in block.lines if x.symbol in block.letters), None),
+        )
         if found is None or x is None:
             return []
         (sides, note), solved = found
         *put, last = (self.number(stage, w.number) for w in block.equations)
         lead = line(f"{numbered(put)} in ({last}):")
-        value = self.phrases.shown(x.symbol, x.value)
         told: list[Block] = []
         by_letter = list(self.numeric.by_letter(block, stage))
         for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
             told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
-        return [*told, Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
+        result = (self.phrases.math(x.symbol), *solved, self.phrases.shown(x.symbol, x.value))
+        return [*told, Equation(sides, None, lead, note), Equation(result)]
 
     def _in_storeys(self, block: SolvedBlock, stage: Stage) -> bool:
         """Would letters make fractions of fractions of what is carried, where numbers make it a few short lines?"""
-        results = [x for x in block.lines if x.symbol in block.letters]
-        if not any(in_storeys(x.formula) for x in block.lines if x.letters):
+        if not makes_storeys(block, self.instant) or self.numeric.inserted(block, stage) is None:
             return False
-        if any(in_letters(x.formula, self.instant) is not None for x in results):
-            return False
-        found = self.numeric.inserted(block, stage)
-        carried = [x.symbol for x, _ in self.numeric.by_letter(block, stage)] if found is not None else []
+        carried = [x.symbol for x, _ in self.numeric.by_letter(block, stage)]
         self._carried_in_numbers.update(carried)
         return 1 < len(carried) <= FEW
 
