@@ -17,7 +17,7 @@ from worked import page_of_file
         "free-body diagram = kinetic diagram At 2, θ = 0: AB: m g ↓ at G_AB",
         "1/2 m l α_AB ↑ at G_AB, 1/2 m l ω_AB² ← at G_AB",
         "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = I_AB α_AB + 1/2 m l α_AB · l/2 + I_BC α_BC",
-        "(5): α_AB = -3 g/(2 l)",
+        "(3), (4) in (5): α_AB = -3 g/(2 l)",
     ],
 )
 def test_two_rods_that_fall_flat(words: str) -> None:

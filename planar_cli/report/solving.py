@@ -16,6 +16,7 @@ from planar_cli.report.isolated import at_sight
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
+from planar_cli.report.solved_already import is_given, is_told, is_written
 from planar_cli.report.steps import SINGLE
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -95,6 +96,12 @@ class SolvingTelling:
             return ()
         chain = self.chain(found.symbol, found.formula, self.phrases.shown(found.symbol, found.value))
         return chain if itself or len(chain) == 2 else ()
+
+    def solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
+        """Does a relation already stand as unknown = formula, all of which is known by then?"""
+        if found.letters or not is_written(w, found, self.phrases):
+            return False
+        return not (found.formula.free_symbols & stage.algebra.unknowns) and self.numeric.readable(found.formula)
 
     def take_outright(self, w: Written, found: SolvedLine | None, stage: Stage) -> None:
         """An equation of forces that stands as unknown = formula is its own solution, where that would add nothing."""
@@ -278,8 +285,8 @@ class SolvingTelling:
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
             told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
-        result = (self.phrases.math(x.symbol), *solved, self.phrases.shown(x.symbol, x.value))
-        return [*told, Equation(sides, None, lead, note), Equation(result)]
+        value = self.phrases.shown(x.symbol, x.value)
+        return [*told, Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
 
     def _in_storeys(self, block: SolvedBlock, stage: Stage) -> bool:
         """Would letters make fractions of fractions of what is carried, where numbers make it a few short lines?"""
@@ -380,24 +387,3 @@ class SolvingTelling:
                 lead = line(f"({self.number(stage, named[symbol])}):") if symbol in named else line()
             if len(chain) > 2 or not self.phrases.symbolic:
                 yield Equation(chain, None, lead)
-
-
-def is_given(block: SolvedBlock) -> bool:
-    """Is the block nothing but a datum of the file? One that tells an unknown by something else has to be solved."""
-    return all(w.given for w in block.equations) and set(block.unknowns) <= {w.left for w in block.equations}
-
-
-def is_told(block: SolvedBlock, stage: Stage) -> bool:
-    """Has a relation said at sight that the unknown of the block is zero?"""
-    return set(block.unknowns) <= set(stage.zero)
-
-
-def is_written(w: Written, found: SolvedLine, phrases: Phrases) -> bool:
-    """Does an equation stand as unknown = formula?"""
-    solved = (found.symbol, phrases.neat(found.formula))
-    either = [phrases.writer.sides(s * w.left, s * w.right, w.source == DIFFERENTIATED) for s in (1, -1)]
-    if any(solved in (sides, sides[::-1]) for sides in either):
-        return True
-    # The same formula may be put together in two ways that read alike.
-    read = [side for sides in either for one, side in (sides, sides[::-1]) if one == found.symbol]
-    return any(plain(side) == plain(solved[1]) for side in read)

@@ -38,7 +38,8 @@ from planar_cli.report.rope_lengths import length_told, wound
 from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.sizes_given import as_sum, with_sum
-from planar_cli.report.solving import SolvingTelling, is_given, is_written
+from planar_cli.report.solved_already import is_given
+from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.translations import translations
@@ -311,7 +312,7 @@ class Telling:
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and line_of.symbol in stage.zero:
             return [*words, self._nil(w, line_of, stage, number)]
-        itself = line_of and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage)
+        itself = line_of and not self.numeric.put_whole(w, stage) and self.solving.solves_itself(w, line_of, stage)
         if line_of is not None and (chain := self.solving.told_already(w, line_of, bool(itself))):
             self.solving.merged.add((id(stage.algebra), w.number))
             return [*words, Equation(chain, number)]
@@ -336,16 +337,10 @@ class Telling:
         self.solving.merged.add((id(stage.algebra), w.number))
         self.vectors.zero |= {found.symbol}
         letter = self.phrases.math(found.symbol)
-        if self._solves_itself(w, found, stage) or self.numeric.put_whole(w, stage):
+        if self.solving.solves_itself(w, found, stage) or self.numeric.put_whole(w, stage):
             return Equation((letter, self.phrases.math(sp.S.Zero)), number)
         sides, _ = self.numeric.sides(w, stage, (w.left, w.right))
         return Equation(sides, number, (), line("hence ", letter, " = 0"))
-
-    def _solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
-        """Does a relation already stand as unknown = formula, all of which is known by then?"""
-        if found.letters or not is_written(w, found, self.phrases):
-            return False
-        return not (found.formula.free_symbols & stage.algebra.unknowns) and self.numeric.readable(found.formula)
 
     def _premises(self, w: Written) -> list[Block]:
         """What stands in equations of a whole scene, each once."""
