@@ -17,7 +17,11 @@ def test_whether_it_slips_is_decided_by_a_line() -> None:
 
 def test_which_limit_comes_first_is_told() -> None:
     page = page_of_file("crate-that-slips-or-tips")
-    assert "x = P y/N_C = 235.4 · 0.5 / 588.6 = 0.2 m < b/2 = 0.3 m it slips before it tips" in page
+    assert "N_C ↑ at x to the right of C" in page
+    assert (
+        "↺ ΣM_C: N_C x - P y = 0 x = P y/N_C = 235.4 · 0.5 / 588.6 = 0.2 m < b/2 = 0.3 m it slips before it tips"
+        in page
+    )
     assert "|F_C| = P = 176.6 N < μ N_C = 0.4 · 588.6 = 235.4 N it tips before it slips" in page
 
 

@@ -29,9 +29,9 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     ("name", "line"),
     [
-        ("friction/crate-that-slips-or-tips", "x = P y/N_C = 200 · 1 / 588.6 = 0.3398 m > b/2 = 0.3 m"),
+        ("friction/crate-pushed-too-hard", "x = P y/N_C = 200 · 1 / 588.6 = 0.3398 m > b/2 = 0.3 m"),
         ("friction/crate-that-slips-or-tips", "x = P y/N_C = 235.4 · 0.5 / 588.6 = 0.2 m < b/2 = 0.3 m"),
-        ("friction/crate-that-slips-or-tips", "|F_C| = P = 250 N > μ N_C = 0.4 · 588.6 = 235.4 N"),
+        ("friction/crate-pushed-too-hard", "|F_C| = P = 250 N > μ N_C = 0.4 · 588.6 = 235.4 N"),
         ("friction/stacked-blocks", "|F_A| = 6.633 N < μ_A N_A = 0.3 · 49.05 = 14.715 N"),
         ("energy/block-with-a-fading-push", "|F_P| = F_0 exp(-x_P,stop/b) = 0.03381 N ≤ μ N_P = 4.4145 N"),
         ("motion/body-block-sent-up-a-slope", "stays: |F_P| = m g sin β = 24.525 N ≤ μ N_P = 29.73 N"),
@@ -47,7 +47,7 @@ def test_what_decides_is_printed(name: str, line: str) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        "friction/crate-that-slips-or-tips",
+        "friction/crate-pushed-too-hard",
         "friction/crate-pulled",
         "friction/spool-rolls-or-slips",
         "friction/wheel-dropped-on-conveyor",

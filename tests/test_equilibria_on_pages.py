@@ -54,10 +54,13 @@ def test_friction_about_to_slip_is_drawn_as_it_acts() -> None:
     assert "(assumed)" not in page
 
 
-def test_a_couple_about_to_tip_is_drawn_as_it_acts() -> None:
+def test_a_normal_force_about_to_tip_is_drawn_beside_the_middle() -> None:
+    """No student would draw a couple there."""
     page = _page("friction/cabinet-on-a-tilting-floor")
-    assert "M_C ↻ (of N_C, which acts x beside C_1)" in page
-    assert "M_C = 1/2 N_C b\n" in page
+    assert "N_C ↖ at x ↙ from C_1" in page
+    assert "x = b/2\n" in page
+    assert "↺ ΣM_C1:   1/2 m g h sin β - N_C x = 0" in page
+    assert "M_C " not in page
 
 
 def test_a_lesson_on_equilibrium_speaks_of_no_acceleration() -> None:

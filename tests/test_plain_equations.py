@@ -44,13 +44,13 @@ def test_what_was_told_by_one_letter_gets_its_number() -> None:
 
 
 def test_a_body_that_tips_has_its_equations() -> None:
-    page = page_of_file("crate-that-slips-or-tips").rpartition("CASE")[2]
-    assert "N_C and F_C meet, so that neither enters: (1) ↺ ΣM_C: 1/2 m g b - P y = I_C α" in page
+    page = page_of_file("crate-pushed-too-hard").rpartition("CASE")[2]
+    assert "N_C and F_C meet, so that neither enters: (1) ↺ ΣM_K: 1/2 m g b - P y = I_K α" in page
     assert "|F_C| = 176.6 N < μ N_C = 0.4 · 600.3 = 240.1 N it does not slip" in page
 
 
 def test_friction_below_its_limit_is_drawn_against_the_push() -> None:
-    assert "F_C ← at C_1 (assumed)" in page_of_file("crate-that-slips-or-tips").partition("CASE high")[2]
+    assert "F_C ← at C (assumed)" in page_of_file("crate-that-slips-or-tips").partition("CASE high")[2]
 
 
 def test_a_letter_that_the_file_gives_by_a_formula_is_put_in_by_a_line() -> None:

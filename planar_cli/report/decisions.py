@@ -13,13 +13,13 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO
+from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.equation.on_two_points import on_two_points
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.records import record
-from planar_cli.report.blocks import Equation, Line, Math, Value, line
-from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter
+from planar_cli.report.blocks import Equation, Line, Math, Name, Value, line
+from planar_cli.report.offsets import Offset, moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
@@ -68,7 +68,8 @@ class Needed:
         at, most = (there.of_dimension(abs(n) / press, LENGTH) for n in (self.size, self.limit))
         formula, edge = (self.symbol if self.own is None else self.own) / force, simplified(self.formula / force)
         numbers = [p for side in there.substituted(formula, at) for p in (" = ", side)]
-        return line(Math(letter), " = ", there.math(formula), *numbers, " = ", at, sign, there.math(edge), " = ", most)
+        told = () if formula == letter else (" = ", there.math(formula), *numbers)
+        return line(Math(letter), *told, " = ", at, sign, there.math(edge), " = ", most)
 
 
 def needed(trial: Trial, test: Test) -> Needed | None:
@@ -97,9 +98,12 @@ def needed(trial: Trial, test: Test) -> Needed | None:
 def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
     """The same with the formula of its friction."""
     push = next(p for p in trial.system.pushes if trial.system.symbols.get(p.name) == found.symbol)
-    solved = any(found.symbol in b.unknowns for s in instant.stages for b in s.blocks) and trial is instant.trial
+    letters = {found.symbol, found.press[0]} if found.press is not None else {found.symbol}
+    solved = any(letters & set(b.unknowns) for s in instant.stages for b in s.blocks) and trial is instant.trial
     own = None
-    if not solved and found.press is not None:
+    if solved and found.press is not None:
+        own = found.press[0] * found.press[1]
+    elif not solved and found.press is not None:
         own = moment_of_loads(trial, push, found.size)
     elif not solved and push.kind == "friction":
         own = _formula(replace(instant, trial=trial), push, found.size, phrases)
@@ -136,10 +140,21 @@ def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) ->
             continue
         words = _instead(test, happens) if largest else _holds(mode, test)
         if words:
-            told = worked_out(found, trial, instant, phrases).told(" < ", phrases)
-            yield found.symbol, Equation((line(*told),), None, (), line(words))
+            worked = worked_out(found, trial, instant, phrases)
+            yield from _moments(worked, trial, instant)
+            yield found.symbol, Equation((line(*worked.told(" < ", phrases)),), None, (), line(words))
     if largest and happens == "slips":
         yield from _stands(trial, phrases)
+
+
+def _moments(found: Needed, trial: Trial, instant: InstantSolution) -> Iterator[tuple[sp.Symbol, Equation]]:
+    """↺ ΣM_C: N x - P y = 0, of which no equation before gave the distance."""
+    own = next((o for o in _offsets(trial, instant.value) if o.couple == found.symbol), None)
+    if own is None or found.own is None or found.press is None or found.own.has(found.press[0]):
+        return
+    whole = Math(own.normal * own.letter - found.own)
+    lead = line(f"{'↺' if own.counter > 0 else '↻'} ", Name(f"ΣM_{own.place}"), ":")
+    yield found.symbol, Equation((whole, Math(sp.S.Zero)), None, lead)
 
 
 def _stands(trial: Trial, phrases: Phrases) -> Iterator[tuple[sp.Symbol, Equation]]:
@@ -161,10 +176,15 @@ def _stands(trial: Trial, phrases: Phrases) -> Iterator[tuple[sp.Symbol, Equatio
             )
 
 
+def _offsets(trial: Trial, value: Valuation) -> list[Offset]:
+    return list(offsets(trial.system, trial.outcomes[0], value)) if trial.outcomes else []
+
+
 def at_limit(instant: InstantSolution) -> set[sp.Symbol]:
     """The letters in equations that put something at its limit."""
     written = (w for s in instant.stages for b in s.blocks for w in b.equations)
-    return {s for w in written if w.source == "limit" for s in w.residual.free_symbols}
+    found = {s for w in written if w.source == "limit" for s in w.residual.free_symbols}
+    return found | {o.couple for o in _offsets(instant.trial, instant.value) if o.letter in found}
 
 
 def _holds(mode: Mode, test: Test) -> str:

@@ -30,7 +30,7 @@ from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
-from planar_cli.report.offsets import beside_the_middle
+from planar_cli.report.offsets import offsets
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
@@ -114,9 +114,11 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 parts.append([_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), sense])
     assert system.reactions is not None
     absent, at_limit = _absent(instant, stage), impending(stage)
+    beside = {o.normal: o for o in offsets(system, instant.trial.outcomes[0], instant.value)} if rigid else {}
+    couples = {o.couple for o in beside.values()}
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and does_nothing(system, push, phrases.value.known(expr))
-        if push.name in absent or expr in nil or idle:
+        if push.name in absent or expr in nil or idle or expr in couples:
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
@@ -124,9 +126,10 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             where, sure = named if rigid and push.kind != "drive" else "", expr in {*at_limit, *phrases.ledger.values}
-            # A guide holds on both sides, so that its couple is not that of its normal force alone.
-            beside = () if guide else beside_the_middle(system, push, expr)
-            parts.append([*_push(push, expr, a, phrases, where, sure), *beside])
+            there: Line = ()
+            if (offset := beside.get(expr)) is not None:
+                where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))
+            parts.append([*_push(push, expr, a, phrases, where, sure), *there])
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
@@ -147,7 +150,12 @@ def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:
 
 
 def _place(instant: InstantSolution, push: Push, point: Any, body: str) -> str:
-    """Where a reaction acts, as " at P". A joint that is called by no point has the name of a point there, if any."""
+    """Where a reaction acts, as " at P". A joint that is called by no point has the name of a point there, if any; what
+    tips presses with its edge alone.
+    """
+    mode = instant.trial.system.modes.get(push.joint)
+    if mode is not None and mode.name == "tip":
+        return " at the edge"
     return f" at {push.place}" if push.place in instant.instant.scene.points else _at(instant, point, body)
 
 

@@ -11,7 +11,6 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
-from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.apart import with_letters_apart
@@ -35,13 +34,13 @@ from planar_cli.report.decisions import decision_lines
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.equations_as_told import equations_as_told
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.frames_apart import with_frames_apart
 from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.impulse_names import with_short_impulses
 from planar_cli.report.in_one_line import in_one_line, of_motion
 from planar_cli.report.inertias import with_inertias
-from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.laws import without_given
 from planar_cli.report.laws_solved import with_laws_solved
 from planar_cli.report.likewise import told_likewise
@@ -57,7 +56,6 @@ from planar_cli.report.polar_names import with_polar_names
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.restated import is_restated
-from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.said import said_once, says_nothing
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
@@ -134,8 +132,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
                 own = [b for b in shorter if not stood_above(b, blocks)]
             headed = headed and all(g in problem.given for g in case.given)
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-            told_case = why is not None or headed
-            blocks += () if told_case else changed_notes(problem, case, own, (first, mine), voice.figures)
+            if why is None and not headed:
+                blocks += changed_notes(problem, case, own, (first, mine), voice.figures)
         own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
         own = by_its_line(without_primes(list(without_ritual(own))))
         if voice.audience == "exam":
@@ -162,7 +160,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
-    part, positive = with_signs(with_plain_answers(with_across_speeds(with_known_put_in(with_rolling_told(part)))))
+    part, positive = with_signs(with_plain_answers(equations_as_told(part)))
     figures = voice.figures
     telling = None
     if part.motion is not None:

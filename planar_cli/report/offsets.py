@@ -5,16 +5,21 @@ x = P y/N_C = 235.4 · 0.5/588.6 = 0.2 m < b/2 = 0.3 m      it slips before it t
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Push
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.study import Outcome
 
 LONGEST, NEAR = 12, Decimal("1e-20")
 
@@ -52,10 +57,55 @@ def moment_of_loads(trial: Trial, push: Push, size: Decimal) -> sp.Expr | None:
     return whole if number > 0 else -whole
 
 
-def beside_the_middle(system: System, push: Push, expr: sp.Expr) -> Line:
-    """What the couple of a normal force stands for in a diagram: ` (of N_C, which acts x beside C_1)`."""
-    normal = normal_of(system, push)
-    if normal is None or not expr.is_Symbol:
-        return ()
-    force, letter, place = Math(system.symbols[normal.name]), Math(offset_letter(system)), Name(normal.place)
-    return line(" (of ", force, ", which acts ", letter, " beside ", place, ")")
+@record
+class Offset:
+    """How far beside the middle of a face its normal force acts: the couple is `sense` N x, with x > 0. It turns
+    counterclockwise where `counter` is 1, clockwise where it is -1.
+
+    `way`: from the middle to where it acts; `value`: of x [m]; None: it has none, as a mass that cancels.
+    """
+
+    letter: sp.Symbol
+    couple: sp.Symbol
+    normal: sp.Symbol
+    sense: int
+    counter: int
+    place: str
+    way: Vec
+    value: Decimal | None
+
+    @property
+    def moment(self) -> sp.Expr:
+        """What stands for the couple."""
+        return self.sense * self.normal * self.letter
+
+    def told(self, arrow: str) -> Line:
+        """` at x to the right of C`. `arrow`: of the way."""
+        beside = {"→": "to the right of", "←": "to the left of"}.get(arrow, f"{arrow} from")
+        return line(" at ", Math(self.letter), f" {beside} ", Name(self.place))
+
+
+def offsets(system: System, outcome: Outcome, value: Valuation) -> Iterator[Offset]:
+    """Of each face on which a normal force acts beside its middle; of several with the joint as index."""
+    couples = [p for p in system.pushes if p.kind == "couple" and not _is_guide(system, p)]
+    faces = [(p, n) for p in couples if (n := normal_of(system, p)) is not None]
+    for push, normal in faces:
+        size, press = outcome.push(push.name), outcome.push(normal.name)
+        (own, pressed) = push.actions[0], normal.actions[0]
+        if not size or not press or press < 0 or pressed.force is None or own.body != pressed.body:
+            continue
+        letter = offset_letter(system)
+        if len(faces) > 1:
+            letter = sp.Symbol(f"{letter.name}_{push.joint}", positive=True)
+        turns = 1 if value(sp.sympify(own.couple)) > 0 else -1
+        counter = turns if size > 0 else -turns
+        way = Vec(pressed.force.y * counter, -pressed.force.x * counter)
+        couple, force = system.symbols[push.name], system.symbols[normal.name]
+        known = value.known(couple), value.known(force)
+        far = None if None in known or not known[1] else abs(known[0] / known[1])
+        yield Offset(letter, couple, force, counter * turns, counter, normal.place, way, far)
+
+
+def _is_guide(system: System, push: Push) -> bool:
+    """A guide holds on both sides, so that its couple is not that of its normal force alone."""
+    return any(j.kind == "guide" and j.name == push.joint for j in system.scene.problem.joints)

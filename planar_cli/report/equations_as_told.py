@@ -1,0 +1,16 @@
+"""The equations of a part as a page tells them, before any of it is written: what the system counts otherwise than a
+student would, in the order in which one change rests on the other.
+"""
+
+from __future__ import annotations
+
+from planar_cli.report.across_speeds import with_across_speeds
+from planar_cli.report.known_put_in import with_known_put_in
+from planar_cli.report.offset_normals import with_offset_normals
+from planar_cli.report.rolls_at_state import with_rolling_told
+from planar_cli.solve.solved_problem import PartSolution
+
+
+def equations_as_told(part: PartSolution) -> PartSolution:
+    """The part with distances for the couples of faces, rolling, what is known put in, and speeds of angles."""
+    return with_across_speeds(with_known_put_in(with_rolling_told(with_offset_normals(part))))
