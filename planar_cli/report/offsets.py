@@ -101,8 +101,8 @@ def offsets(system: System, outcome: Outcome, value: Valuation) -> Iterator[Offs
         counter = turns if size > 0 else -turns
         way = Vec(pressed.force.y * counter, -pressed.force.x * counter)
         couple, force = system.symbols[push.name], system.symbols[normal.name]
-        known = value.known(couple), value.known(force)
-        far = None if None in known or not known[1] else abs(known[0] / known[1])
+        moment, force_there = value.known(couple), value.known(force)
+        far = None if moment is None or not force_there else abs(moment / force_there)
         yield Offset(letter, couple, force, counter * turns, counter, normal.place, way, far)
 
 
