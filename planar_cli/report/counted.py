@@ -126,6 +126,14 @@ def clockwise_too(w: Written, turn: int) -> Written:
     return replace(w, left=left, right=right)
 
 
+def one_way_round(w: Written, turn: int) -> tuple[Written, int]:
+    """A sum of moments in the sense in which its terms are positive, where all have the other; with that sense."""
+    terms = [t for side in (w.left, w.right) for t in sp.Add.make_args(side) if t != 0]
+    if w.law != "moment" or not all(t.could_extract_minus_sign() for t in terms):
+        return w, turn
+    return clockwise_too(w, -1), -turn
+
+
 def _opposite(term: sp.Expr) -> sp.Expr:
     """A term with the other sign: F (h - R) instead of -F (R - h)."""
     factors = sp.Mul.make_args(term)

@@ -19,7 +19,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.records import record
 from planar_cli.report.blocks import Equation, Line, Math, Name, Value, line
-from planar_cli.report.offsets import Offset, moment_of_loads, normal_of, offset_letter, offsets
+from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
@@ -149,7 +149,7 @@ def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) ->
 
 def _moments(found: Needed, trial: Trial, instant: InstantSolution) -> Iterator[tuple[sp.Symbol, Equation]]:
     """↺ ΣM_C: N x - P y = 0, of which no equation before gave the distance."""
-    own = next((o for o in _offsets(trial, instant.value) if o.couple == found.symbol), None)
+    own = next((o for o in offsets(trial, instant.value) if o.couple == found.symbol), None)
     if own is None or found.own is None or found.press is None or found.own.has(found.press[0]):
         return
     whole = Math(own.normal * own.letter - found.own)
@@ -176,15 +176,11 @@ def _stands(trial: Trial, phrases: Phrases) -> Iterator[tuple[sp.Symbol, Equatio
             )
 
 
-def _offsets(trial: Trial, value: Valuation) -> list[Offset]:
-    return list(offsets(trial.system, trial.outcomes[0], value)) if trial.outcomes else []
-
-
 def at_limit(instant: InstantSolution) -> set[sp.Symbol]:
     """The letters in equations that put something at its limit."""
     written = (w for s in instant.stages for b in s.blocks for w in b.equations)
     found = {s for w in written if w.source == "limit" for s in w.residual.free_symbols}
-    return found | {o.couple for o in _offsets(instant.trial, instant.value) if o.letter in found}
+    return found | {o.couple for o in offsets(instant.trial, instant.value) if o.letter in found}
 
 
 def _holds(mode: Mode, test: Test) -> str:

@@ -114,7 +114,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 parts.append([_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), sense])
     assert system.reactions is not None
     absent, at_limit = _absent(instant, stage), impending(stage)
-    beside = {o.normal: o for o in offsets(system, instant.trial.outcomes[0], instant.value)} if rigid else {}
+    beside = {o.normal: o for o in offsets(instant.trial, instant.value)} if rigid else {}
     couples = {o.couple for o in beside.values()}
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and does_nothing(system, push, phrases.value.known(expr))
@@ -130,10 +130,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
             if (offset := beside.get(expr)) is not None:
                 where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))
             parts.append([*_push(push, expr, a, phrases, where, sure), *there])
-    joined: list[Any] = []
-    for i, part in enumerate(parts):
-        joined += [Text(",  ")] * bool(i) + part
-    return tuple(joined)
+    return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
 
 
 def _is_nought(w: Wrench, scene: Scene, phrases: Phrases) -> bool:

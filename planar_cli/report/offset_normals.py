@@ -32,11 +32,11 @@ def with_offset_normals(part: PartSolution) -> PartSolution:
 
 
 def _instant(instant: InstantSolution) -> InstantSolution:
-    if not instant.stages or not instant.trial.outcomes:
+    if not instant.stages:
         return instant
     *first, last = instant.stages
     used = {s for b in last.blocks for w in b.equations for s in w.residual.free_symbols}
-    found = [o for o in offsets(instant.trial.system, instant.trial.outcomes[0], instant.value) if o.couple in used]
+    found = [o for o in offsets(instant.trial, instant.value) if o.couple in used]
     if not found:
         return instant
     units = instant.instant.scene.ledger.units

@@ -19,7 +19,6 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.solve.instant.instant import Trial
-from planar_cli.solve.instant.study import Outcome
 
 LONGEST, NEAR = 12, Decimal("1e-20")
 
@@ -85,8 +84,11 @@ class Offset:
         return line(" at ", Math(self.letter), f" {beside} ", Name(self.place))
 
 
-def offsets(system: System, outcome: Outcome, value: Valuation) -> Iterator[Offset]:
+def offsets(trial: Trial, value: Valuation) -> Iterator[Offset]:
     """Of each face on which a normal force acts beside its middle; of several with the joint as index."""
+    if not trial.outcomes:
+        return
+    system, outcome = trial.system, trial.outcomes[0]
     couples = [p for p in system.pushes if p.kind == "couple" and not _is_guide(system, p)]
     faces = [(p, n) for p in couples if (n := normal_of(system, p)) is not None]
     for push, normal in faces:

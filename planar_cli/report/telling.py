@@ -16,7 +16,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
-from planar_cli.report.counted import clockwise_too, counted, sense_of
+from planar_cli.report.counted import clockwise_too, counted, one_way_round, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.derivatives_after import derivatives_after
@@ -247,7 +247,7 @@ class Telling:
             sides, note = self.numeric.sides(w, stage, (w.left, w.right))
             return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, lead_of(w.lead), note)]
         turn = self.system.tree.turn(w.bodies) if w.law == "moment" else 1
-        w = clockwise_too(onward(w), turn)
+        w, turn = one_way_round(clockwise_too(onward(w), turn), turn)
         whole = self.principle.sides(w.left, w.right)
         sides, note = self.numeric.sides(w, stage, whole)
         group = ", ".join(w.bodies)
