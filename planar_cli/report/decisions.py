@@ -13,7 +13,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.exact import ZERO
 from planar_cli.equation.on_two_points import on_two_points
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
