@@ -264,4 +264,6 @@ def test_a_size_in_letters_holds_its_unit() -> None:
 
 
 def test_another_root_that_is_an_earlier_state() -> None:
-    assert "not t_1: that is state 1 itself" in page("ball-bouncing-twice")
+    assert "not t_stop_1: that is state stop_1 itself" in page("there-and-back")
+    # The flight that begins there.
+    assert "= 1.668 s as t_4 ≠ t_1" in page("ball-bouncing-twice")

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from planar_cli.report.blocks import Answer, Block, Math, Name, Note
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
-from planar_cli.report.one_name import OPENING, renamed
+from planar_cli.report.one_name import OPENING, letter_of_answer, renamed
 
 IMPULSE = "J"
 KINDS = ("N", "F", "T")
@@ -23,7 +23,8 @@ def with_short_impulses(blocks: Sequence[Block]) -> list[Block]:
     names = _without_joint(_without_state({x: x for x in own}))
     if len(set(names.values())) == 1 and next(iter(names.values())).partition("__")[0] in {f"J_{k}" for k in KINDS}:
         names = dict.fromkeys(names, IMPULSE)
-    asked = {b.name for b in blocks if isinstance(b, Answer)}
+    # What an answer is told to be may have the name under which it is asked for.
+    asked = {b.name for b in blocks if isinstance(b, Answer) and names.get(letter_of_answer(b.line)) != b.name}
     others = {plain_name(x) for x in (*used, *asked) if x not in names}
     distinct = len(set(names.values())) == len({*own})
     if not distinct or others & {plain_name(n) for n in names.values()}:

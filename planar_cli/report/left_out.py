@@ -25,7 +25,7 @@ SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
 """Roots that differ by less, in parts of themselves and at all, are the same."""
 MOST_ROOTS = 4
 ROOT, ITSELF = " root: ", " itself"
-FIRST, WHICH = "the first such time after ", "the root for which "
+FIRST, WHICH, AS = "the first such time after ", "the root for which ", "as "
 SENSES = {
     "omega": ("it turns counterclockwise", "it turns clockwise"),
     "x": ("it moves to the right", "it moves to the left"),
@@ -114,7 +114,19 @@ def _a_state_itself(found: MotionTrace, r: Result, others: list[Decimal]) -> Lin
     times = (s for s, g in found.general.items() if g == found.general[r.unknown] and _at(found, s) in earlier)
     known = ((s, found.value.known(s)) for s in times)
     same = [s for s, v in known if v is not None and abs(v) > TINY and len(others) == 1 and _close(v, others[0])]
+    if same and _begins_there(found, r, same[0]):
+        return line(AS, Math(r.unknown), " ≠ ", Math(same[0]))
     return line("not ", Math(same[0]), f": that is state {_state(found, same[0])} itself") if same else ()
+
+
+def _begins_there(found: MotionTrace, r: Result, time: sp.Symbol) -> bool:
+    """Does the stretch that ends at a time begin at another one?"""
+    legs = (leg for leg in found.route.steps if r in leg.results)
+    starts = {e.since for leg in legs for e in leg.relations}
+    known = [
+        found.value.known(s) for s, g in found.general.items() if g == found.general[time] and _at(found, s) in starts
+    ]
+    return any(v is not None and _close(v, found.value(time)) for v in known)
 
 
 def _has_turned(found: MotionTrace, speed: sp.Symbol) -> bool:
@@ -126,7 +138,7 @@ def _has_turned(found: MotionTrace, speed: sp.Symbol) -> bool:
 def tells_of_others(block: Block) -> bool:
     """Does a short sentence tell which of several roots is taken, so that it stands beside it?"""
     first = block.line[0] if isinstance(block, Paragraph) else None
-    return isinstance(first, Text) and first.text.startswith((FIRST, WHICH, "not "))
+    return isinstance(first, Text) and (first.text.startswith((FIRST, WHICH, "not ")) or first.text == AS)
 
 
 def tells_the_root(block: Block) -> bool:

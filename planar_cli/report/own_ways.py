@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from planar_cli.report.blocks import Block
+from planar_cli.report.comes_back import back_blocks
 from planar_cli.report.links_in_line import in_line_blocks
 from planar_cli.report.met import data_of_meetings, met_blocks
 from planar_cli.report.periods_given import held_by_periods
@@ -19,7 +20,8 @@ def told_by_itself(
     """The blocks of such a step; empty of another one. `number`: of its first equation; `chain`: the sides of a
     result.
     """
-    return in_line_blocks(leg, found, phrases, number, chain) or met_blocks(leg, found, phrases, number)
+    told = in_line_blocks(leg, found, phrases, number, chain) or met_blocks(leg, found, phrases, number)
+    return told or back_blocks(leg, found, number, chain)
 
 
 def told_elsewhere(found: MotionTrace) -> list[RouteStep]:

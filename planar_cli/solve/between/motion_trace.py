@@ -35,6 +35,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
 from planar_cli.solve.between.terminal import by_terminal_speed
+from planar_cli.solve.between.times_in_turn import times_in_turn
 from planar_cli.solve.between.told_finds import FindTeller
 from planar_cli.solve.between.told_vibrations import VibrationTracer
 from planar_cli.solve.between.trace import (
@@ -214,6 +215,9 @@ class _Tracer:
         known = settled(route, self.value, self.base, self.lettered)
         self._level = levels(route.formulas.items())
         steps = without_places([self._step(step, route.plain) for step in route.steps])
+        names = [s.name for s in self.course.states]
+        times = [stop.t.name for stop in self.course.stops.values()]
+        steps = times_in_turn(steps, names, times, self.course.ledger)
         return RouteTrace(steps, known, route.formulas, route.plain)
 
     def _step(self, step: DerivedStep, plain: Mapping[sp.Symbol, sp.Expr]) -> RouteStep:
