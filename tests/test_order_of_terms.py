@@ -11,7 +11,7 @@ from planar_cli.report.narrate import narrate
 
 def test_the_kinetic_energy_comes_first() -> None:
     page = Terminal(200).render(narrate(worked(ROOT / "problems" / "energy" / "string-that-goes-slack.yaml")[0]))
-    assert "T_1 + U = T_2:   1/2 m v_B,1² + m g l (sin φ_B,1 - sin φ_B,2) = 1/2 m v_B,2²" in page
+    assert "T_1 + U = T_2:   1/2 m v_B,1² - m g l (1 + sin φ_B,2) = 1/2 m v_B,2²" in page
     thrown = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-06.yaml")[0]))
     assert "v_top = 0\n" in thrown
 

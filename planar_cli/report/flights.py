@@ -83,7 +83,7 @@ class FlightTelling:
         """A letter that one function gives as it stands; empty of anything else. `chain`: a letter, and what it is."""
         (e, *more) = leg.relations
         number = self.number(e)
-        if more or not number or not is_explicit(e, leg, self.found.ledger):
+        if more or not number or not is_explicit(e, leg, self.found.route, self.found.ledger):
             return []
         return [Equation(chain(leg.results[0]), None, line(f"({number[0]}):"))]
 

@@ -27,6 +27,10 @@ MEANS = ": the angle "
 """Begins what an angle is."""
 STILL = "nothing moves during a blow"
 """The remark on a place just after a blow."""
+STATE = "__"
+"""Stands before the state in the name of a letter."""
+QUARTER = 90
+"""Of angles that are so many degrees, or a multiple of it, the sine and cosine are put in."""
 DEFINED = ("mass of ", "moment of inertia of ")
 """Begins the line of a mass or a moment of inertia."""
 
@@ -109,7 +113,7 @@ def without_unused_places(blocks: Sequence[Block]) -> Iterator[Block]:
         names = _carried(block, STILL)
         if len(names) == 2 and spoken[names[0]] == 1:
             continue
-        if (own := _drawn(block)) is not None and spoken[own] == 1:
+        if (own := _drawn(block)) is not None and spoken[own] == 1 and not _is_put_in(block, own, spoken):
             continue
         if not _is_unused_meaning(block, spoken):
             kept.append(block)
@@ -140,7 +144,7 @@ def _without_unused_angles(blocks: Sequence[Block], spoken: Mapping[str, int]) -
         words = _leading(block)
         if words and isinstance(block, Paragraph) and len(after) == 2 and _gives_an_angle(after[0], after[1], spoken):
             yield Paragraph((*block.line[:-1], Text(f"{words.removesuffix(':')}.")))
-            left = 2
+            left = 3 if any(isinstance(b, Paragraph) and tells_of_others(b) for b in blocks[i + 3 : i + 4]) else 2
         else:
             yield block
 
@@ -153,7 +157,8 @@ def _gives_an_angle(condition: Block, given: Block, spoken: Mapping[str, int]) -
     turned = isinstance(own, Math) and own.expr.is_Symbol and isinstance(last, Value) and last.unit == "deg"
     if not turned or not isinstance(own, Math) or condition.lead:
         return False
-    return own.expr.name in _letters(condition) and spoken[own.expr.name] == 2
+    name = own.expr.name
+    return name in _letters(condition) and spoken[name] == 2 and not _is_put_in(given, name, spoken)
 
 
 def _drawn(block: Block) -> str | None:
@@ -165,6 +170,15 @@ def _drawn(block: Block) -> str | None:
         return None
     placed = first.expr.name.startswith(PLACES) and lead.startswith("At ") and lead.endswith(":")
     return first.expr.name if placed or lead.endswith(DRAWN) else None
+
+
+def _is_put_in(block: Block, own: str, spoken: Mapping[str, int]) -> bool:
+    """Is it an angle of whole quarters of a turn, of which lines hold the sine, where other states have it?"""
+    last = block.sides[-1] if isinstance(block, Equation) else None
+    if not isinstance(last, Value) or last.unit != "deg" or not round(last.number) or round(last.number, 12) % QUARTER:
+        return False
+    general = own.partition(STATE)[0]
+    return any(name != own and name.startswith(f"{general}{STATE}") for name in spoken)
 
 
 def _letters(block: Block) -> set[str]:

@@ -188,7 +188,7 @@ class MotionTelling:
                 continue
             if single and e.kind == "link" and is_handed_on(leg.results[0]):
                 return (yield Equation(self._chain(leg.results[0]), None, line(at(e.stop)), line(e.words)))
-            if single and is_explicit(e, leg, ledger):
+            if single and is_explicit(e, leg, route, ledger):
                 yield from self._law(e)
                 chain = with_number(leg, self._chain, route, self.phrases)
                 return (yield from (self._head(e, *chain), *self._integral(e, route), Equation(chain, self.number())))

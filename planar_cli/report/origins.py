@@ -233,15 +233,15 @@ def balanced(e: Relation, residual: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return left, left - residual
 
 
-def is_explicit(e: Relation, leg: trace.RouteStep, ledger: Ledger) -> bool:
-    """Does the one relation of a step itself give its unknown?"""
+def is_explicit(e: Relation, leg: trace.RouteStep, route: RouteTrace, ledger: Ledger) -> bool:
+    """Does the one relation of a step itself give its unknown, with what is left out of it or put in?"""
     result = leg.results[0]
     if result.formula is not None:
-        own = result.unknown - result.formula
+        own, residual = result.unknown - result.formula, e.residual.xreplace(dict(route.plain))
         if e.kind == "link" or e.is_datum:
-            return bool(expanded(e.residual - own) == 0) or e.kind == "link"
+            return bool(expanded(residual - own) == 0) or e.kind == "link"
         if e.kind in ("loop", "handed") and not result.roots[1:]:
-            return any(expanded(e.residual - sense * own) == 0 for sense in (1, -1))
+            return any(expanded(residual - sense * own) == 0 for sense in (1, -1))
     return e.span is not None and e.span.explicit is not None and letter_of(e, ledger) == result.unknown
 
 

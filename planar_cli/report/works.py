@@ -34,7 +34,7 @@ def work_integral(
     name = last.name.removesuffix(f"{STATE}{b.stop}")
     running = sp.Symbol(name, real=True)
     force = simplified(sp.diff(work, last).xreplace({last: running}))
-    own = {s.name: s for s in (*plain, *work.free_symbols)}.get(f"{name}{STATE}{b.since}")
+    own = {s.name: s for s in (*(s for s in plain if s.is_Symbol), *work.free_symbols)}.get(f"{name}{STATE}{b.since}")
     start = sp.S.Zero if own is None else sp.sympify(plain.get(own, own))
     begun = work.xreplace({last: start}).xreplace(dict(plain))
     if running not in force.free_symbols or longer(force, LONGEST) or not phrases.value.vanishes(begun):
