@@ -23,7 +23,7 @@ def test_the_force_of_a_stream_that_is_asked() -> None:
 
 def test_the_parts_of_a_moment_of_inertia_that_is_asked() -> None:
     page = _page("rigid-bodies/flywheel-with-four-holes")
-    assert "I_wheel,3 = 1/2 m_wheel,3 r_h² = 1/2 (-3.551) · 0.06² = -0.006392 kg·m²" in page
+    assert "I_3 = 1/2 m_3 r_h² = 1/2 (-3.551) · 0.06² = -0.006392 kg·m²" in page
     assert "k_O = √(I/m)" in page
     assert "x_G" not in page
 

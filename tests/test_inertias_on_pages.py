@@ -98,5 +98,5 @@ def test_what_is_asked_of_a_mass_is_derived() -> None:
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert "mass of plate: m′ = m + 2 c = 6 + 2 · 0.5 = 7 kg" in page
-    assert "I_plate,2 = 1/2 c r² = 1/2 · 0.5 · 0.1² = 0.0025 kg·m²" in page
+    assert "I_2 = 1/2 c r² = 1/2 · 0.5 · 0.1² = 0.0025 kg·m²" in page
     assert "mass centre of plate:" not in page

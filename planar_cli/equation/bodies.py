@@ -13,17 +13,20 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Ledger
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.written_angles import WrittenAngles
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.masses import placed, varying
+from planar_cli.problem.part_names import part_letter, part_names
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Problem, Rod, Shape
 from planar_cli.problem.uniform import Uniform, uniform
 from planar_cli.records import record
 
 ZERO = sp.S.Zero
+SHORT = 2
+"""A formula of more operations gets a letter of its own, where it is put into others."""
 
 
 @record
@@ -88,7 +91,7 @@ class MassReader:
     ) -> None:
         self.ledger, self.evaluator, self.points, self.gravity = ledger, evaluator, points, gravity
         heavy = [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
-        self.alone = len(heavy) == 1
+        self.alone, self.problem = len(heavy) == 1, problem
         self.own_points = {p.name for p in problem.points}
         self.varying, self.placed = varying(problem), placed(problem)
         self.measures = _Measures(points, evaluator, written)
@@ -244,6 +247,7 @@ class MassReader:
         parts = [
             (self._piece(p, body, i), uniform(p.shape, self.measures, body.name)) for i, p in enumerate(shape.pieces, 1)
         ]
+        parts = [(masses, self._named_place(i, parts, body)) for i, (masses, _) in enumerate(parts)]
         whole = sp.Add(*(mass for (mass, _), _ in parts))
         if whole == 0:
             raise refuse(body.mark, "PL520", f"{body.name}: its parts have no mass", "give each part its `mass:`")
@@ -266,6 +270,19 @@ class MassReader:
         own = tuple((*masses, u.center) for masses, u in parts)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta, parts=own)
 
+    def _named_place(self, index: int, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], body: Body) -> Uniform:
+        """A part with letters for the coordinates of its mass centre, along an axis on which one of them is long."""
+        shape, place = parts[index][1], dict[str, sp.Expr]()
+        for axis in ("x", "y"):
+            own = getattr(shape.center, axis)
+            every = [getattr(u.center, axis) for _, u in parts]
+            named = any(longer(e, SHORT) for e in every) and not any(map(self._varies, every))
+            if named and not (own.is_Symbol or own.is_number):
+                title = f"{axis} of the mass centre of {part_names(body, self.problem)[index]}"
+                own = self.ledger.define(part_letter(axis, index + 1, body, self.problem), own, "m", title)
+            place[axis] = own
+        return replace(shape, center=Vec(place["x"], place["y"]))
+
     def _own_centre(self, body: Body, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]]) -> str:
         """The point of the file that is the mass centre of a body of several parts; empty: none is."""
         for name in body.points:
@@ -286,13 +303,14 @@ class MassReader:
         (mass, own), shape = part
         reach = shape.center - center
         square = reach.dot(reach)
-        if self.ledger.symbolic:
+        if self.ledger.symbolic and (self._varies(own) or not longer(own, SHORT)):
             return own + mass * square
-        which = f"part {number} of {body.name}"
-        own = self._shown(own, f"I_{body.name}_{number}", "kg*m^2", f"moment of inertia of {which} about its centre")
-        if square == 0:
-            return own
-        name, title = f"d_{body.name}_{number}", f"from the mass centre to that of {which}"
+        which = part_names(body, self.problem)[number - 1]
+        letter = part_letter("I", number, body, self.problem)
+        own = self._shown(own, letter, "kg*m^2", f"moment of inertia of {which} about its centre")
+        if square == 0 or self.ledger.symbolic:
+            return own + mass * square
+        name, title = part_letter("d", number, body, self.problem), f"from the mass centre to that of {which}"
         return own + mass * self._shown(sp.sqrt(square), name, "m", title) ** 2
 
     def _coordinate(
@@ -308,7 +326,8 @@ class MassReader:
         mass = self.evaluator.value(piece.mass) if piece.mass is not None else ZERO
         if piece.weight is not None:
             mass = self.evaluator.value(piece.weight) / self.gravity
-        shown = self._shown(mass, f"m_{body.name}_{number}", "kg", f"mass of part {number} of {body.name}")
+        title = f"mass of {part_names(body, self.problem)[number - 1]}"
+        shown = self._shown(mass, part_letter("m", number, body, self.problem), "kg", title)
         if piece.inertia is not None:
             return shown, self.evaluator.value(piece.inertia)
         if piece.gyration is not None:

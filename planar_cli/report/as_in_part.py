@@ -12,6 +12,7 @@ from dataclasses import replace
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
 from planar_cli.report.repeats import CASE
 from planar_cli.report.results import numbered
+from planar_cli.report.unused_numbers import without_unused_numbers
 
 LEAST = 3
 """So many lines at least must be spared."""
@@ -20,6 +21,7 @@ FIRST = "in the first part"
 
 def as_in_part(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     """The blocks of a case. `before`: those of the first part and of earlier cases."""
+    blocks = without_unused_numbers(blocks, before)
     earlier = list(_parts(before))
     found: list[Block] = []
     start = 0

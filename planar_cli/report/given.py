@@ -11,6 +11,7 @@ from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
+from planar_cli.problem.part_names import part_letter, part_names
 from planar_cli.problem.scene import (
     ALL,
     Body,
@@ -154,6 +155,8 @@ def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Ite
         yield from _datum(f"moment of inertia of {body.name}", body.inertia, figures)
         yield from _datum(f"radius of gyration of {body.name}", body.gyration, figures)
     inert = page.kinetic and named and body.inertia is None and body.gyration is None
+    if isinstance(body.shape, Composite):
+        yield from _of_parts(body, body.shape, problem, inert, figures)
     yield from _of_shape(body.shape, body.name, inert, figures)
 
 
@@ -172,14 +175,17 @@ def _of_shape(shape: Shape, name: str, inert: bool, figures: int) -> Iterator[Da
         case Plate() if inert:
             yield from _datum(f"width of {name}", shape.width, figures)
             yield from _datum(f"height of {name}", shape.height, figures)
-        case Composite():
-            for i, piece in enumerate(shape.pieces, 1):
-                yield from _datum(line(blocks.Name(f"m_{name}_{i}")), piece.mass, figures)
-                yield from _datum(f"weight of part {i} of {name}", piece.weight, figures)
-                yield from _datum(f"moment of inertia of part {i} of {name}", piece.inertia, figures)
-                yield from _datum(f"radius of gyration of part {i} of {name}", piece.gyration, figures)
-                own = inert and piece.inertia is None and piece.gyration is None
-                yield from _of_shape(piece.shape, f"part {i} of {name}", own, figures)
+
+
+def _of_parts(body: Body, shape: Composite, problem: Problem, inert: bool, figures: int) -> Iterator[Datum]:
+    """Masses and sizes of the parts of a body."""
+    for i, (piece, name) in enumerate(zip(shape.pieces, part_names(body, problem), strict=True), 1):
+        yield from _datum(line(blocks.Name(part_letter("m", i, body, problem))), piece.mass, figures)
+        yield from _datum(f"weight of {name}", piece.weight, figures)
+        yield from _datum(f"moment of inertia of {name}", piece.inertia, figures)
+        yield from _datum(f"radius of gyration of {name}", piece.gyration, figures)
+        own = inert and piece.inertia is None and piece.gyration is None
+        yield from _of_shape(piece.shape, name, own, figures)
 
 
 def _of_surface(surface: Surface, figures: int) -> Iterator[Datum]:

@@ -11,6 +11,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import are_zero, longer, simplified
 from planar_cli.equation.scene import Scene
+from planar_cli.problem.part_names import part_names
 from planar_cli.problem.scene import Body, Composite, Piece, Rod, Round
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Text, Value, line
@@ -227,8 +228,8 @@ def _of_part(symbol: sp.Symbol, scene: Scene) -> _Made | None:
     """The same of a part about its own mass centre."""
     ledger = scene.ledger
     which, _, rest = ledger.titles[symbol].removeprefix(OF_BODY).partition(" about its centre")
-    whole = ((b.name, b.shape) for b in scene.problem.bodies if isinstance(b.shape, Composite))
-    parts = ((f"part {i} of {name}", p) for name, shape in whole for i, p in enumerate(shape.pieces, 1))
+    whole = ((b, b.shape) for b in scene.problem.bodies if isinstance(b.shape, Composite))
+    parts = (named for b, shape in whole for named in zip(part_names(b, scene.problem), shape.pieces, strict=True))
     piece = next((p for name, p in parts if name == which and not rest), None)
     size = None if piece is None or piece.inertia is not None else _size(piece)
     # Its mass is a letter of the file, or has one of its own; a length in letters needs no other word.

@@ -13,6 +13,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.scene import Scene
+from planar_cli.problem.part_names import part_names
+from planar_cli.problem.scene import Composite
 from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
@@ -21,7 +23,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.units import LENGTH, MASS
 
 CENTRE = re.compile(r"([xy]) of the mass centre of (\w+)$")
-ARM = re.compile(r"from the mass centre to that of part (\d+) of (\w+)$")
+ARM = "from the mass centre to that of "
 MOST = 5
 """A sum over more parts is not written out."""
 
@@ -30,9 +32,9 @@ def in_parts(title: str, scene: Scene, phrases: Phrases) -> tuple[Line | Math, .
     """The sides between a coordinate of a mass centre, or the arm of a part, and its value; empty of other lines."""
     if found := CENTRE.match(title):
         return _centre(found[1], found[2], scene, phrases)
-    if found := ARM.match(title):
-        return _arm(int(found[1]), found[2], scene, phrases)
-    return ()
+    whole = (b for b in scene.problem.bodies if title.startswith(ARM) and isinstance(b.shape, Composite))
+    arms = ((i, b.name) for b in whole for i, name in enumerate(part_names(b, scene.problem)) if title == ARM + name)
+    return next((_arm(i, name, scene, phrases) for i, name in arms), ())
 
 
 def _centre(axis: str, body: str, scene: Scene, phrases: Phrases) -> tuple[Line | Math, ...]:
@@ -59,7 +61,7 @@ def _centre(axis: str, body: str, scene: Scene, phrases: Phrases) -> tuple[Line 
 def _arm(number: int, body: str, scene: Scene, phrases: Phrases) -> tuple[Line | Math, ...]:
     """√((0.25 - 0.1914)² + (0.15 - 0.2)²), without an axis along which there is no distance."""
     model = scene.bodies[body]
-    ends = [model.parts[number - 1][2], model.center]
+    ends = [model.parts[number][2], model.center]
     reaches = [[_size(getattr(end, axis), LENGTH, phrases) for end in ends] for axis in ("x", "y")]
     sizes = [n for one, other in reaches if one != other for n in (one, other)]
     if len(sizes) == len(ends):

@@ -45,7 +45,7 @@ def near_rest(found: Oscillation, value: Valuation) -> NearRest | None:
     balanced = value.is_zero(w.left.xreplace(at_rest)) and value.is_zero(inertia.xreplace({acceleration: sp.S.Zero}))
     if slope == 0 or not balanced or not value.is_zero(square - found.stiffness[0][0]):
         return None
-    return NearRest(w.left, slope, inertia, square, tuple(at_rest.items()))
+    return NearRest(w.left, restoring(slope), inertia, square, tuple(at_rest.items()))
 
 
 def _speeds(
@@ -76,6 +76,16 @@ def positive(expr: sp.Expr, value: Valuation) -> sp.Expr:
     turned = next((f for f in factors if f.is_Add and f.has(sp.S.NegativeOne)), None)
     if turned is None or number > 0 or value(expr) < 0:
         return expr
+    return sp.Mul(-number, *(-f if f is turned else f for f in factors))
+
+
+def restoring(slope: sp.Expr) -> sp.Expr:
+    """The moment of what has turned, by its lever as a stable body has it: -m g (r - y_G) for m g (y_G - r)."""
+    number, factors = slope.as_coeff_mul()
+    levers = (f for f in factors if f.is_Add and len(f.args) == len(f.free_symbols) == 2)
+    turned = next((f for f in levers if f.has(sp.S.NegativeOne)), None)
+    if turned is None or number < 0:
+        return slope
     return sp.Mul(-number, *(-f if f is turned else f for f in factors))
 
 
