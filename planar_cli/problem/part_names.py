@@ -30,7 +30,7 @@ def part_letter(stem: str, number: int, body: Body, problem: Problem) -> str:
     """m_1, or m_wheel_1 where the file has the letter or another body has parts."""
     assert isinstance(body.shape, Composite)
     letters = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
-    taken = {x.name for x in (*letters, *problem.points, *problem.bodies)}
+    taken = {*(s.name for s in letters), *(p.name for p in problem.points), *(b.name for b in problem.bodies)}
     numbers = range(1, len(body.shape.pieces) + 1)
     free = not any(f"{letter}_{i}" in taken for letter in STEMS for i in numbers)
     return f"{stem}_{number}" if free and _is_alone(body, problem) else f"{stem}_{body.name}_{number}"
@@ -46,7 +46,7 @@ def _shape_word(piece: Piece) -> str:
         return "hole"
     match piece.shape:
         case Sector(span=span):
-            half = isinstance(span, Number) and (span.value, span.unit) == (180, "deg")
+            half = isinstance(span, Number) and span.value == 180 and span.unit == "deg"
             return "half disk" if half else "sector"
         case Plate():
             return "rectangle"
