@@ -68,6 +68,12 @@ def test_printed_numbers_give_the_printed_result(path: Path) -> None:
     assert not [text for block in equations(document.blocks) for text in _unequal(block)]
 
 
+def test_a_result_that_is_a_tenth_but_for_rounding() -> None:
+    """0.6 · 0.1667 = 0.1, of which sixty digits may be 0.0999…"""
+    sixth = Decimal(1) / 6 - Decimal("1e-40")
+    assert figures_of([Decimal("0.6"), sixth], lambda v: v[0] * v[1], 4) == 4
+
+
 @pytest.mark.parametrize(
     ("expr", "numbers", "figures"),
     [

@@ -122,7 +122,7 @@ def figures_of(numbers: Sequence[Decimal], worked: Callable[[Sequence[Decimal]],
 def _fewest(printed: Callable[[int], Decimal | None], value: Decimal, figures: int) -> int | None:
     """`printed`: what so many figures of each number give."""
     shown, half = _shown(value, figures)
-    last = Decimal(10) ** (value.copy_abs().adjusted() + 1 - figures)
+    last = Decimal(10) ** (shown.adjusted() + 1 - figures)
     near = None
     for n in range(figures, max(MOST, figures) + 1):
         got = printed(n)
@@ -141,4 +141,5 @@ def _shown(value: Decimal, figures: int) -> tuple[Decimal, Decimal]:
     """
     shown = as_printed(value, figures)
     places = max(figures, len(shown.as_tuple().digits))
-    return shown, Decimal(10) ** (value.copy_abs().adjusted() + 1 - places) * HALF
+    # 0.0999999… of sixty digits is 0.1: its last figure is that of the number shown.
+    return shown, Decimal(10) ** (shown.adjusted() + 1 - places) * HALF
