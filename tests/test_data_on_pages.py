@@ -9,7 +9,7 @@ from worked import page_of_file
 @pytest.mark.parametrize(
     ("stem", "line"),
     [
-        ("ex-1-11", "launch: v_y,launch = 10 sin 45° = 7.071 m/s"),
+        ("ex-1-11", "At launch: v_x,launch = 10 cos 45° = 7.071 m/s v_y,launch = 10 sin 45° = 7.071 m/s"),
         ("sandbag-into-a-cart", "1: v_bag,y,1 = 6 sin(-40°) = -3.857 m/s"),
         ("exercise-4-32", "At 1, as given: ω_1 = 15 rpm = 1.571 rad/s"),
         ("slider-crank-offset", "ω_crank = 240 rpm = 25.13 rad/s given"),

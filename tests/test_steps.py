@@ -33,4 +33,4 @@ def test_several_equations_have_their_step() -> None:
 
 def test_steps_of_a_page_count_on() -> None:
     headings = [b for b in narrate(worked(FILES["ex-1-11"])[0]).blocks if isinstance(b, Heading)]
-    assert [(h.label, h.text) for h in headings] == [("STEP 1", "Kinetic analysis"), ("STEP 2", "Motion over time")]
+    assert [(h.label, h.text) for h in headings] == [("STEP 1", "Free flight"), ("STEP 2", "Motion over time")]

@@ -27,6 +27,7 @@ from planar_cli.report.compared import compared_sides
 from planar_cli.report.equilibrium_places import by_places, equilibrium_places
 from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.nil_impulses import nil_of_blow
+from planar_cli.report.on_a_line import along_the_line
 from planar_cli.report.oscillation import by_damping, by_frequency, periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.rate_first import ToldRate, by_told_rate
@@ -269,6 +270,7 @@ class AskedTelling:
         if self._is_long(formula):
             return []
         short = closed_value(formula, self.found)
+        short = along_the_line(formula, self.found) if short is None else short
         shown = [formula] if short is None else [formula, short]
         return [*map(self.phrases.math, shown), *(phrases.substituted(shown[-1], values[0]) if values else [])]
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value
 from planar_cli.report.data import DIFFERENTIATED, GIVEN
+from planar_cli.report.free_flight import WEIGHT
 from planar_cli.report.given_speeds import SPEEDS
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
@@ -43,8 +44,8 @@ def _unnumbered(blocks: Sequence[Block]) -> Sequence[Block]:
 
 
 def is_datum(equation: Equation) -> bool:
-    """Does it only say what the file gives, or that what it gives stays constant?"""
-    return equation.lead in (GIVEN, DIFFERENTIATED, *SPEEDS) or equation.lead[-1:] == (CONSTANT,)
+    """Does it only say what the file gives, that what it gives stays constant, or that a body falls?"""
+    return equation.lead in (GIVEN, DIFFERENTIATED, WEIGHT, *SPEEDS) or equation.lead[-1:] == (CONSTANT,)
 
 
 def _called(blocks: Sequence[Block]) -> Iterator[int]:

@@ -37,6 +37,7 @@ from planar_cli.report.effects import effect_notes
 from planar_cli.report.equations_as_told import equations_as_told
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.frames_apart import with_frames_apart
+from planar_cli.report.free_flight import in_free_flight
 from planar_cli.report.idle_lines import without_idle_lines
 from planar_cli.report.impulse_names import with_short_impulses
 from planar_cli.report.in_one_line import in_one_line, of_motion
@@ -299,7 +300,7 @@ def _instant_blocks(
     blocks = where_asked(blocks, part.motion, instant, telling, phrases)
     blocks = with_slips_told(blocks, part.motion, instant, voice.figures)
     if why is None:
-        blocks = with_asked(blocks, telling, part.motion)
+        blocks = in_free_flight(with_asked(blocks, telling, part.motion), telling.scene.problem)
     acting = stretches(part, instant)
     if is_restated(blocks):
         before.data += blocks

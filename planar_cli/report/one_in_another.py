@@ -17,6 +17,7 @@ from planar_cli.equation.waves import vanishing, wave_put_in
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, line
 from planar_cli.report.origins import used_elsewhere
+from planar_cli.report.put_into import by_shorter, put_into
 from planar_cli.report.results import numbered
 from planar_cli.report.since_a_state import Since, since_a_state, told_since
 from planar_cli.report.squared import squared
@@ -42,6 +43,8 @@ class Inserted:
     time: Result
     others: tuple[tuple[int, Result], ...]
     """With the equation that gives each."""
+    sides: tuple[sp.Expr, sp.Expr] | None = None
+    """What they give as it comes from putting them in, where the unknown stands on both sides."""
 
 
 def one_in_another(
@@ -72,9 +75,10 @@ def one_in_another(
         return since_a_state(whole, time, formulas, into, found)
     values = {r.unknown: r.value for r in leg.results}
     asked = used_elsewhere(leg, found)
-    rest = _told(formulas, asked, leg)
+    rest = by_shorter(_told(formulas, asked, leg), into, residuals[into], set(leg.unknowns))
     put = tuple(sorted(i for _, (i, _) in formulas.items()))
-    return Inserted(put, into, whole, solved[1], Result(time, solved[0], values[time]), rest)
+    both = put_into(residuals[into], {x: f for x, (_, f) in formulas.items()}, time)
+    return Inserted(put, into, whole, solved[1], Result(time, solved[0], values[time]), rest, both)
 
 
 def told_inserted(
@@ -91,7 +95,8 @@ def told_inserted(
         yield from _told_reduced(found, numbers, phrases, chain)
         return
     put = numbered([numbers[i] for i in found.put])
-    yield Equation(_sides(found.residual, phrases), None, line(f"{put} in ({numbers[found.into]}):"))
+    sides = _sides(found.residual, phrases) if found.sides is None else tuple(map(phrases.math, found.sides))
+    yield Equation(sides, None, line(f"{put} in ({numbers[found.into]}):"))
     lead = line("divided by ", Math(found.time.unknown), " ≠ 0:") if found.divided else ()
     yield Equation(chain(found.time), None, lead)
     for i, result in found.others:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Text
 from planar_cli.report.by_centre import ABOUT_CENTRE, FROM_CENTRE
+from planar_cli.report.free_flight import is_flight
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.points_of_principles import in_letters, placed_from, turned_about
 from planar_cli.report.uses import OVER_TIME, Uses
@@ -27,6 +28,7 @@ POSITIONS = "Position vectors: r_B = r_A + r_B/A."
 POLAR = "Polar coordinates: v_r = ṙ, v_θ = r θ̇; a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇."
 STREAM = "Momentum of a stream: its force is the mass per second times its velocity."
 EXTREME = "A largest or smallest value: there its derivative is zero."
+FLIGHT = "Free flight: its weight alone accelerates a body, whatever its mass."
 RADIAN = "rad"
 TURNING = "↺ "
 """The lead of a balance of moments or of angular momentum."""
@@ -47,6 +49,8 @@ class Printed:
     centre: bool
     turned: tuple[str, str]
     placed: tuple[str, str]
+    flight: bool
+    """Is what moves told as a free flight?"""
 
 
 def principles(uses: Uses, page: Sequence[Block]) -> list[str]:
@@ -94,6 +98,7 @@ def _printed(page: Sequence[Block]) -> Printed:
         coriolis=coriolis or CORIOLIS in names,
         in_turn=in_turn,
         centre=centre,
+        flight=is_flight(page),
         turned=turned_about(page),
         placed=placed_from(page),
     )
@@ -106,7 +111,7 @@ def _laws(uses: Uses, page: Printed) -> Iterator[str]:
     elif uses.coriolis or uses.beside:
         yield from _relative(uses, page)
     if uses.forces:
-        yield _of_forces(uses)
+        yield FLIGHT if page.flight else _of_forces(uses)
         if uses.streams:
             yield STREAM
     if any("virtual power" in words for words in uses.singles):

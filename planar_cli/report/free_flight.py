@@ -1,0 +1,70 @@
+"""A particle on which its weight alone acts, and whose mass is open as it cancels, is in free flight: no diagram is
+drawn for what everybody knows.
+
+    a_x = 0
+    a_y = -g = -9.81 m/s²                               only the weight acts
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from planar_cli.problem.scene import Problem
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
+from planar_cli.report.steps import KINETICS, is_ritual
+
+FREE = "Free flight"
+SO_THAT = ", so that "
+WEIGHT = line("only the weight acts:")
+"""Stands before what it says of the acceleration; a page has it behind."""
+
+
+def in_free_flight(blocks: Sequence[Block], problem: Problem) -> list[Block]:
+    """The blocks of a general position; its step of forces as the accelerations of a flight, where it is one."""
+    start = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), None)
+    if start is None:
+        return list(blocks)
+    step, heading = blocks[start + 1 :], blocks[start]
+    drawn = [b for b in step if isinstance(b, Forces)]
+    open_masses = {b.name for b in problem.bodies if b.any_mass}
+    if len(drawn) != 1 or drawn[0].body not in open_masses or not _is_weight(drawn[0].left):
+        return list(blocks)
+    found = [e for b in step if (e := _acceleration(b)) is not None]
+    if not found or not all(_is_of_form(b) for b in step) or {b.number for b in found} != {None}:
+        return list(blocks)
+    assert isinstance(heading, Heading)
+    falls = [e for e in found if len(e.sides) > 1 and e.sides[1] != line("0")]
+    told = [replace(e, lead=WEIGHT if e in falls else ()) for e in found]
+    return [*blocks[:start], replace(heading, text=FREE, aside=""), *told]
+
+
+def is_flight(page: Sequence[Block]) -> bool:
+    """Does a page tell of a free flight, and of no other forces?"""
+    headed = any(isinstance(b, Heading) and b.text == FREE for b in page)
+    return headed and not any(isinstance(b, Forces) for b in page)
+
+
+def _is_weight(acting: Line) -> bool:
+    match acting:
+        case (Math(), Text(text)):
+            return text.strip() == "↓"
+    return False
+
+
+def _is_of_form(block: Block) -> bool:
+    """Is it the diagram, a sum of forces, or what follows from one?"""
+    if isinstance(block, Heading):
+        return is_ritual(block)
+    return isinstance(block, Forces | Equation) or (isinstance(block, Paragraph) and len(block.line) == 1)
+
+
+def _acceleration(block: Block) -> Equation | None:
+    """a_x = 0 of `0 = m a_x, so that a_x = 0`; a_y = -g, which an equation gave."""
+    if not isinstance(block, Equation):
+        return None
+    match block.sides[-1]:
+        case (*_, Text(text), Math() as letter, Text(" = 0")) if text == SO_THAT:
+            return Equation((letter, line("0")))
+    solved = block.number is None and isinstance(block.sides[0], Math) and block.sides[0].expr.is_Symbol
+    return block if solved else None

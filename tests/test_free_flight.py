@@ -1,0 +1,53 @@
+"""A body that only its weight moves is in free flight, without a diagram; each state has one heading."""
+
+from __future__ import annotations
+
+import sympy as sp
+from worked import page_of_file
+
+from planar_cli.report.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.heads_of_states import with_states_headed_once
+from planar_cli.report.put_into import by_shorter, put_into
+from planar_cli.solve.between.trace import Result
+
+X, Y, T, U, V, G = sp.symbols("x y t u v g", real=True)
+
+
+def test_a_throw_is_a_free_flight() -> None:
+    page = page_of_file("ex-1-11")
+    assert "STEP 1 Free flight a_x = 0 a_y = -g = -9.81 m/s² only the weight acts" in page
+    assert "Newton" not in page
+
+
+def test_a_body_whose_mass_is_given_has_its_diagram() -> None:
+    assert "ball: m g ↓ = m a" in page_of_file("ball-bouncing-twice")
+
+
+def test_a_distance_along_a_given_line_is_a_multiple_of_one_coordinate() -> None:
+    assert "d = √(x_B² + y_B²) = 5 x_B/4 = 5 · 17.84 / 4 = 22.30 m" in page_of_file("ex-1-11")
+
+
+def test_what_is_put_in_stands_as_it_comes() -> None:
+    formulas = {X: V * T, Y: U * T - G * T**2 / 2}
+    assert put_into(Y + 3 * X / 4, formulas, T) == (U * T - G * T**2 / 2, -3 * V * T / 4)
+    # A height alone on one side says as much sorted.
+    assert put_into(Y + 5, formulas, T) is None
+
+
+def test_the_shorter_equation_gives_the_second_place() -> None:
+    one = sp.S.One
+    others = ((0, Result(X, V * T, one)), (1, Result(Y, U * T - G * T**2 / 2, one)))
+    assert by_shorter(others, 2, Y + 3 * X / 4, {X, Y, T})[1] == (2, Result(Y, -3 * X / 4, one))
+    assert by_shorter(others, 2, Y + 5, {X, Y, T}) == others
+
+
+def test_one_heading_of_a_state() -> None:
+    vx, vy = (Math(sp.Symbol(f"v_{axis}__launch")) for axis in "xy")
+    at = line("At launch:")
+    one, other = Equation((vx, Math(V)), None, at), Equation((vy, Math(U)), None, at)
+    told = [Paragraph(at), Equation((vx, Math(V))), Equation((vy, Math(U)))]
+    assert with_states_headed_once([one, other]) == told
+    assert with_states_headed_once([other, one]) == told
+    assert with_states_headed_once([one]) == [one]
+    condition = Paragraph(line("At launch, v = u:"))
+    assert with_states_headed_once([Paragraph(at), told[1], condition, told[2]]) == [condition, *told[1:]]
