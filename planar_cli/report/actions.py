@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
@@ -74,6 +75,8 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
         _length(phrases, place.y),
         ")",
     ]
+    turning = _turns_about(system, phrases, w.bodies, place)
+    parts += [f", the instantaneous centre of {turning}"] if turning else []
     if through:
         one, other = (_vector_named(system, s, w.bodies) for s in through[:2])
         parts += [", where the lines of ", *one, " and ", *other, " meet, so that neither enters:"]
@@ -83,6 +86,18 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
     else:
         parts += [":"]
     return line(*parts)
+
+
+def _turns_about(system: System, phrases: Phrases, bodies: Sequence[str], place: Vec) -> str:
+    """The body of a group of which a place is the instantaneous centre, by velocities that are known; "": none is."""
+    motion, value = system.motion, phrases.value
+    for body in bodies if motion is not None else ():
+        if system.scene.bodies[body].rigid and motion is not None:
+            v, omega = motion.velocity(place, body), motion.velocities[body].angular
+            known = [value.known(e) for e in (v.x, v.y, omega)]
+            if None not in known and omega != 0 and value.is_zero(v.x) and value.is_zero(v.y):
+                return body if value.known(omega) else ""
+    return ""
 
 
 def _left_out(w: Written, stage: Stage) -> list[sp.Symbol]:

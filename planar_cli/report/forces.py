@@ -35,6 +35,7 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
@@ -367,6 +368,9 @@ def _size(direction: Vec, instant: InstantSolution, body: str, phrases: Phrases)
     short = not longer(formula, SHORT) and not formula.could_extract_minus_sign()
     if short and is_clean(phrases.ledger, formula, dimension=LENGTH):
         return formula
+    plain = recognised(formula, phrases.ledger, value)
+    if plain is not None and plain.free_symbols:
+        return plain
     return sp.Rational(str(phrases.value(square).sqrt()))
 
 
