@@ -10,9 +10,26 @@ def test_a_moment_of_a_mass_times_an_acceleration_has_its_letters() -> None:
     assert "√2/2 N_E l - √2/4 m g l = 1/4 m l² α_rod + I_rod α_rod - √2/4 m a_O l" in page
 
 
-def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:
+def test_moments_about_an_instantaneous_centre_have_the_components_of_accelerations_and_named_arms() -> None:
     page = page_of_file("slider-crank-free")
+    assert "(3) a_G,AB,x = -12.23 - 0.08660 α_OA + 0.04330 α_AB in m/s²" in page
+    assert "= m_AB a_G,AB,x → at G_AB, m_AB a_G,AB,y ↑ at G_AB, I_AB α_AB ↺" in page
+    assert "moments about C at (x_B, √3 x_B), the instantaneous centre of AB, where the lines of A_n and" in page
     assert (
-        "1.5 · 9.81 · 0.1436 - 0.5745 A_t = 0.01125 α_AB - 2 (-2.6112)² · 0.16777 - 1.5 (-2.6112)² · 0.083884" in page
-    )
-    assert "collected: 2.113 - 0.5745 A_t = -21.22 - 0.1822 α_OA + 0.1166 α_AB" in page
+        "(7) ↺ ΣM_C: 1/2 m_AB g (x_B - r/2) + A_t (r - 2 x_B) = √3 m_AB a_G,AB,x (x_B - r/4) + √3 m_B a_B x_B"
+        " + 1/2 m_AB a_G,AB,y (r/2 - x_B) + I_AB α_AB"
+    ) in page
+
+
+def test_an_equation_in_accelerations_that_are_known_gets_their_numbers() -> None:
+    page = page_of_file("slider-crank-driven")
+    assert "(6): A_t = (2.113 - 0.8112 (-16.68) - 1.1682 (-13.353) - 0.01125 · 116.9 + 0.2154 (-17.32))/0.5745" in page
+
+
+def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:
+    page = page_of_file("chain-5")
+    assert "(12) → ΣF_x: O_x = 1 a_G,BC,x + 1.5 a_G,CD,x + 2 a_G,DE,x - 1.5 (-2)² · 0.12856" in page
+
+
+def test_half_of_a_rod_that_coordinates_place_is_told_by_its_length() -> None:
+    assert "1/2 m_AB b α_AB ↖ at G_AB" in page_of_file("four-bar-driven")

@@ -12,6 +12,7 @@ from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
@@ -76,7 +77,7 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
         ")",
     ]
     turning = _turns_about(system, phrases, w.bodies, place)
-    parts += [f", the instantaneous centre of {turning}"] if turning else []
+    parts += [f", the instantaneous centre of {with_article(turning)}"] if turning else []
     if through:
         one, other = (_vector_named(system, s, w.bodies) for s in through[:2])
         parts += [", where the lines of ", *one, " and ", *other, " meet, so that neither enters:"]

@@ -235,8 +235,11 @@ class NumericTelling:
         if len(written) != 1:
             return []
         (w,) = written
+        if explicit.keys() & w.residual.free_symbols & x.formula.free_symbols and not self.put_whole(w, stage):
+            explicit = {}
         left, right = (s.xreplace(explicit) / self._length(w) for s in (w.left, w.right))
-        unknowns = (left - right).free_symbols & stage.algebra.unknowns - self._data(stage)
+        named = stage.algebra.explicit.keys() & x.formula.free_symbols if not explicit else set[sp.Symbol]()
+        unknowns = (left - right).free_symbols & (stage.algebra.unknowns | named) - self._data(stage)
         if not unknowns - {x.symbol} <= x.formula.xreplace(explicit).free_symbols:
             return []
         found = solved_for(x.symbol, (left, right), unknowns, self.phrases)
@@ -320,10 +323,10 @@ class NumericTelling:
         """
         if not self.put_whole(w, stage):
             return ()
-        explicit, unknowns = stage.algebra.explicit, {*stage.algebra.unknowns, *stage.zero} - self._data(stage)
-        inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
-        left, right = (sp.sympify(s).xreplace(inside) for s in sides)
-        return opened_sides((left, right), unknowns, self.phrases)
+        own = stage.algebra.unknowns
+        named = {s for s, e in stage.algebra.explicit.items() if e.free_symbols & own}
+        unknowns = {*own, *stage.zero, *named}
+        return opened_sides(sides, unknowns - self._data(stage), self.phrases)
 
     def _length(self, w: Written) -> sp.Expr:
         """The length of the vector along which a component was taken; the sense in which its terms are positive."""

@@ -325,6 +325,8 @@ class SolvingTelling:
         found: list[Block] = []
         for w in block.equations:
             bare = w.residual.free_symbols <= stage.algebra.unknowns
+            # The accelerations in it have their values first.
+            bare |= len(block.unknowns) == 1 and bool(self._named(stage, [w])) and not self.numeric.put_whole(w, stage)
             equation = None if bare else self.numeric.put_in(w, stage, block.unknowns)
             if equation is not None:
                 sides, note = equation

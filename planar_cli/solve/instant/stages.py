@@ -21,6 +21,7 @@ from planar_cli.records import changing, record
 from planar_cli.solve.instant.adjoint import adjoint_candidates, power_candidates, sum_masks
 from planar_cli.solve.instant.algebra import Algebra, SolvedBlock
 from planar_cli.solve.instant.at_sight import Offered, offered
+from planar_cli.solve.instant.by_axes import bodies_by_axes
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.plan import Plan, Planner
@@ -132,7 +133,8 @@ class StageMaker:
             names = ", ".join(t.name for t in by_name(targets) if t in index)
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
-        writer = Writer(self.system, columns, self.next_number + len(first))
+        by_axes = bodies_by_axes(e for b in plan.blocks for e in b.equations)
+        writer = Writer(self.system, columns, self.next_number + len(first), by_axes=by_axes)
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
             writer.acceleration(body)

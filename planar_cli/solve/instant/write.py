@@ -56,6 +56,7 @@ class Writer:
     lines: list[Explicit] = field(default_factory=list)
     centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]] = field(default_factory=dict)
     named: dict[str, list[tuple[Vec, sp.Expr]]] = field(default_factory=dict)
+    by_axes: frozenset[str] = frozenset()
 
     def number(self) -> int:
         self.next_number += 1
@@ -142,10 +143,10 @@ class Writer:
         if len(axes) == 1:
             return [in_its_sense(self.system, body, axes[0][:2], self._component)]
         for tangent in self.system.straight_ways(body):
-            if self.vanishes(a.cross(tangent)):
+            if self.vanishes(a.cross(tangent)) or (body in self.by_axes and not self.system.scene.rigid(body)):
                 return [(tangent, self._component(body, self._along(a, tangent), ""))]
         parts = self._vector_parts(x, y)
-        if len({part.as_independent(*self.numbers.unknowns)[1] for _, part in parts}) <= 3:
+        if body not in self.by_axes and len({part.as_independent(*self.numbers.unknowns)[1] for _, part in parts}) <= 3:
             return parts
         return [(direction, self._component(body, expr, suffix)) for direction, expr, suffix in axes]
 

@@ -1,0 +1,19 @@
+"""Bodies whose mass centres have a_x and a_y in the equations of a plan: moments about a constructed centre, such as an
+instantaneous centre, would else need an arm for each part of their accelerations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from planar_cli.solve.instant.candidates import Candidate
+
+
+def bodies_by_axes(equations: Iterable[Candidate]) -> frozenset[str]:
+    """The bodies of groups of several, of which moments are taken about a point that has no name of its own."""
+    return frozenset(
+        body
+        for e in equations
+        if e.choice is not None and e.choice.moment and not e.choice.name and len(e.bodies) > 1
+        for body in e.bodies
+    )
