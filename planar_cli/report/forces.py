@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
-from decimal import Decimal
-from itertools import product
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
-from planar_cli.equation.factoring import factored
 from planar_cli.equation.guided import does_nothing
 from planar_cli.equation.ledger import display
 from planar_cli.equation.one_way import one_way
@@ -26,6 +23,7 @@ from planar_cli.report.about_fixed_point import about_fixed_point, acceleration_
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
+from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
 from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
@@ -35,7 +33,6 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
 from planar_cli.report.words import Phrases
-from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
@@ -43,7 +40,6 @@ from planar_cli.units import (
     ANGULAR_MOMENTUM,
     ENERGY,
     FORCE,
-    LENGTH,
     MOMENTUM,
     PURE,
     TIME,
@@ -54,10 +50,8 @@ from planar_cli.units import (
 
 SUDDEN = ("momentum", "impulse")
 """Kinds of wrenches that are momenta or impulses."""
-LONGEST, SHORT = 30, 3
-"""Of an acceleration with more operations only the name is told: the equations say what it is. A distance with more is
-given by its name or its number.
-"""
+LONGEST = 30
+"""Of an acceleration with more operations only the name is told: the equations say what it is."""
 
 
 def force_rows(
@@ -279,10 +273,10 @@ def _inertia(
         if component in idle:
             continue
         v = -direction if reversed_sense else direction
-        size = _size(direction, instant, body, phrases)
+        size = drawn_length(direction, instant, body, phrases)
         hidden = size.is_number and not is_clean(phrases.ledger, model.mass * component, dimension=kinds[0])
         if hidden or longer(size, SHORT):
-            size = _distance(direction, component, instant, body) or size
+            size = distance_drawn(direction, component, instant, body) or size
         force = (
             sp.Mul(model.mass, size, component, evaluate=False)
             if size != 1
@@ -353,51 +347,9 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
     return line(found, f" {pretty_unit(unit)}" if number else "")
 
 
-def _size(direction: Vec, instant: InstantSolution, body: str, phrases: Phrases) -> sp.Expr:
-    """The length of a direction that is no unit vector: a formula, or a number."""
-    square = sp.sympify(direction.dot(direction))
-    if square == 1 or abs(phrases.value(square) - 1) < Decimal("1e-30"):
-        return sp.S.One
-    formula = sp.sqrt(factored(simplified(square)))
-    if phrases.symbolic:
-        return formula
-    value = instant.value
-    formula = formula.replace(
-        lambda e: isinstance(e, sp.Abs), lambda e: e.args[0] if value(e.args[0]) > 0 else -e.args[0]
-    )
-    short = not longer(formula, SHORT) and not formula.could_extract_minus_sign()
-    if short and is_clean(phrases.ledger, formula, dimension=LENGTH):
-        return formula
-    plain = recognised(formula, phrases.ledger, value)
-    if plain is not None and plain.free_symbols:
-        return plain
-    return sp.Rational(str(phrases.value(square).sqrt()))
-
-
 def _apart(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
     """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG."""
     parts = in_plain_lengths(direction, turning)
     turned = sp.sympify(direction.x).has(sp.sin, sp.cos) or sp.sympify(direction.y).has(sp.sin, sp.cos)
-    arm = len(parts) > 1 and not turned and _distance(direction, turning, instant, body) is not None
+    arm = len(parts) > 1 and not turned and distance_drawn(direction, turning, instant, body) is not None
     return [(direction, turning)] if arm else parts
-
-
-def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> sp.Symbol | None:
-    """AG or AB of a direction that is the arm from one point of the turning body to another, or that arm turned."""
-    scene, value, motion = instant.instant.scene, instant.value, instant.trial.system.motion
-    assert motion is not None
-    rates = {b: (motion.accelerations[b].angular, motion.velocities[b].angular) for b in scene.bodies}
-    bodies = [b for b, (alpha, omega) in rates.items() if turning in (alpha, -alpha, omega**2)]
-    for owner in sorted(bodies, key=lambda b: b != body):
-        own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
-        ends = {centre_of(scene, owner): scene.center(owner), centre_of(scene, body): scene.center(body), **own}
-        found = [e for e in ends.items() if _same(e[1], scene.center(body), value)]
-        for (start, here), (end, there) in (*product(own.items(), found), *product(own.items(), ends.items())):
-            arm = there - here
-            if any(_same(way, direction, value) for way in (arm, -arm, arm.turned(), -arm.turned())):
-                return sp.Symbol(f"{start}{end}", positive=True)
-    return None
-
-
-def _same(one: Vec, other: Vec, value: Any) -> bool:
-    return all(value.is_zero(getattr(one, a) - getattr(other, a)) for a in ("x", "y"))
