@@ -23,6 +23,7 @@ from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrac
 BETWEEN = ",  "
 """Stands between the impulses of a diagram."""
 ASSUMED = " (assumed)"
+OPPOSITE = str.maketrans("→←↑↓↗↙↖↘↺↻", "←→↓↑↙↗↘↖↻↺")
 IMPULSES = ("impulses", "momenta")
 """What stands over both sides of such diagrams."""
 
@@ -55,17 +56,21 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     after = {rate: ends.get(speed, sp.Symbol(f"{speed.name}__{stop}", real=True)) for rate, speed in speeds.items()}
     after |= {x.symbol: sp.Symbol(f"v{x.symbol.name[1:]}__{stop}", real=True) for x in stage.lines}
     told = Phrases(solution.instant.scene.ledger, solution.value, phrases.figures, phrases.symbolic)
-    bodies = {body for b in own for body in b.law.bodies}
+    groups = list(dict.fromkeys(b.law.bodies for b in own))
+    bodies = {body for group in groups for body in group}
+    against = {s for s, (_, number) in regime.constants.items() if number < 0}
     rows = []
     for row in force_rows(solution, stage, told, inertia_as_force=False):
-        left, right = _impulses(row.left, letters, time, found), _momenta(row.right, after)
+        left, right = _impulses(row.left, letters, time, found, against), _momenta(row.right, after)
         if row.body in bodies and (left is None or right is None):
             return
         if row.body in bodies and left is not None and right is not None:
             rows.append(Forces(row.body, left, right, IMPULSES, row.scene))
+    rows = [row for group in sorted(groups, key=len) for row in _of_group(group, rows)]
     level = [_level(row) for row in rows]
-    upright = {s.name for row, kept in zip(rows, level, strict=True) for s in _letters(row) - _letters(kept)}
-    left_out = any(row != kept for row, kept in zip(rows, level, strict=True)) and not used & upright
+    kept = {s for row in level for s in _letters(row)}
+    upright = {s.name for row in rows for s in _letters(row) - kept}
+    left_out = rows != level and not used & upright
     left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in _entries(row.right))
     across = "impulses along y" if found.problem.plane == "horizontal" else "vertical impulses"
     note = "J: impulse of a reaction" + (f"; the {across} do not enter" if left_out else "")
@@ -73,10 +78,27 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     yield from level if left_out else rows
 
 
+def _of_group(group: tuple[str, ...], rows: list[Forces]) -> Iterator[Forces]:
+    """The diagram of a group: what acts between its bodies cancels; that of a body alone is its own."""
+    own = [row for row in rows if row.body in group]
+    if len(own) < 2:
+        yield from own
+        return
+    acting = [entry for row in own for entry in _entries(row.left)]
+    sizes = [next((p for p in entry if isinstance(p, Math)), None) for entry in acting]
+    outer = [entry for entry, size in zip(acting, sizes, strict=True) if size is None or sizes.count(size) == 1]
+    left, right = outer or [line("0")], [entry for row in own for entry in _entries(row.right)]
+    yield replace(own[0], body=", ".join(row.body for row in own), left=_joined(left), right=_joined(right))
+
+
+def _joined(entries: list[Line]) -> Line:
+    return line(*(p for i, e in enumerate(entries) for p in (BETWEEN, *e)[i == 0 :]))
+
+
 def _level(row: Forces) -> Forces:
     """A diagram without vertical impulses."""
     kept = [e for e in _entries(row.left) if not _is_upright(e)] or [line("0")]
-    return replace(row, left=line(*(p for i, e in enumerate(kept) for p in (BETWEEN, e)[i == 0 :])))
+    return replace(row, left=_joined(kept))
 
 
 def _entries(side: Line) -> Iterator[Line]:
@@ -115,19 +137,35 @@ def _between(since: str, stop: str, found: MotionTrace) -> sp.Expr | None:
     return sp.sympify(times[stop] - times[since]).xreplace(dict(found.route.plain))
 
 
-def _impulses(row: Line, letters: Mapping[sp.Symbol, sp.Symbol], time: sp.Expr, found: MotionTrace) -> Line | None:
-    """What acts, by its impulses; None: a force varies, or is a number."""
+def _impulses(
+    row: Line,
+    letters: Mapping[sp.Symbol, sp.Symbol],
+    time: sp.Expr,
+    found: MotionTrace,
+    against: set[sp.Symbol],
+) -> Line | None:
+    """What acts, by its impulses; None: a force varies, or is a number. `against`: reactions that act the other way
+    than their letters count.
+    """
     pieces: list[Any] = []
+    turned = False
     for piece in row:
         if isinstance(piece, Value) or (isinstance(piece, Math) and piece.expr.free_symbols & found.varying):
             return None
         if isinstance(piece, Math):
             reaction = piece.expr.free_symbols & letters.keys()
+            turned = bool(reaction & against)
             put = piece.expr.xreplace(dict(letters)) if reaction else piece.expr * time
             pieces.append(Math(put))
         else:
-            pieces.append(replace(piece, text=piece.text.replace(ASSUMED, "")) if isinstance(piece, Text) else piece)
+            pieces.append(_sense(piece, turned) if isinstance(piece, Text) else piece)
     return tuple(pieces)
+
+
+def _sense(piece: Text, turned: bool) -> Text:
+    """`→ at A`, the other way round where it acts so."""
+    text = piece.text.replace(ASSUMED, "")
+    return replace(piece, text=text.translate(OPPOSITE) if turned else text)
 
 
 def _momenta(row: Line, after: Mapping[sp.Symbol, sp.Symbol]) -> Line | None:

@@ -41,11 +41,12 @@ class MomentumTelling:
     told: set[sp.Symbol]
 
     def lines(self) -> Iterator[Block]:
-        """The momentum at the end, of one body that turns; and the impulse."""
+        """The momentum at the end, of one body that turns, or that alone of several has mass; and the impulse."""
         parts = self.balance.parts
-        if parts is not None and len(parts.moving) == 1:
-            yield from self._led(parts.moving[0])
-            yield from self._momentum(parts.moving[0]) if self.balance.law.about else ()
+        moving = [] if parts is None else [m for m in parts.moving if m.mass != 0 or self.balance.law.about]
+        if parts is not None and len(moving) == 1:
+            yield from self._led(moving[0])
+            yield from self._momentum(moving[0]) if self.balance.law.about else ()
         if self.balance.impulse is not None and self.balance.gain != 0:
             yield from self._impulse(self.balance.impulse)
 

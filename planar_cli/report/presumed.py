@@ -48,8 +48,10 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", put)
     if light := _without_mass(part):
         neglected = "only its rotation is added" if len(light) == 1 else "only their rotation is added"
-        masses = "a mass that is not given is negligible, or included in that of another body"
-        yield Note("Assume", line(f"Of {' and '.join(light)} {neglected}: {masses}."))
+        heavy = _with_mass(part)
+        whose = f"that of {heavy[0]}" if len(heavy) == 1 else "that of another body"
+        own = "its mass is" if len(light) == 1 else "their masses are"
+        yield Note("Assume", line(f"Of {' and '.join(light)} {neglected}: {own} included in {whose}, or negligible."))
     if part.motion is None:
         return
     for knot in balanced_knots(part.motion.problem):
@@ -139,6 +141,12 @@ def _without_mass(part: PartSolution) -> dict[str, None]:
             if any(instant.value.known(p) != 0 for p in (v.x, v.y)):
                 found[name] = None
     return found
+
+
+def _with_mass(part: PartSolution) -> list[str]:
+    """The bodies of which the file gives a mass."""
+    scenes = (instant.instant.scene for instant in part.instants)
+    return list(dict.fromkeys(name for scene in scenes for name, body in scene.bodies.items() if body.mass != 0))
 
 
 def _bounded(problem: Problem) -> Iterator[str]:

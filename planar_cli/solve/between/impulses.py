@@ -21,6 +21,7 @@ from planar_cli.equation.system import System
 from planar_cli.principles.base import Balance, Impulses, Moving
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.instant.written import Written
+from planar_cli.solve.regimes.constant_rates import constants_of
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.potential import potential
 from planar_cli.solve.regimes.regime import Regime
@@ -47,7 +48,7 @@ def impulse_equations(
     for block in stage.blocks if stage is not None else ():
         for w in block.equations:
             if w.law in ("force", "moment"):
-                told = _integrated(offer, letter_of, regime, w, explicit, a, b)
+                told = _integrated(course, offer, letter_of, regime, w, explicit, a, b)
                 if told is not None:
                     residual = expanded(told.after - told.before - told.gain)
                     whose = frozenset((principle,))
@@ -64,6 +65,7 @@ def impulse_equations(
 
 
 def _integrated(
+    course: RegimeSequence,
     offer: Impulses,
     letter_of: ImpulseLetter,
     regime: Regime,
@@ -90,8 +92,11 @@ def _integrated(
     if function is None or function.has(sp.Integral):
         return None
     impulse = b.at(function) - a.at(function)
+    constants = constants_of(regime, course.given())
     for symbol, c in forces.terms.items():
-        impulse += c * letter_of(symbol, a, b, UNITS[pushes[symbol].unit])
+        # It counts as it acts, where that does not change.
+        sense = -1 if symbol in constants and constants[symbol][1] < 0 else 1
+        impulse += sense * c * letter_of(symbol, a, b, UNITS[pushes[symbol].unit])
     before, after = (sp.Add(*(c * s.at(regime.closed(rates[x])) for x, c in inertia.terms.items())) for s in (a, b))
     about = w.lead if w.law == "moment" else ""
     turn = system.tree.turn(w.bodies) if about else 1

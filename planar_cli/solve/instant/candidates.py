@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.scene import Scene
 from planar_cli.principles.base import Single
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
@@ -25,6 +26,8 @@ VIRTUAL_MOTION = "the direction of the common virtual motion"
 AXIS, NAMED_POINT, ACROSS, NAMED_SLANT, CONSTRUCTED, FAR = 1.0, 1.1, 1.2, 1.3, 2.0, 3.0
 CONTACT = "along the contact"
 PER_BODY, PER_UNKNOWN = 0.6, 0.15
+MOMENTUM = "momentum"
+"""The word of the principle that integrates equations of forces over time."""
 
 
 @record
@@ -65,6 +68,14 @@ class Candidate:
 def mask_of(row: Row) -> int:
     """The unknowns with a coefficient that is not zero, as bits."""
     return sum(1 << j for j, c in enumerate(row[:-1]) if c)
+
+
+def of_whole(scene: Scene, bodies: tuple[str, ...], form: float) -> float:
+    """The form of an equation that the method of momentum integrates over time: the course begins with the whole
+    system, in which the impulses between its bodies cancel.
+    """
+    whole = scene.problem.method == MOMENTUM and len(bodies) == len(scene.bodies)
+    return form - PER_BODY * len(bodies) if whole else form
 
 
 def priced(

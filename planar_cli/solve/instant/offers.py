@@ -281,12 +281,10 @@ class Offers:
         return c.ALONG_CONTACT if led or words.startswith("along") else c.NAMED_SLANT
 
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
-        value = self.numbers.value
-        row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
+        row = combine(group.rows[:2], (self.numbers.value(direction.x), self.numbers.value(direction.y)))
         row = self.numbers.with_turning(row, group.rows[:2], (direction.x, direction.y))
-        return priced(
-            group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form
-        )
+        choice = Choice(False, direction, words, (), words if words in "xy" else "")
+        return priced(group.bodies, None, choice, row, c.of_whole(self.scene, group.bodies, form))
 
     def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
         value = self.numbers.value
