@@ -55,3 +55,17 @@ def test_why_the_second_contact_slips_too_is_told() -> None:
 def test_the_sign_of_a_comparison_is_one_of_mathematics() -> None:
     assert words(" < ") == r" \lt "
     assert words(" ≥ ") == r" \ge "
+
+
+def test_two_contacts_of_one_body_that_slip_alike_are_told_once() -> None:
+    page = page_of_file("crate-on-cart").partition("CASE")[2]
+    assert "Assume crate does not slip at A or B STEP" in page
+    limit = "At the largest F: friction at A and B reaches its limit, it is about to slip:"
+    assert f"{limit} (1) F_B = μ N_B (2) F_A = μ N_A crate" in page
+
+
+def test_inner_forces_that_would_only_be_added_again_stay_inside() -> None:
+    """Both frictions are known; the sum over cart and crate needs neither."""
+    page = page_of_file("crate-on-cart").partition("CASE")[2]
+    assert "cart, crate: (6) → ΣF_x: F = M a_K + m a_K" in page
+    assert "(6): F = (M + m) a_K = (60 + 20) · 2.943 = 235.4 N" in page

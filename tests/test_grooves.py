@@ -41,10 +41,10 @@ find: {v: v(P).mag, a: a(P).mag, F: reaction(slot/pin).mag, N: reaction(wall).ma
         "(2) r̈ = b ω² cos θ = 0.04 · 6² cos 120° = -0.72 m/s²",
         "ψ = 70.89°, from OP to the tangent of groove; sin ψ = 0.9449",
         "= m r̈ ↖, 2 m ṙ ω ↙, m r ω² ↘",
-        "(3) ↖ ΣF: -N_groove,force sin ψ = m r̈ - m r ω²",
-        "(4) ↙ ΣF: N_fork + N_groove,force cos ψ = 2 m ṙ ω",
-        "(3), (4), 2 unknowns: N_groove,force, N_fork",
-        "(3): N_groove,force = m (r ω² - r̈) / sin ψ",
+        "(3) ↖ ΣF: -N_wall sin ψ = m r̈ - m r ω²",
+        "(4) ↙ ΣF: N_fork + N_wall cos ψ = 2 m ṙ ω",
+        "(3), (4), 2 unknowns: N_wall, N_fork",
+        "(3): N_wall = m (r ω² - r̈) / sin ψ",
     ],
 )
 def test_a_can_in_a_groove(told: str) -> None:
@@ -72,3 +72,9 @@ def test_a_spiral_with_an_angular_acceleration(tmp_path: Path) -> None:
     assert found["N"] == pytest.approx(n)
     assert found["F"] == pytest.approx(abs(m * a_t + m * a_r * cos(psi) / sin(psi)))
     assert f"ψ = {degrees(psi):.2f}°" in page
+
+
+def test_the_size_of_a_force_with_one_direction_is_its_letter() -> None:
+    """No line says F = N_fork = 0.4988 N once more."""
+    page = normalize("NFC", page_of_file("can-driven-along-a-groove"))
+    assert "0.4988 N Answer N_fork = 0.4988 N N_wall = 2.286 N Check" in page

@@ -9,6 +9,7 @@ from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.decisions import needed, worked_out
+from planar_cli.report.limits_alike import assumed_alike
 from planar_cli.report.presses import bounded_in
 from planar_cli.report.shared_friction import at_best
 from planar_cli.report.words import Phrases
@@ -33,7 +34,7 @@ def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
             # Only the side on which a contact presses is another one.
             return [Note("Assume", line("; ".join(_placed(trial))))]
         return [
-            Note("Assume", line("; ".join(assumed))),
+            Note("Assume", line("; ".join(assumed_alike(assumed)))),
             Note("Fails", _objection(_on_its_side(natural, instant), instant, phrases)),
             *_then(natural, instant, phrases),
             Note("Instead", line("; ".join(_placed(trial)))),
@@ -54,7 +55,7 @@ def _then(natural: Trial, instant: InstantSolution, phrases: Phrases) -> Iterato
             continue
         if not trial.outcomes or (found := needed(trial, test)) is None:
             continue
-        yield Note("Assume", line("; ".join(_words(trial))))
+        yield Note("Assume", line("; ".join(assumed_alike(_words(trial)))))
         told = worked_out(found, trial, instant, phrases).told(" > ", phrases)
         yield Note("Fails", line("it would need ", *told))
         return
@@ -90,7 +91,8 @@ def _placed(trial: Trial) -> list[str]:
     contact, inside loop. Where it only just touches there is no such side.
     """
     modes = _assumed(trial)
-    return list(dict.fromkeys(f"{m.words}, {m.where}" if m.where and _presses(trial, m) else m.words for m in modes))
+    told = dict.fromkeys(f"{m.words}, {m.where}" if m.where and _presses(trial, m) else m.words for m in modes)
+    return assumed_alike(told)
 
 
 def _presses(trial: Trial, mode: Mode) -> bool:

@@ -25,6 +25,7 @@ from planar_cli.report.geometry import constructed, in_numbers, places, with_coo
 from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
+from planar_cli.report.limits_alike import with_limits_alike
 from planar_cli.report.numeric import level_of, numeric_telling, vanishing
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product, with_direction
@@ -228,7 +229,7 @@ class Telling:
             last = next((b for b in reversed(blocks) if not isinstance(b, Equation)), None)
             if not isinstance(block, Paragraph) or block != last:
                 blocks.append(block)
-        return blocks
+        return with_limits_alike(blocks)
 
     def _reasoned(self, w: Written, stage: Stage) -> list[Block]:
         blocks = with_sum(w, self._equation(as_sum(w), stage), self._named)

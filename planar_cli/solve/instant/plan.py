@@ -10,6 +10,7 @@ from __future__ import annotations
 import heapq
 import itertools
 import math
+from dataclasses import replace
 
 from planar_cli.records import record
 from planar_cli.solve.instant import rough
@@ -24,6 +25,8 @@ CHOICES = 3000
 """So many choices of letters that are carried are compared; of more, they are chosen one at a time."""
 GOALS = 12
 WIDEST = 4
+INNER = 2
+"""So many inner forces that would only be added again make a sum over two bodies the plainer one."""
 HEAVY, TOGETHER = 3, 5
 """Where so many equations have to be solved together anyhow, they may as well be plain ones, at most so many."""
 
@@ -143,7 +146,7 @@ class Planner:
         if plans:
             best = min(plans, key=_weight)
             plainest = self._plainest(best, targets) if best.largest >= HEAVY else None
-            return best if plainest is None else min(best, plainest, key=_weight)
+            return self._of_wholes(best if plainest is None else min(best, plainest, key=_weight), targets)
         # Beyond the budget of the search: by plain ordering.
         return self.order(self._shrunk(targets), targets)
 
@@ -219,6 +222,29 @@ class Planner:
             return found
         moments = [e for e in gone if e.choice is not None and e.choice.moment]
         return found if any(len(self.turning & set(e.bodies)) > 1 for e in moments) else None
+
+    def _of_wholes(self, plan: Plan, targets: int) -> Plan:
+        """The plan with the sum of forces on a body and the one beside it, where one on a body alone would have several
+        inner forces to add that are not asked: F = (M + m) a, not F = M a + F_A + F_B.
+        """
+        blocks = tuple(
+            replace(b, equations=(self._whole_of(b, targets),)) if len(b.equations) == 1 else b for b in plan.blocks
+        )
+        return Plan(_needed(list(blocks), targets))
+
+    def _whole_of(self, block: Block, targets: int) -> Candidate:
+        """The equation of a block with one unknown, or the same sum over one body more without its inner forces."""
+        (own,) = block.equations
+        if own.choice is None or own.choice.moment or not own.bodies:
+            return own
+        for mask, c in zip(self.masks, self.candidates, strict=True):
+            wider = len(c.bodies) == len(own.bodies) + 1 and set(own.bodies) < set(c.bodies)
+            gone = own.mask & ~mask
+            if not wider or mask & ~own.mask or gone.bit_count() < INNER or gone & targets:
+                continue
+            if c.choice is not None and c.choice.name == own.choice.name != "" and mask & (1 << block.unknowns[0]):
+                return c
+        return own
 
     def order(self, allowed: int, targets: int, pool: list[Candidate] | None = None) -> Plan | None:
         """The equations inside a set in the order of solution, the smallest solvable block first, then pruned. `pool`:
