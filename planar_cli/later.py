@@ -37,6 +37,9 @@ class _StandIn(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
+        # As the import system does: `from sympy import *` takes the module from its parent.
+        parent, _, own = self.__name__.rpartition(".")
+        setattr(sys.modules[parent], own, self)
         return _Offered(self.__name__, name)
 
 

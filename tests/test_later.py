@@ -21,6 +21,10 @@ ASKED = """
 from planar_cli.later import defer
 defer()
 import sympy
+assert sympy.sympify("2*x + sqrt(y)").free_symbols == set(sympy.symbols("x y"))
+from sympy import *
+from sympy.physics import units
+assert sympy.simplify(sympy.sin(units.meter)**2 + sympy.cos(units.meter)**2) == 1
 from sympy.geometry import Point2D
 from sympy.combinatorics import Permutation
 assert sympy.Point(3, 4).distance(sympy.Point(0, 0)) == 5
