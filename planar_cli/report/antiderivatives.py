@@ -53,8 +53,18 @@ def _antiderivative(integral: sp.Integral, phrases: Phrases) -> sp.Expr | None:
     found = antiderivative(integral.function, x, between)
     if found is None:
         return None
-    real = _by_artanh(simplified(where_real(found, between)), x)
+    raw = where_real(found, between)
+    real = min((_by_artanh(_plain(e), x) for e in (simplified(raw), raw)), key=sp.count_ops)
     return real if identically_zero(sp.diff(real, x) - integral.function) else None
+
+
+def _plain(found: sp.Expr) -> sp.Expr:
+    """Without numbers by which a logarithm differs by a constant: ln(2 u) is ln(u)."""
+    put = {}
+    for log in found.atoms(sp.log):
+        number, rest = log.args[0].as_coeff_Mul()
+        put[log] = sp.log(rest) if number > 0 else log
+    return found.xreplace(put)
 
 
 def _by_artanh(found: sp.Expr, x: sp.Symbol) -> sp.Expr:
