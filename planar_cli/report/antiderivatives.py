@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from decimal import Decimal
 
 import sympy as sp
 
@@ -39,8 +40,8 @@ def integral_blocks(
     found = _antiderivative(integral, phrases)
     if found is not None and found.has(*TOLD) and not longer(found, LONGEST):
         _, since, until = plain[0].limits[0]
-        whole = ["[", phrases.math(found), "] from ", phrases.math(x), " = ", phrases.math(low), " to "]
-        yield Equation((line(*whole, phrases.math(high)), phrases.math(until - since)))
+        running_from = line("] from ", phrases.math(x), " = ", phrases.math(low), " to ", phrases.math(high))
+        yield Equation((line("[", phrases.math(found), running_from), phrases.math(until - since)))
 
 
 def _antiderivative(integral: sp.Integral, phrases: Phrases) -> sp.Expr | None:
@@ -49,7 +50,7 @@ def _antiderivative(integral: sp.Integral, phrases: Phrases) -> sp.Expr | None:
     ends = [phrases.value.known(e) for e in (low, high)]
     if None in ends:
         return None
-    between = phrases.value.extended({x: sum(e for e in ends if e is not None) / 2})
+    between = phrases.value.extended({x: sum((e for e in ends if e is not None), Decimal(0)) / 2})
     found = antiderivative(integral.function, x, between)
     if found is None:
         return None
