@@ -17,7 +17,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import GROUND, Polar
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.stated_bounds import stated_bound
-from planar_cli.report.turning_values import of_the_same_kind, other_kind
+from planar_cli.report.turning_values import beyond_the_end, of_the_same_kind, other_kind
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 
@@ -41,6 +41,8 @@ def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[s
     others = [x.value for x in left]
     if r.unknown in found.named:
         yield from _of_asked(found, r, others, phrases)
+        return
+    if beyond_the_end(found, r, left):
         return
     said = other_kind(found, r, left, phrases) or _as_before(found, r, others, phrases)
     if said is not None:

@@ -11,7 +11,6 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_trial
-from planar_cli.report.antiderivatives import integral_blocks
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
@@ -23,6 +22,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.energies_told import as_told
+from planar_cli.report.evaluated_integrals import evaluated
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.first_state import first_state_first
 from planar_cli.report.flights import FlightTelling
@@ -35,7 +35,7 @@ from planar_cli.report.in_order_of_time import states_of, states_told
 from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
-from planar_cli.report.laws import LawTelling
+from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
@@ -300,12 +300,14 @@ class MotionTelling:
         """The definite integrals with matching limits."""
         yield from product_blocks(e, route, self.found, self.phrases)
         span = e.span
-        if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
+        if span is None or span.left is None or span.right is None or is_steady(e):
             return
-        if is_steady(e) or (span.unevaluated and span.explicit is not None):
+        if span.unevaluated and (e.kind != "t(q)" or span.explicit is not None):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        yield from integral_blocks(sides, {*self.varying, *self._open}, e, self.phrases)
+        shown = tuple(running(s, {*self.varying, *self._open}, self.phrases, e.law) for s in sides)
+        yield Equation(shown, None, (), note := integral_note(e.law, e.kind, shown, self.phrases))
+        yield from evaluated(e, route, self.found, self.phrases, note)
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
@@ -314,8 +316,7 @@ class MotionTelling:
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":
             return line("the rate of this quantity"), line("0")
-        letter = letter_of(e, self.found.ledger)
-        if letter is not None:
+        if (letter := letter_of(e, self.found.ledger)) is not None:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
                 return self.phrases.math(own), in_units_held(own, self._neat(own - residual), self.phrases)
@@ -340,8 +341,7 @@ class MotionTelling:
     def _chain(self, r: Result, explicit: bool = True) -> tuple[Any, ...]:
         """letter = formula = numbers = value. `explicit`: no equation stands before it."""
         sides: list[Any] = [self.phrases.math(r.unknown)]
-        formula = r.formula
-        if formula is not None and formula.free_symbols & self.varying:
+        if (formula := r.formula) is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
         self.between.stretches.add((r.unknown, formula if formula is not None else r.unknown))
         formula, radians = self._formula(r), self.phrases.in_radians(r.unknown, r.formula, r.value)

@@ -36,6 +36,13 @@ def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases
     return Paragraph(line("not ", *_listed(r, left, phrases), f": there it {verb} {kind}"))
 
 
+def beyond_the_end(found: MotionTrace, r: Result, left: list[Root]) -> bool:
+    """Are all other roots of a largest or smallest value times after the last state, when nobody looks any more?"""
+    times = (found.value.known(s) for s, own in found.general.items() if own.name == "t")
+    end = max((t for t in times if t is not None), default=r.value)
+    return bool(left) and _condition(found, r) is not None and all(x.value > end > r.value for x in left)
+
+
 def _was_there(found: MotionTrace, r: Result, root: Root) -> bool:
     """Is a root the value of the same letter in another state?"""
     general = found.general.get(r.unknown)
