@@ -21,7 +21,7 @@ from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
-from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, unchanged
+from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, together, unchanged
 from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
@@ -291,6 +291,8 @@ class BetweenTelling:
         if e.law == "force" and not e.lead and e.along and all(t.could_extract_minus_sign() for t in terms):
             # Counted in the sense in which its terms are positive.
             left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
+        if e.together is not None:
+            yield Paragraph(together(*e.together))
         yield Paragraph(self._at_blow(e))
         told = self._equation(left, right, number, self._lead(e))
         yield told if self.named is None or told.note else replace(told, note=self._arms(self.named))

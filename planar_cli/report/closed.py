@@ -97,6 +97,8 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
             continue
         if _by_definitions(own_sides, closed, phrases) or hides_data(_problem(part), answer, closed):
             continue
+        if answer.energy and _is_difference(own_sides, closed):
+            continue
         if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
             blocks[lines[-1]] = _lettered(block, closed, phrases)
     return blocks
@@ -154,6 +156,12 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         # Made of few results, it says more by these.
         return False
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
+
+
+def _is_difference(sides: Sequence[Inline | Line], closed: sp.Expr) -> bool:
+    """Of a loss of energy nobody sees how the energies before and after become one product."""
+    formula = sides[1].expr if len(sides) > 1 and isinstance(sides[1], Math) else sp.S.Zero
+    return bool(formula.is_Add and not closed.is_Add)
 
 
 def _by_definitions(sides: Sequence[Inline | Line], closed: sp.Expr, phrases: Phrases) -> bool:

@@ -7,13 +7,15 @@ from __future__ import annotations
 from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.offset_normals import with_offset_normals
+from planar_cli.report.one_velocity import with_one_velocity
 from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.single_forces import with_single_forces
 from planar_cli.solve.solved_problem import PartSolution
 
 
 def equations_as_told(part: PartSolution) -> PartSolution:
-    """The part with distances for the couples of faces, rolling, what is known put in, and speeds of angles; with the
-    letters of what is asked.
+    """The part with distances for the couples of faces, one velocity of what does not rebound, rolling, what is known
+    put in, and speeds of angles; with the letters of what is asked.
     """
-    return with_single_forces(with_across_speeds(with_known_put_in(with_rolling_told(with_offset_normals(part)))))
+    shared = with_rolling_told(with_one_velocity(with_offset_normals(part)))
+    return with_single_forces(with_across_speeds(with_known_put_in(shared)))

@@ -16,7 +16,7 @@ import sympy as sp
 
 from planar_cli.problem.facts import Action
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result
 
@@ -33,6 +33,11 @@ def no_rebound(e: ImpactEquation) -> str:
     if found is None or any(s.name.endswith(f"__{e.impact.since}") for s in (e.left - e.right).free_symbols):
         return ""
     return f"No rebound (e = 0): {found[1]} have one velocity along the common normal"
+
+
+def together(bodies: str, velocity: sp.Symbol) -> Line:
+    """The velocity of what does not rebound."""
+    return line(f"No rebound (e = 0): after the blow {bodies} have the same velocity ", Math(velocity), ".")
 
 
 def keeps(e: Relation, r: Result) -> bool:

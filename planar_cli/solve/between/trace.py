@@ -104,6 +104,8 @@ class ImpactEquation:
     """The moment centre, where it has no name."""
     along: tuple[sp.Expr, sp.Expr] | None
     """Of linear momenta, the direction in which they count as positive."""
+    together: tuple[str, sp.Symbol] | None = None
+    """The bodies that do not rebound in it, and the letter of the velocity that they then have."""
 
 
 @record
