@@ -17,7 +17,7 @@ from worked import page_of_file
         "path_C: straight line through A along the boom, y″ = 0",
     ]),
     # The hodograph is no path, and its axes are those of velocities.
-    ("cycloid-of-a-rim-point", ["x′² + y′² = r² Hodograph of P", "tip: circle about (r w, 0)"]),
+    ("cycloid-of-a-rim-point", ["x′² + y′² = r² squared and added", "tip: circle about (r w, 0)"]),
     # One frame alone.
     ("ex-1-12", ["trajectory: circle about the origin of radius 15 m, x² + y² = 15²"]),
 ])  # fmt: skip

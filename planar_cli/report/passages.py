@@ -3,27 +3,66 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
+from planar_cli.calculus.curve_waves import SQUARED
+from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
 from planar_cli.report.enough_figures import DEGREE
+from planar_cli.report.frames_apart import HODOGRAPH, PATH, SEEN
 from planar_cli.report.swallowed import with_its_number, with_unit
 from planar_cli.report.words import Phrases
-from planar_cli.solve.passages import Row, Tale, sides_of
+from planar_cli.solve.passages import CURVE, PLACES, RATES, Passage, Row, Tale, sides_of
 from planar_cli.units import PURE
+
+RESTS_ON = ((PATH, PLACES), (HODOGRAPH, RATES))
+"""What the heading of a curve begins with, and the kind of the passage from which it follows."""
+BEHIND = ("given", SQUARED)
+AHEAD = "the velocity is a quarter turn ahead of the position"
 
 
 def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
     """All passages of a part."""
-    for passage in tale.passages:
+    places: tuple[Row, ...] = ()
+    for passage in in_order(tale.passages):
         yield Paragraph(line(*_named(passage.heading)))
-        for row in passage.rows:
-            yield _row(row, phrases)
+        places = passage.rows if passage.kind == PLACES else places
+        rows = [_row(row, phrases) for row in passage.rows]
+        if passage.kind == RATES and is_quarter_turn(places, passage.rows) and not rows[-1].note:
+            rows[-1] = replace(rows[-1], note=line(AHEAD))
+        yield from rows
+
+
+def is_quarter_turn(places: Sequence[Row], rates: Sequence[Row]) -> bool:
+    """Is the velocity the position vector, turned by a quarter the way in which the point goes, times a factor?"""
+    if len(places) != 2 or len(rates) != 2:
+        return False
+    (x, y), (v_x, v_y) = ([sides_of(row)[-1] for row in rows] for rows in (places, rates))
+    if 0 in (x, y, v_x, v_y):
+        return False
+    along, across = simplified(v_y / x), simplified(v_x / y)
+    return bool(simplified(along + across) == 0)
+
+
+def in_order(passages: Sequence[Passage]) -> list[Passage]:
+    """A path right after the places, and a hodograph right after the velocities, on which alone they rest."""
+    found = list(passages)
+    for passage in passages:
+        after = next((kind for words, kind in RESTS_ON if passage.heading.startswith(words)), "")
+        place = next((i for i, p in enumerate(found) if p.kind == after), None) if SEEN not in passage.heading else None
+        if passage.kind == CURVE and after and place is not None and place < found.index(passage):
+            found.remove(passage)
+            later = (i for i in range(place + 1, len(found)) if found[i].kind != CURVE)
+            found.insert(next(later, len(found)), passage)
+    return found
 
 
 def _row(row: Row, phrases: Phrases) -> Equation:
-    lead = line(*_named(row.words), ":") if row.words else ()
+    # A word or a reason stands behind a line that has no other remark.
+    behind = row.words in BEHIND and not row.note
+    lead = line(*_named(row.words), ":") if row.words and not behind else ()
     sides: list[Any] = [phrases.math(side) for side in sides_of(row)]
     formula = sides_of(row)[-1]
     whole = (
@@ -49,7 +88,7 @@ def _row(row: Row, phrases: Phrases) -> Equation:
     if row.way:
         terms = (piece for i, term in enumerate(row.way) for piece in ((" + ", Math(term)) if i else (Math(term),)))
         sides.insert(1, line(*terms))
-    return Equation(tuple(sides), None, lead, line(*_named(row.note)))
+    return Equation(tuple(sides), None, lead, line(*_named(row.words if behind else row.note)))
 
 
 def _named(words: str) -> list[Any]:
