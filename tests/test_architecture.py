@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from pathlib import Path
 
-import pytest
 from conftest import ROOT
+
+from planar_cli.records import record
 
 PACKAGE = ROOT / "planar_cli"
 MODULES = sorted(PACKAGE.rglob("*.py"))
@@ -37,9 +39,49 @@ def parts_of(path: Path) -> tuple[str, ...]:
     return parts[:-1] if parts[-1] == "__init__" else parts
 
 
-def imports(path: Path) -> Iterator[tuple[str, ...]]:
+@record
+class Shape:
+    """What the checks ask of one file, read once."""
+
+    text: str
+    imports: tuple[tuple[str, ...], ...]
     """Every import of our own modules, also inside functions: ("joints", "pin")."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    long: tuple[str, ...]
+    """Functions that are longer than they may be."""
+    caught: frozenset[str]
+    """Names in the heads of `except`."""
+    calls: tuple[tuple[str, int], ...]
+    """Every call of a plain name, with the number of its arguments."""
+    is_told: bool
+    """It says what it is, or is empty."""
+    fields: frozenset[str]
+    """Names that are declared in its classes."""
+
+
+@cache
+def shape(path: Path) -> Shape:
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
+    nodes = list(ast.walk(tree))
+    functions = [n for n in nodes if isinstance(n, ast.FunctionDef | ast.AsyncFunctionDef)]
+    lengths = [(n.name, n.end_lineno - n.lineno + 1) for n in functions if n.end_lineno is not None]
+    heads = [n.type for n in nodes if isinstance(n, ast.ExceptHandler) and n.type is not None]
+    fields = [
+        f.target for c in tree.body if isinstance(c, ast.ClassDef) for f in c.body if isinstance(f, ast.AnnAssign)
+    ]
+    return Shape(
+        text,
+        tuple(_imported(path, nodes)),
+        tuple(f"{name}: {lines} lines" for name, lines in lengths if lines > LONGEST_FUNCTION),
+        frozenset(x.id for head in heads for x in ast.walk(head) if isinstance(x, ast.Name)),
+        tuple((n.func.id, len(n.args)) for n in nodes if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)),
+        not tree.body or bool(ast.get_docstring(tree)),
+        frozenset(f.id for f in fields if isinstance(f, ast.Name)),
+    )
+
+
+def _imported(path: Path, nodes: Iterable[ast.AST]) -> Iterator[tuple[str, ...]]:
+    for node in nodes:
         if isinstance(node, ast.Import):
             for alias in node.names:
                 if alias.name.split(".")[0] == "planar_cli":
@@ -54,36 +96,43 @@ def imports(path: Path) -> Iterator[tuple[str, ...]]:
                     yield below if place.is_dir() or place.with_suffix(".py").exists() else tuple(whole[1:])
 
 
+def wrong(paths: Iterable[Path], of: Callable[[Path], Iterable[object]]) -> dict[str, list[object]]:
+    """What is wrong in which file."""
+    found = {id_of(path): list(of(path)) for path in paths}
+    return {name: what for name, what in found.items() if what}
+
+
+def stage_of(path: Path) -> str:
+    return (*parts_of(path), "")[0]
+
+
 def is_member(target: tuple[str, ...]) -> bool:
     """A module of a shelf that registers something: a class with a `kind`, or a command."""
     if len(target) < 2 or target[0] not in SHELVES or target[1] == "base" or target[1].startswith("_"):
         return False
     if target[0] == "commands":
         return True
-    tree = ast.parse((PACKAGE / target[0] / f"{target[1]}.py").read_text(encoding="utf-8"))
-    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
-    fields = [f.target for c in classes for f in c.body if isinstance(f, ast.AnnAssign)]
-    return any(isinstance(f, ast.Name) and f.id == "kind" for f in fields)
+    return "kind" in shape(PACKAGE / target[0] / f"{target[1]}.py").fields
 
 
-@pytest.mark.parametrize("path", MODULES, ids=id_of)
-def test_nobody_imports_a_member_by_name(path: Path) -> None:
-    ours = parts_of(path)
-    private = len(ours) > 1 and ours[0] in SHELVES and ours[1].startswith("_")
-    named = [t for t in imports(path) if is_member(t) and not (private and t[0] == ours[0])]
-    assert not named
+def test_nobody_imports_a_member_by_name() -> None:
+    def named(path: Path) -> Iterable[object]:
+        ours = parts_of(path)
+        private = len(ours) > 1 and ours[0] in SHELVES and ours[1].startswith("_")
+        return [t for t in shape(path).imports if is_member(t) and not (private and t[0] == ours[0])]
+
+    assert not wrong(MODULES, named)
 
 
-@pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] and parts_of(p)[0] in STAGES], ids=id_of)
-def test_stages_import_to_the_left(path: Path) -> None:
-    stage = parts_of(path)[0]
-    allowed = {*STAGES[: STAGES.index(stage) + 1], *COMMON}
-    wrong = []
-    for target in imports(path):
-        contract = len(target) > 1 and target[0] in SHELVES and target[1] == "base"
-        if target and target[0] not in allowed and not contract:
-            wrong.append(".".join(target))
-    assert not wrong
+def test_stages_import_to_the_left() -> None:
+    def to_the_right(path: Path) -> Iterable[object]:
+        allowed = {*STAGES[: STAGES.index(stage_of(path)) + 1], *COMMON}
+        for target in shape(path).imports:
+            contract = len(target) > 1 and target[0] in SHELVES and target[1] == "base"
+            if target and target[0] not in allowed and not contract:
+                yield ".".join(target)
+
+    assert not wrong([p for p in MODULES if stage_of(p) in STAGES], to_the_right)
 
 
 def reached(start: tuple[str, ...], graph: dict[tuple[str, ...], set[tuple[str, ...]]]) -> set[tuple[str, ...]]:
@@ -100,63 +149,51 @@ def reached(start: tuple[str, ...], graph: dict[tuple[str, ...], set[tuple[str, 
 def test_no_file_imports_what_imports_it() -> None:
     """Also not for type checking or inside a function, and not by a chain of others."""
     names = {parts_of(path) for path in MODULES}
-    graph = {parts_of(path): {t for t in imports(path) if t in names} for path in MODULES}
+    graph = {parts_of(path): {t for t in shape(path).imports if t in names} for path in MODULES}
     assert not sorted(".".join(name) for name in names if name in reached(name, graph))
 
 
-@pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] == ("report",)], ids=id_of)
-def test_print_sees_only_the_trace_of_a_motion(path: Path) -> None:
+def test_print_sees_only_the_trace_of_a_motion() -> None:
     hidden = {("solve", f) for f in ("regimes", "impulsive", "between", "following", "curves")}
     trace = {("solve", "between", f) for f in ("trace", "oscillation_trace")}
-    assert {t for t in imports(path) if t[:2] in hidden} <= trace
+    reports = [p for p in MODULES if stage_of(p) == "report"]
+    assert not wrong(reports, lambda p: {t for t in shape(p).imports if t[:2] in hidden} - trace)
 
 
-@pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] and parts_of(p)[0] in MEMBERS_SEE], ids=id_of)
-def test_members_see_little(path: Path) -> None:
-    shelf = parts_of(path)[0]
-    allowed = {*MEMBERS_SEE[shelf], "errors", "records", "units", shelf}
-    assert not [".".join(t) for t in imports(path) if t[0] not in allowed]
+def test_members_see_little() -> None:
+    def seen(path: Path) -> Iterable[object]:
+        shelf = stage_of(path)
+        allowed = {*MEMBERS_SEE[shelf], "errors", "records", "units", shelf}
+        return [".".join(t) for t in shape(path).imports if t[0] not in allowed]
+
+    assert not wrong([p for p in MODULES if stage_of(p) in MEMBERS_SEE], seen)
 
 
-@pytest.mark.parametrize("name", sorted(COMMON))
-def test_the_common_modules_stand_alone(name: str) -> None:
-    assert not [t for t in imports(PACKAGE / f"{name}.py") if t[0] not in COMMON]
+def test_the_common_modules_stand_alone() -> None:
+    common = [PACKAGE / f"{name}.py" for name in sorted(COMMON)]
+    assert not wrong(common, lambda p: [t for t in shape(p).imports if t[0] not in COMMON])
 
 
-@pytest.mark.parametrize("path", MODULES, ids=id_of)
-def test_budgets(path: Path) -> None:
-    text = path.read_text(encoding="utf-8")
-    assert text.count("\n") <= MOST_LINES
-    long = [
-        f"{node.name}: {node.end_lineno - node.lineno + 1} lines"
-        for node in ast.walk(ast.parse(text))
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
-        and node.end_lineno is not None
-        and node.end_lineno - node.lineno + 1 > LONGEST_FUNCTION
-    ]
-    assert not long
+def test_budgets() -> None:
+    lines = {id_of(p): shape(p).text.count("\n") for p in MODULES}
+    assert not {name: number for name, number in lines.items() if number > MOST_LINES}
+    assert not wrong(MODULES, lambda p: shape(p).long)
 
 
-@pytest.mark.parametrize("path", [*MODULES, *TESTS], ids=id_of)
-def test_nothing_is_silenced_or_left_undone(path: Path) -> None:
+def test_nothing_is_silenced_or_left_undone() -> None:
     # In two pieces each, so that this very file passes.
     marks = ["TO" + "DO", "FIX" + "ME", "Not" + "ImplementedError", "type:" + " ignore", "no" + "qa", "mark." + "xfail"]
-    text = path.read_text(encoding="utf-8")
-    assert not [mark for mark in marks if mark in text]
+    assert not wrong([*MODULES, *TESTS], lambda p: [mark for mark in marks if mark in shape(p).text])
 
 
-@pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] == ("solve",)], ids=id_of)
-def test_no_fault_of_arithmetic_is_swallowed(path: Path) -> None:
+def test_no_fault_of_arithmetic_is_swallowed() -> None:
     """Formulas without a value are told by `NoValue`; any other error of arithmetic is a fault of the program."""
-    caught = [n for n in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(n, ast.ExceptHandler)]
-    names = {x.id for n in caught if n.type is not None for x in ast.walk(n.type) if isinstance(x, ast.Name)}
-    assert not names & {"ArithmeticError", "Exception", "BaseException", "AssertionError", "KeyError"}
+    faults = {"ArithmeticError", "Exception", "BaseException", "AssertionError", "KeyError"}
+    assert not wrong([p for p in MODULES if stage_of(p) == "solve"], lambda p: shape(p).caught & faults)
 
 
-@pytest.mark.parametrize("path", MODULES, ids=id_of)
-def test_every_module_says_what_it_is(path: Path) -> None:
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    assert not tree.body or ast.get_docstring(tree)
+def test_every_module_says_what_it_is() -> None:
+    assert not [id_of(p) for p in MODULES if not shape(p).is_told]
 
 
 def test_the_top_level_holds_nothing_else() -> None:
@@ -165,18 +202,12 @@ def test_the_top_level_holds_nothing_else() -> None:
     assert found <= allowed
 
 
-def calls(path: Path) -> Iterator[ast.Call]:
-    """Every call of a plain name."""
-    nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-    return (n for n in nodes if isinstance(n, ast.Call) and isinstance(n.func, ast.Name))
-
-
-@pytest.mark.parametrize("path", MODULES, ids=id_of)
-def test_drawn_numbers_and_values_are_kept_apart(path: Path) -> None:
+def test_drawn_numbers_and_values_are_kept_apart() -> None:
     """Only valuations make a `Settled` number, and no other module makes a valuation with definitions anew: it would
     forget what was drawn.
     """
-    if parts_of(path) in (("equation", "exact"), ("equation", "ledger")):
-        return
-    made = [(n.func.id, len(n.args)) for n in calls(path) if isinstance(n.func, ast.Name)]
-    assert not [n for n, count in made if n in ("Settled", "Sample") or (n == "Valuation" and count > 1)]
+
+    def made(path: Path) -> Iterable[object]:
+        return [n for n, count in shape(path).calls if n in ("Settled", "Sample") or (n == "Valuation" and count > 1)]
+
+    assert not wrong([p for p in MODULES if parts_of(p) not in (("equation", "exact"), ("equation", "ledger"))], made)
