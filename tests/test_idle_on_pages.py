@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from worked import page_of_file
+from worked import PROBLEMS, page_of_file
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Forces, Math, Paragraph, line
 from planar_cli.report.idle_lines import without_idle_lines
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 v, t_2, t_3, theta_1, theta_2 = sp.symbols("v t__2 t__3 theta__1 theta__2")
 BALL, ROD = (Forces(body, line("m g ↓"), line("m a ↑")) for body in ("ball", "rod"))
@@ -79,7 +83,16 @@ def test_a_root_that_is_a_state_before_stands_beside_the_equation() -> None:
 
 def test_an_answer_is_not_called_what_another_state_has() -> None:
     """State 1 is at rest: ω_1 = ω_2, by the name that the file gives to what is asked, would be false there."""
-    assert "Answer ω_2 = 2.8125 rad/s counterclockwise (asked for as ω_1)" in page_of_file("ex-4-13")
+    text = (
+        next(p for p in PROBLEMS if p.stem == "ex-4-13")
+        .read_text(encoding="utf-8")
+        .split("answers:")[0]
+        .replace("omega_2: omega", "omega_1: omega")
+    )
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "Answer ω_2 = 2.8125 rad/s counterclockwise (asked for as ω_1)" in page
 
 
 def test_impulses_that_meet_at_a_point_of_the_file_need_no_other() -> None:
