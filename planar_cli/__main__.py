@@ -36,7 +36,9 @@ def main() -> None:
             pass
     gc.set_threshold(CLUTTER, 20, 20)
     from planar_cli.cli import run
+    from planar_cli.later import defer
 
+    defer()
     _leave(run())
 
 

@@ -106,7 +106,7 @@ def _chains(block: Equation) -> Iterator[list[Any]]:
         return
     chain: list[Any] = []
     for side in block.sides:
-        parts = _summed(side) if isinstance(side, tuple) else (side,)
+        parts = (between,) if (between := _between(side)) else _summed(side) if isinstance(side, tuple) else (side,)
         for i, part in enumerate(parts):
             if isinstance(part, Text) and part.text.strip() == ",":
                 yield chain
@@ -115,6 +115,15 @@ def _chains(block: Equation) -> Iterator[list[Any]]:
             elif isinstance(part, Math | Value | Sum) and (i + 1 == len(parts) or _divides(parts[i + 1])):
                 chain.append(part)
     yield chain
+
+
+def _between(side: Any) -> Math | None:
+    """What [F(x)] from x = a to b comes to; None: it is another side."""
+    texts = [p.text for p in side if isinstance(p, Text)] if isinstance(side, tuple) else []
+    if texts != ["[", "] from ", " = ", " to "]:
+        return None
+    whole, x, low, high = (p.expr for p in side if isinstance(p, Math))
+    return Math(whole.xreplace({x: high}) - whole.xreplace({x: low}))
 
 
 def _components(parts: tuple[Any, ...]) -> list[Any]:

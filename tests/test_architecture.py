@@ -16,7 +16,19 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
 STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "replay", "homework", "report", "figures")
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "exports", "commands")
-COMMON = {"base_units", "errors", "greek", "mathml", "near", "records", "registry", "typeset", "unit_hints", "units"}
+COMMON = {
+    "base_units",
+    "errors",
+    "greek",
+    "later",
+    "mathml",
+    "near",
+    "records",
+    "registry",
+    "typeset",
+    "unit_hints",
+    "units",
+}
 # What members of a shelf may import, beside errors, records, units and their own shelf's base and private modules.
 MEMBERS_SEE = {
     "joints": {"problem"},

@@ -9,7 +9,6 @@ from worked import page_of_file
 @pytest.mark.parametrize(
     ("stem", "vector", "size"),
     [
-        ("ex-1-09", "v_B = ω × r_B/O", "|v_B| = R ω = 0.6 · 0.3333 = 0.2 m/s"),
         ("four-bar", "v_C = v_B + ω_BC × r_C/B", "|v_C| = √(1.156² + 0.1535²) = 1.166 m/s"),
     ],
 )

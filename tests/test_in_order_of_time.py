@@ -23,8 +23,8 @@ STEP = re.compile(r"^(?:MOTION|STEP \d+)  (.+?)(?:  +(states .+)|  .*)?$", re.MU
     ("bullet-stays-in-a-block", [
         ("Impulse and momentum", "states before, after"),
         ("Kinetic analysis", ""), ("Work and energy", "states after, stop")]),
-    ("ball-up-with-drag", [
-        ("from up to top", ""), ("Kinetic analysis", ""), ("Motion over time", "states up, top"),
+    ("sledge-up-a-slope-in-air", [
+        ("from start to top", ""), ("Kinetic analysis", ""), ("Motion over time", "states start, top"),
         ("from top to back", ""), ("Kinetic analysis", ""), ("Motion over time", "states top, back")]),
 ])  # fmt: skip
 def test_a_blow_comes_between_what_leads_to_it_and_the_forces_after_it(stem: str, steps: list[tuple[str, str]]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from worked import page_of_file
+
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -26,3 +28,11 @@ def test_a_balance_with_nothing_on_its_right() -> None:
     assert "↻ ΣM_O: 4 · 9.81 · 0.5 - 1.333 α = 0 in N·m" in page
     assert "α = 14.715 rad/s² clockwise" in page
     assert "R = O_y = 9.81 N" in page
+
+
+def test_inertial_forces_and_their_check() -> None:
+    """They oppose the accelerations, and their sum with the forces about another point is zero too."""
+    page = page_of_file("ex-4-15")
+    assert "The inertial force m a opposes the acceleration, the inertial couple I α the angular acceleration." in page
+    assert "spool: ↻ ΣM_G = 30 - 17.63 - 12.37 = 0 N·m" in page
+    assert "friction would be zero; for a larger k_G it is to the left." in page

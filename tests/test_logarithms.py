@@ -40,7 +40,7 @@ def test_what_is_no_ratio_stays() -> None:
 
 
 def test_the_height_of_a_ball_in_air() -> None:
-    assert "y_top = v_t² ln(1 + v_y,up²/v_t²) / (2 g)" in page("motion/ball-up-with-drag")
+    assert "s_top = v_t² ln(1 + ṡ_hand²/v_t²) / (2 g)" in page("motion/ball-up-with-drag")
 
 
 def test_a_given_law_is_told_once() -> None:

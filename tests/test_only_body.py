@@ -12,8 +12,8 @@ from worked import page_of_file
     ("car-three-phases", ["a = 2 m/s² from start to cruise", "cruise: v = 90 km/h", "v_cruise = a_start t_cruise"]),
     # In the plane with its axes.
     ("ex-1-11", ["parallel: v_y = -3/4 v_x", "x_B = v_x,launch t_B"]),
-    # What is asked as v_back is the size of the velocity, and keeps its name.
-    ("ball-up-with-drag", ["v_back = -v_y,back = -(-22.78) = 22.78 m/s", "dv_y = ∫[0 → t_top] dt"]),
+    # What is asked as v_5 is the size of the velocity, and keeps its name.
+    ("parachutist", ["v_5 = -v_y,after_5 = -(-39.75) = 39.75 m/s", "dv_y = ∫[0 → t_nearly] dt"]),
     # Another point that moves, or a distance from a pole.
     ("ball-that-grips-a-rough-floor", ["m v_Gx,2 → at G"]),
     ("pin-in-a-limacon-groove", ["r_pin"]),

@@ -19,12 +19,12 @@ def page(name: str) -> str:
 
 def test_a_ball_in_air_has_two_diagrams() -> None:
     text = page("motion/ball-up-with-drag")
-    assert "m g ↓, c v_y² ↓ = m a_y ↑" in text
-    assert "↑ ΣF_y: -m g - c v_y² = m a_y" in text
-    assert "m g ↓, c v_y² ↑ = m a_y ↑" in text
-    assert "↑ ΣF_y: c v_y² - m g = m a_y" in text
+    assert "m g ↓, c ṡ² ↓ = m s̈ ↑" in text
+    assert "↑ ΣF: -m g - c ṡ² = m s̈" in text
+    assert "m g ↓, c ṡ² ↑ = m s̈ ↓" in text
+    assert "↓ ΣF: m g - c ṡ² = m s̈" in text
     assert "against its velocity" not in text
-    assert "For y of the ball from top on:" in text
+    assert "with it: s̈ = g (1 - ṡ²/v_t²)" in text
 
 
 def test_what_sinks_is_held_up() -> None:

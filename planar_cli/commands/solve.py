@@ -21,7 +21,7 @@ from planar_cli.near import nearest
 from planar_cli.options import SECONDS, Choice, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
 from planar_cli.records import record
-from planar_cli.registry import members, modules
+from planar_cli.registry import member, modules
 
 if TYPE_CHECKING:
     from planar_cli.problem.scene import Problem
@@ -109,7 +109,7 @@ def _write_pages(pages: Sequence[Document], wanted: Wanted) -> None:
     """Several pages with figures as one, on a screen or on paper."""
     from planar_cli.formats.base import in_one
 
-    text: str = members("formats")["html"]().render(in_one(pages))
+    text: str = member("formats", "html")().render(in_one(pages))
     if wanted.form != PDF:
         write(text, wanted.output)
         return
@@ -130,7 +130,7 @@ def _joined(reports: list[Report], wanted: Wanted) -> str:
 
 
 def _printed(document: Document, wanted: Wanted) -> str:
-    form: Any = members("formats")[wanted.form]
+    form: Any = member("formats", wanted.form)
     on_screen = wanted.output in (None, "-")
     rendered: str = (form.on(sys.stdout) if on_screen else form()).render(document)
     return rendered
@@ -166,7 +166,6 @@ def _failed(name: str, wanted: Wanted, status: int, message: str, error: PlanarE
 
 def _solved(problem: Problem, wanted: Wanted) -> Report:
     from planar_cli.homework.checking import solve_and_compare
-    from planar_cli.report.json_document import solution_data
     from planar_cli.report.key import with_disagreements
     from planar_cli.report.narrate import Voice, narrate
 
@@ -174,6 +173,8 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
     solution, verdicts = solve_and_compare(problem, wanted.method)
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
     if wanted.json:
+        from planar_cli.report.json_document import solution_data
+
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
     document = with_disagreements(narrate(solution, voice, wanted.why), verdicts)

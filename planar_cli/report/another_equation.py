@@ -54,7 +54,7 @@ def another_equation(instant: InstantSolution, phrases: Phrases) -> Line:
             known = phrases.value.known(found.inertia) is not None
             least = 1 if known and found.dimension == ENERGY and not phrases.value.is_zero(found.inertia) else LEAST
             if known and least <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
-                return _told(body, found, terms, phrases)
+                return _told(body, found, terms, phrases, instant.instant.principle.inertia_as_force)
     return ()
 
 
@@ -126,12 +126,16 @@ def moment_of(arm: Vec, force: Any, phrases: Phrases) -> Decimal:
     return moment
 
 
-def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases) -> Line:
-    """A sum with its terms and what it comes to, then what it amounts to with its value; nothing where these differ."""
+def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases, inertial: bool) -> Line:
+    """A sum with its terms and what it comes to, then what it amounts to with its value; nothing where these differ.
+    `inertial`: that is among the terms, and they come to zero.
+    """
     unit = phrases.page_unit(default_unit(found.dimension))
     change = phrases.certain(found.inertia)
     if not agree(terms, [change]):
         return ()
+    if inertial and change:
+        return line(f"{body}: ", *found.lead, " = ", *chain([*terms, -change], unit, phrases))
     # What is zero at sight stands nowhere else on the page.
     nothing = {s: sp.S.Zero for s in found.inertia.free_symbols if phrases.value.is_zero(s)}
     inertia = found.inertia.xreplace(nothing)

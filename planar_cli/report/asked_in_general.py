@@ -15,6 +15,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.on_circle import is_told_on_circle
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS
 from planar_cli.report.telling import Telling
 from planar_cli.report.vectors import index_of
@@ -80,6 +81,8 @@ def _asked(r: Request, telling: Telling, motion: MotionTrace) -> Iterator[Equati
     point, kinds = q.things[0], [p.kind for p in q.parts]
     body = scene.owner(point)
     if body == GROUND or not scene.rigid(body) or kinds not in ([], ["x"], ["y"]) or all(p.is_Symbol for p in r.parts):
+        return
+    if is_told_on_circle(q, body, telling, motion):
         return
     level = "velocity" if q.word == "v" else "acceleration"
     at = scene.point(point)

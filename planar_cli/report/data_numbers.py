@@ -13,6 +13,7 @@ from typing import Any
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value
 from planar_cli.report.data import DIFFERENTIATED, GIVEN
 from planar_cli.report.free_flight import WEIGHT
+from planar_cli.report.given_letters import with_given_letters
 from planar_cli.report.given_speeds import SPEEDS
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
@@ -99,7 +100,10 @@ def without_restated_data(page: Sequence[Block]) -> list[Block]:
     """
     told = "".join(_read(b.line) for b in page if isinstance(b, Note) and b.kind == "Given")
     given = [piece.rpartition(": ")[2].partition(" = ") for piece in re.split(r"[,;] ", told)]
-    kept = [_beside(b) for b in page if not _restates(b, [(letter, value) for letter, _, value in given])]
+    again = [_restates(b, [(letter, value) for letter, _, value in given]) for b in page]
+    kept = [_beside(b) for b, told_above in zip(page, again, strict=True) if not told_above]
+    data = (b for b, told_above in zip(page, again, strict=True) if told_above and isinstance(b, Equation))
+    kept = with_given_letters(kept, data)
     headed = [i for i, b in enumerate(kept) if isinstance(b, Paragraph) and b.line in GROUPS]
     empty = {i for i in headed if i + 1 == len(kept) or not isinstance(kept[i + 1], Equation | Paragraph)}
     return [b for i, b in enumerate(kept) if i not in empty] if len(kept) < len(page) else kept

@@ -77,7 +77,10 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
         return None
     if root.is_Symbol or root.is_number or longer(root, SHORT) or not is_clean(phrases.ledger, root, symbol):
         return None
-    opening, end = line("With "), line(", ", Name(answer.name), " would be zero", _beyond(answer, phrases), ".")
+    opening, end = (
+        line("With "),
+        line(", ", Name(answer.name), " would be zero", *_beyond(answer, symbol, value, phrases), "."),
+    )
     if phrases.symbolic:
         return line(opening, Relation(Math(symbol), "=", Math(root)), end)
     if _distance(symbol, root, phrases) > FAR:
@@ -88,13 +91,16 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
     )
 
 
-def _beyond(answer: Found, phrases: Phrases) -> str:
+def _beyond(answer: Found, symbol: sp.Symbol, zero: Decimal, phrases: Phrases) -> Line:
     """What there is beyond a zero. A speed that comes to zero may stay there: friction turns with it."""
     if answer.unit.dimension in (VELOCITY, RATE):
-        return ""
+        return ()
     other = (
         direction_words(answer, -answer.values[0], phrases.ledger, phrases.value, phrases.slopes)
         if answer.values
         else ""
     )
-    return f"; beyond it, it is {other}" if other else "; beyond it, it has the other sign"
+    if phrases.symbolic:
+        return line("; beyond it, it has the other sign")
+    side = "larger" if zero > phrases.value(symbol) else "smaller"
+    return line(f"; for a {side} ", Math(symbol), f" it is {other}" if other else " it has the other sign")

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Line
-from planar_cli.report.laws import running
+from planar_cli.report.blocks import Block, Equation
+from planar_cli.report.laws import integral_note, running
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
 
@@ -19,11 +19,11 @@ LONGEST = 24
 """A longer function is left to its numbers."""
 
 
-def evaluated(e: Relation, route: RouteTrace, found: MotionTrace, phrases: Phrases, note: Line) -> Iterator[Block]:
+def evaluated(e: Relation, route: RouteTrace, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """A place at the end of an integral that is told with numbers; nothing of a polynomial, or where no term goes with
-    the time itself. `note`: the unit in which the numbers count.
+    the time itself.
     """
-    if e.span is None or e.span.kind != "q(t)" or e.span.explicit is None or not note:
+    if e.span is None or e.span.kind != "q(t)" or e.span.explicit is None or phrases.symbolic:
         return
     times = {own for own, general in found.general.items() if general.name == "t"}
     letter = next((s for s, general in found.general.items() if _is_end(s, general, e, found)), None)
@@ -39,7 +39,7 @@ def evaluated(e: Relation, route: RouteTrace, found: MotionTrace, phrases: Phras
         sp.Mul(steady, sp.expand(formula / steady), evaluate=False), {*ends, *found.unknowns}, phrases, e.law
     )
     if shown.values:
-        yield Equation((phrases.math(letter), shown), None, (), note)
+        yield Equation((phrases.math(letter), shown), None, (), integral_note(e.law, e.kind, [shown], phrases))
 
 
 def _is_end(own: sp.Symbol, general: sp.Symbol, e: Relation, found: MotionTrace) -> bool:

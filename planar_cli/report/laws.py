@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.plain import longer
 from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
@@ -69,6 +70,7 @@ class LawTelling:
         self.natural: set[sp.Symbol] = set()
         """The natural frequencies that were told."""
         self._moved: set[tuple[sp.Symbol, str]] = set()
+        self._by_terminal: set[tuple[sp.Symbol, sp.Expr]] = set()
 
     def blocks(self, e: Relation, route: RouteTrace, unknown: Collection[sp.Symbol]) -> Iterator[Block]:
         """The law of which a relation is an integral. `unknown`: letters that are not known yet."""
@@ -82,7 +84,7 @@ class LawTelling:
             yield from law_blocks(law, self.phrases, {*self.varying, *unknown}, e.since if changes else "")
         if law.terminal is not None and law.terminal[0] not in self.natural:
             self.natural.add(law.terminal[0])
-            letter, formula = law.terminal
+            letter, formula, _ = law.terminal
             value = self.phrases.shown(letter)
             sides: tuple[Any, ...] = (
                 Math(letter),
@@ -91,6 +93,9 @@ class LawTelling:
                 value,
             )
             yield Equation(sides, None, line("terminal speed:"))
+        if law.terminal is not None and _said(law) not in self._by_terminal:
+            self._by_terminal.add(_said(law))
+            yield self._with_terminal(law, law.terminal[2])
         own = law.vibration
         if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
             self.natural.add(own.natural)
@@ -101,6 +106,14 @@ class LawTelling:
         if own is not None and not own.begun and is_vibration(e) and (own.natural, e.since) not in self._moved:
             self._moved.add((own.natural, e.since))
             yield from motion_blocks(e, route, self.phrases, self.regimes)
+
+    def _with_terminal(self, law: Law, told: sp.Expr) -> Equation:
+        """ÿ = -g (v_t² + v²)/v_t²: the law by its terminal speed, as it is integrated."""
+        q = law.coordinate.symbol
+        v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
+        rate = sp.Symbol(f"{q.name}_ddot", real=True)
+        shown = running(factor_terms(told.xreplace({law.v: v})), {*self.varying, v}, self.phrases, law)
+        return Equation((self.phrases.math(rate), shown), None, line("with it:"))
 
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:
@@ -117,11 +130,26 @@ def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Bloc
         law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith(FOR)
         if not law or not isinstance(block, Equation) or block.number is not None:
             found.append(block)
-        elif _text(block) in given or (not _changes(heading) and any(_same_rate(block, b) for b in solved)):
+        elif (
+            _text(block) in given
+            or _is_last(block, solved)
+            or (not _changes(heading) and any(_same_rate(block, b) for b in solved))
+        ):
             found.pop()
         else:
             found.append(block)
     return found
+
+
+def _is_last(law: Equation, solved: Sequence[Equation]) -> bool:
+    """Is it what the equations gave last for this letter?"""
+    name = getattr(getattr(law.sides[0], "expr", None), "name", "")
+    same = [
+        b
+        for b in solved
+        if isinstance(own := b.sides[0], Math) and own.expr.is_Symbol and is_rate_of(own.expr.name, name)
+    ]
+    return bool(same) and _same_rate(law, same[-1])
 
 
 def is_law_heading(heading: Paragraph) -> bool:

@@ -11,6 +11,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_trial
+from planar_cli.report.antiderivatives import integral_blocks
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
@@ -35,7 +36,7 @@ from planar_cli.report.in_order_of_time import states_of, states_told
 from planar_cli.report.inside_integrals import by_trial_values, inside_an_integral
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
-from planar_cli.report.laws import LawTelling, integral_note, running
+from planar_cli.report.laws import LawTelling
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
@@ -305,9 +306,8 @@ class MotionTelling:
         if span.unevaluated and (e.kind != "t(q)" or span.explicit is not None):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        shown = tuple(running(s, {*self.varying, *self._open}, self.phrases, e.law) for s in sides)
-        yield Equation(shown, None, (), note := integral_note(e.law, e.kind, shown, self.phrases))
-        yield from evaluated(e, route, self.found, self.phrases, note)
+        yield from integral_blocks(sides, {*self.varying, *self._open}, e, self.phrases)
+        yield from evaluated(e, route, self.found, self.phrases)
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""

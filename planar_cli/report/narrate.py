@@ -47,6 +47,7 @@ from planar_cli.report.laws_solved import with_laws_solved
 from planar_cli.report.likewise import told_likewise
 from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
+from planar_cli.report.named_in_answer import named_in_answer
 from planar_cli.report.near_rest import with_numbers
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.only_body import with_only_body
@@ -195,7 +196,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
-    blocks = with_frames_apart(with_component_letters(blocks, part.found), part.found)
+    blocks = named_in_answer(with_frames_apart(with_component_letters(blocks, part.found), part.found))
     blocks = with_sought_names(with_numbers(with_axes_of_frames(blocks, part.motion)), part.motion)
     checks, by_hand = _student_checks(part, (phrases, settled), figures, why)
     blocks += [*checks, *road_blocks(part), *(program_blocks(part) if voice.verbose else ())]

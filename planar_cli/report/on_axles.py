@@ -7,7 +7,8 @@ normal parts are asked as well has √(a_t² + a_n²).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -16,12 +17,12 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
+from planar_cli.report.on_circle import angle_of, components
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
@@ -43,6 +44,11 @@ class Sized:
     size: tuple[Any, ...]
     direction: tuple[Any, ...] = ()
     beside: Line = ()
+    angle: sp.Symbol | None = None
+    """That of the arm, where it has a letter in the state, and how large it is, in radians."""
+    theta: Decimal = Decimal(0)
+    components: tuple[tuple[Math, Math], ...] = ()
+    """Formula and numbers of each component, where they are told by the parts."""
 
 
 def sized(found: Found, part: PartSolution, phrases: Phrases) -> Sized | None:
@@ -51,15 +57,15 @@ def sized(found: Found, part: PartSolution, phrases: Phrases) -> Sized | None:
     if not isinstance(what, Quantity) or what.parts or len(what.things) != 1 or found.values is None:
         return None
     if what.word == "a":
-        return _by_parts(found, what, part.found, phrases)
+        return _by_parts(found, what, part, phrases)
     return _about_pin(found, what, part, phrases) if what.word == "v" else None
 
 
-def _by_parts(found: Found, q: Quantity, others: Sequence[Found], phrases: Phrases) -> Sized | None:
+def _by_parts(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) -> Sized | None:
     """√(a_t² + a_n²) of the parts that are answers as well."""
     parts: dict[str, Decimal] = {}
     names: dict[str, Name] = {}
-    for one in others:
+    for one in part.found:
         what = one.find.found.what if one.find is not None else None
         same = isinstance(what, Quantity) and (what.word, what.things, what.at) == (q.word, q.things, q.at)
         if not same or not isinstance(what, Quantity) or len(what.parts) != 1 or one.values is None:
@@ -74,7 +80,33 @@ def _by_parts(found: Found, q: Quantity, others: Sequence[Found], phrases: Phras
     letters = [sp.Symbol(f"{NUMBER}{k}", positive=True) for k in KINDS]
     texts = {s: significant(x, figures) for s, x in zip(letters, numbers, strict=True)}
     root = sp.sqrt(sp.Add(*(s**2 for s in letters), evaluate=False), evaluate=False)
-    return Sized((line("√(", names["t"], "² + ", names["n"], "²)"), Math(root, texts)))
+    size = (line("√(", names["t"], "² + ", names["n"], "²)"), Math(root, texts))
+    return _with_components(Sized(size), found, q, part, ([n.name for n in names.values()], parts), phrases)
+
+
+def _with_components(
+    size: Sized,
+    found: Found,
+    q: Quantity,
+    part: PartSolution,
+    told: tuple[Sequence[str], Mapping[str, Decimal]],
+    phrases: Phrases,
+) -> Sized:
+    """With the components by a_t and a_n, where the arm has an angle. `told`: the names and the sizes of these."""
+    if part.motion is None or not part.instants or found.values is None:
+        return size
+    scene, (thing,) = part.instants[-1].instant.scene, q.things
+    edge = next((e for e in part.instants[-1].trial.system.tree.edges if e.body == scene.owner(thing)), None)
+    if edge is None or edge.joining is None or edge.parent != GROUND or not edge.joining.only_turns or edge.particle:
+        return size
+    angle = angle_of(scene.point(thing) - edge.joining.point)
+    own = None if angle is None else _at(angle, q.at, part)
+    theta = None if own is None else part.motion.value.known(own)
+    if own is None or theta is None or own == angle:
+        return size
+    whole = [display(v, found.unit, phrases.ledger.us) for v in found.values]
+    parts = components(told[0], [told[1][k] for k in KINDS], own, theta, whole, phrases.figures)
+    return size if parts is None else replace(size, angle=own, theta=theta, components=tuple(parts))
 
 
 def _about_pin(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) -> Sized | None:
@@ -102,9 +134,12 @@ def _about_pin(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) 
     formula = turn * radius * spin
     sides = (phrases.math(formula), *phrases.substituted(formula, shown))
     way = math.degrees(math.atan2(float(y), float(x)))
-    angle = _angle(arm)
-    named = () if angle is None else line(phrases.math(_at(angle, q.at, part)))
-    return Sized(sides, _turned(named, way, turn), line(f"perpendicular to {edge.joining.place}{thing}"))
+    angle = angle_of(arm)
+    own = None if angle is None else _at(angle, q.at, part)
+    named = () if own is None else line(phrases.math(own))
+    told = Sized(sides, _turned(named, way, turn), line(f"perpendicular to {edge.joining.place}{thing}"))
+    theta = None if own is None or own == angle else value.known(own)
+    return told if theta is None else replace(told, angle=own, theta=theta)
 
 
 def _turned(named: Line, way: float, turn: int) -> tuple[Line, ...]:
@@ -116,19 +151,6 @@ def _turned(named: Line, way: float, turn: int) -> tuple[Line, ...]:
     quarter = f" {'+' if turn > 0 else '-'} {RIGHT}°"
     sides = [line(*named, quarter)] if named else []
     return (*sides, line(f"{before:.1f}°{quarter}"), line(f"{before + turn * RIGHT:.1f}°"))
-
-
-def _angle(arm: Vec) -> sp.Symbol | None:
-    """θ of an arm R cos θ, R sin θ."""
-    found = sp.sympify(arm.x).atoms(sp.cos)
-    if len(found) != 1:
-        return None
-    (wave,) = found
-    angle = wave.args[0]
-    same = simplified(arm.x * sp.sin(angle) - arm.y * sp.cos(angle)) == 0
-    # An arm of -R cos θ, -R sin θ points the other way.
-    outward = simplified(arm.x * sp.cos(angle) + arm.y * sp.sin(angle))
-    return angle if angle.is_Symbol and same and not outward.could_extract_minus_sign() else None
 
 
 def _at(letter: sp.Symbol, state: Any, part: PartSolution) -> sp.Symbol:

@@ -12,8 +12,13 @@ from planar_cli.report.blocks import Paragraph, line
 ALL_OF_IT = "the velocity is the same at all its points, so that the friction acts through its mass centre, against it"
 
 
-def sentences(system: System, bodies: Collection[str]) -> Iterator[Paragraph]:
-    """About the bodies of which diagrams are told."""
+def sentences(system: System, bodies: Collection[str], inertial: bool) -> Iterator[Paragraph]:
+    """About the bodies of which diagrams are told. `inertial`: with inertial forces among what acts."""
+    moving = [b for b in bodies if inertial and system.motion is not None and not system.balanced(b)]
+    if moving and system.motion is not None:
+        turning = any(system.motion.accelerations[b].angular != 0 for b in moving)
+        couples = ", the inertial couple I α the angular acceleration" if turning else ""
+        yield Paragraph(line(f"The inertial force m a opposes the acceleration{couples}."))
     for body in bodies:
         skids = any(w.kind == "skid" and w.body == body for w in system.wrenches)
         still = system.motion is not None and system.motion.velocities[body].angular == 0

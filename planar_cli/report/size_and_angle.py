@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -18,6 +19,7 @@ from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.letter_vectors import letter_size_and_angle
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_axles import Sized, sized
+from planar_cli.report.on_circle import with_degrees
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.solution import Found
@@ -39,12 +41,25 @@ def with_size_and_angle(
     lettered: list[tuple[sp.Expr, ...]] = []
     for one in found:
         place, name = _components(told, one, phrases)
-        lines = list(size_and_angle(one, phrases, told, name, sized(one, part, phrases)))
+        by = sized(one, part, phrases)
+        lines = list(size_and_angle(one, phrases, told, name, by))
+        if by is not None and by.angle is not None and name == one.name:
+            told = with_degrees(told, by.angle, Decimal(math.degrees(by.theta)), phrases.figures)
+            if by.components:
+                told[place - 2 : place] = map(_by_parts, told[place - 2 : place], by.components)
+            elif lines:
+                place -= 2
         if (one.expressions or ()) not in lettered:
             lines += letter_size_and_angle(one, phrases)
             lettered.append(one.expressions or ())
         told[place:place] = lines
     return told
+
+
+def _by_parts(block: Block, shown: tuple[Math, Math]) -> Block:
+    """A component by its parts along and across the path."""
+    assert isinstance(block, Equation)
+    return replace(block, sides=(block.sides[0], *shown, block.sides[-1]))
 
 
 def size_and_angle(

@@ -133,7 +133,8 @@ class Telling:
             blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
             rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = [row.body for row in rows]
-            blocks += [*(() if kinematics else legend), *rows, *sentences(self.system, bodies)]
+            blocks += [*(() if kinematics else legend), *rows]
+            blocks += sentences(self.system, bodies, self.principle.inertia_as_force)
             blocks += self.definitions.lines(self._used(), "kg")
             written = [w for b in last.blocks for w in b.equations]
             blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)

@@ -37,5 +37,7 @@ class Law:
     """The letter of a rate that does not change, in which `f` is written, and its formula; None: it has none."""
     vibration: Vibration | None = None
     """The letters in which the motion of a linear law is told; None: it has none."""
-    terminal: tuple[sp.Symbol, sp.Expr] | None = None
-    """The letter of the speed at which a drag balances what drives, and its formula; None: it is told without."""
+    terminal: tuple[sp.Symbol, sp.Expr, sp.Expr] | None = None
+    """The letter of the speed at which a drag balances what drives, its formula, and `f` by it; None: it is told
+    without.
+    """

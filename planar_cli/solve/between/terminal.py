@@ -87,7 +87,12 @@ def _route(
     def relation(e: Relation) -> Relation:
         if e.law is None or e.span is None or not dragged(e.law):
             return e
-        return replace(e, residual=told(e.residual), span=_span(e.span, told), law=replace(e.law, terminal=terminal))
+        return replace(
+            e,
+            residual=told(e.residual),
+            span=_span(e.span, told),
+            law=replace(e.law, terminal=(*terminal, told(e.law.f))),
+        )
 
     def result(r: Result) -> Result:
         return r if r.formula is None else replace(r, formula=told(r.formula))

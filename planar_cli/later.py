@@ -1,0 +1,72 @@
+"""Parts of SymPy that no problem of mechanics needs are loaded when something asks for them, not before.
+
+`import sympy` loads plane geometry, and its first sum loads the groups that order the indices of tensors:
+together a tenth of what an ordinary page takes. A stand-in takes the place of each of these modules. What it offers
+gets the real module once it is called, or looked into, or something is asked whether it is an instance of it.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from importlib.machinery import PathFinder
+from types import ModuleType
+from typing import Any
+
+DEFERRED = ("sympy.combinatorics", "sympy.combinatorics.tensor_can", "sympy.geometry")
+"""Modules of SymPy of which others take names as they are loaded, and that nothing of planar uses; parents first."""
+
+
+def defer() -> None:
+    """Let stand-ins take the places of these modules; without effect where SymPy is loaded, or is not there."""
+    package = PathFinder.find_spec("sympy")
+    if package is None or "sympy" in sys.modules:
+        return
+    for name in DEFERRED:
+        folder = "/".join(name.split(".")[1:])
+        sys.modules[name] = _StandIn(name, [f"{root}/{folder}" for root in package.submodule_search_locations or ()])
+
+
+class _StandIn(ModuleType):
+    """A module that is not loaded. Its folder is known, so that a module inside it can be loaded by itself."""
+
+    def __init__(self, name: str, path: list[str]) -> None:
+        super().__init__(name)
+        self.__path__ = path
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        # As the import system does: `from sympy import *` takes the module from its parent.
+        parent, _, own = self.__name__.rpartition(".")
+        setattr(sys.modules[parent], own, self)
+        return _Offered(self.__name__, name)
+
+
+class _Offered:
+    """What a stand-in offers under a name."""
+
+    def __init__(self, module: str, name: str) -> None:
+        self._module = module
+        self._name = name
+
+    def _real(self) -> Any:
+        return getattr(_loaded(self._module), self._name)
+
+    def __call__(self, *values: Any, **options: Any) -> Any:
+        return self._real()(*values, **options)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._real(), name)
+
+    def __instancecheck__(self, thing: object) -> bool:
+        return isinstance(thing, self._real())
+
+
+def _loaded(module: str) -> ModuleType:
+    """The module itself, after those in which it is."""
+    for name in DEFERRED:
+        if f"{module}.".startswith(f"{name}.") and isinstance(sys.modules.get(name), _StandIn):
+            del sys.modules[name]
+            importlib.import_module(name)
+    return importlib.import_module(module)

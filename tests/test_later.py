@@ -1,0 +1,55 @@
+"""Parts of SymPy are loaded when something asks for them, and then they are what they always were."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+from conftest import ROOT
+
+from planar_cli.later import DEFERRED
+
+PAGE = f"""
+import sys
+from planar_cli.later import defer
+defer()
+from planar_cli.cli import run
+assert run(["solve", "problems/textbook/ex-4-05.yaml"]) == 0
+print([name for name in {DEFERRED!r} if "_StandIn" != type(sys.modules[name]).__name__])
+"""
+ASKED = """
+from planar_cli.later import defer
+defer()
+import sympy
+assert sympy.sympify("2*x + sqrt(y)").free_symbols == set(sympy.symbols("x y"))
+from sympy import *
+from sympy.physics import units
+assert sympy.simplify(sympy.sin(units.meter)**2 + sympy.cos(units.meter)**2) == 1
+from sympy.geometry import Point2D
+from sympy.combinatorics import Permutation
+assert sympy.Point(3, 4).distance(sympy.Point(0, 0)) == 5
+assert isinstance(sympy.Point(1, 2), sympy.Point) and not isinstance(sympy.Symbol("x"), Point2D)
+assert Permutation([1, 2, 0]).order() == 3 and Permutation.rmul(Permutation([1, 0]), Permutation([1, 0])).is_Identity
+from sympy.tensor.tensor import TensorHead, TensorIndexType, TensorSymmetry, tensor_indices
+index = TensorIndexType("L")
+a, b = tensor_indices("a b", index)
+head = TensorHead("A", [index] * 2, TensorSymmetry.fully_symmetric(-2))
+assert head(a, b).canon_bp() == -head(b, a).canon_bp() and head(a, -a).canon_bp() == 0
+from sympy.geometry import Circle
+assert type(Circle) is type(sympy.Basic) and Circle(sympy.Point(0, 0), 2).area == 4 * sympy.pi
+"""
+
+
+def outcome(program: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
+
+
+def test_a_page_needs_none_of_them() -> None:
+    done = outcome(PAGE)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_what_asks_for_them_gets_them() -> None:
+    done = outcome(ASKED)
+    assert done.returncode == 0, done.stderr

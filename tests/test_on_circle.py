@@ -1,0 +1,57 @@
+"""What goes round a fixed axis: by r ω and by a_t, a_n; a component that is given as a letter is that letter."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import pytest
+import sympy as sp
+from worked import page_of_file
+
+from planar_cli.report.blocks import Equation, Math
+from planar_cli.report.given_letters import with_given_letters
+from planar_cli.report.on_circle import components
+
+V, W, R, X = sp.symbols("v omega r v_Ax", real=True)
+
+
+@pytest.mark.parametrize(
+    ("stem", "line"),
+    [
+        ("ex-1-09", "(1) v = r_h ω (1): ω = v/r_h = 0.1/0.3 = 0.3333 rad/s"),
+        ("ex-1-09", "θ_2 = ω t_2 = 0.33333 · 2 = 0.6667 rad = 38.20°"),
+        ("ex-1-09", "θ_2 + 90° = 38.2° + 90° = 128.2° perpendicular to OB v_Bx,2 = -R ω sin θ_2"),
+        ("ex-1-10", "(2): α = a/r_h = 0.05/0.3 = 0.1667 rad/s²"),
+        ("ex-1-10", "a_By,2 = a_t cos θ_2 - a_n sin θ_2 = 0.1 cos 57.30° - 0.2667 sin 57.30° = -0.1704 m/s²"),
+    ],
+)
+def test_a_drum_that_a_cable_turns(stem: str, line: str) -> None:
+    page = page_of_file(stem)
+    assert line in page
+    assert "×" not in page
+
+
+def test_what_has_no_angle_keeps_its_vector() -> None:
+    assert "v_E = ω_wheel × r_E/B" in page_of_file("body-belt-and-gears-run-up")
+
+
+def test_both_sides_of_a_relation_lose_their_minus() -> None:
+    datum = Equation((Math(X), Math(-V)))
+    solved = Equation((Math(W), Math(-X / R), Math(-X / R, {X: "-0.1", R: "0.3"})))
+    relation, found = with_given_letters([Equation((Math(X), Math(-R * W)), 1), solved], [datum])
+    assert relation == Equation((Math(V), Math(R * W)), 1)
+    assert found == Equation((Math(W), Math(V / R), Math(V / R, {R: "0.3", V: "0.1"})))
+
+
+def test_a_number_or_another_quantity_stays() -> None:
+    told = [Equation((Math(X), Math(-R * W)), 1)]
+    assert with_given_letters(told, [Equation((Math(X), Math(sp.Integer(-2))))]) == told
+    assert with_given_letters(told, [Equation((Math(W), Math(V)))]) == told
+
+
+def test_components_are_those_of_the_vector() -> None:
+    theta, sizes = Decimal(0), [Decimal(3), Decimal(4)]
+    angle = sp.Symbol("theta", real=True)
+    assert components(("a_t", "a_n"), sizes, angle, theta, [Decimal(-4), Decimal(3)], 4) is not None
+    # A point that goes round clockwise has its a_t the other way.
+    assert components(("a_t", "a_n"), sizes, angle, theta, [Decimal(-4), Decimal(-3)], 4) is None
