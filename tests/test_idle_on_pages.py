@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 from worked import PROBLEMS, page_of_file
@@ -70,6 +72,13 @@ def test_the_reason_of_a_root_stands_beside_it() -> None:
     assert first == SUM
     assert isinstance(second, Equation)
     assert second.note == ROOT.line
+
+
+def test_a_phase_is_chosen_where_it_stands() -> None:
+    phase = Equation((Math(2 * t_2), Math(sp.pi)))
+    date = Equation((Math(t_2), Math(sp.pi / 2)), None, line("(1):"))
+    remark = Paragraph(line("the first such time after ", "the start"))
+    assert without_idle_lines([SUM, phase, date, remark]) == [SUM, replace(phase, note=remark.line), date]
 
 
 def test_a_root_that_is_a_state_before_stands_beside_the_equation() -> None:

@@ -309,7 +309,7 @@ class EnergyTelling(WeightTelling):
         differs = natural is not None and not stretch.is_Symbol and not any(t.has(natural) for t in terms)
         length = (Math(sp.Add(letter, -natural, evaluate=False)),) if differs else ()
         if not self._is_sought(stretch) and self.phrases.value.is_zero(stretch):
-            why = () if length else line("unstretched there")
+            why = line("the spring is relaxed")
             return Equation((lead, *length, self.phrases.math(sp.S.Zero)), None, note=why)
         sides = self._length(stretch)
         length = length if fits((*length, *sides), NARROW) else ()

@@ -242,10 +242,21 @@ def with_roots_beside(blocks: Sequence[Block]) -> list[Block]:
                 found[-2] = replace(before, note=block.line)
                 continue
         if isinstance(block, Paragraph) and tells_of_others(block) and found and _is_bare(found[-1]):
-            found[-1] = replace(found[-1], note=block.line)
+            # Of a phase, ω t = π, the choice is made there, not where the time follows from it.
+            last, before = [*found[:-3:-1], None][:2]
+            at = -2 if _is_bare(before) and _is_bare(last) and _is_its_phase(before, last) else -1
+            found[at] = replace(found[at], note=block.line)
             continue
         found.append(block)
     return found
+
+
+def _is_its_phase(phase: Equation, date: Equation) -> bool:
+    """Is one ω t = π, and the other its t = …?"""
+    product, time = phase.sides[0], date.sides[0]
+    if phase.number is not None or phase.lead or not isinstance(product, Math) or not isinstance(time, Math):
+        return False
+    return bool(product.expr.is_Mul and time.expr.is_Symbol) and time.expr in product.expr.free_symbols
 
 
 def _is_bare(block: Block | None) -> TypeGuard[Equation]:
