@@ -244,8 +244,10 @@ def with_roots_beside(blocks: Sequence[Block]) -> list[Block]:
         if isinstance(block, Paragraph) and tells_of_others(block) and found and _is_bare(found[-1]):
             # Of a phase, ω t = π, the choice is made there, not where the time follows from it.
             last, before = [*found[:-3:-1], None][:2]
-            at = -2 if _is_bare(before) and _is_bare(last) and _is_its_phase(before, last) else -1
-            found[at] = replace(found[at], note=block.line)
+            if _is_bare(before) and _is_bare(last) and _is_its_phase(before, last):
+                found[-2] = replace(before, note=block.line)
+            elif _is_bare(last):
+                found[-1] = replace(last, note=block.line)
             continue
         found.append(block)
     return found
