@@ -55,13 +55,13 @@ class PlaceTelling:
             one, other = (self._between(a, b) for a, b in ((since, other_since), (to, other_to)))
             if one is None or one != other or one == (0, 0):
                 continue
-            same = line(Name(f"r_{to}/{other_to}"), " = ", Name(f"r_{since}/{other_since}"), " = [")
-            arm = line(*same, self.phrases.math(one[0]), ", ", self.phrases.math(one[1]), "]")
-            words = (
-                f"{other_since}{since} keeps its length and direction (translation), so {since} moves as {other_since}:"
+            arm = line(" + [", self.phrases.math(one[0]), ", ", self.phrases.math(one[1]), "]")
+            both = (
+                line(Name(f"r_{b}"), " = ", Name(f"r_{a}"), *arm) for a, b in ((other_since, since), (other_to, to))
             )
+            words = f"{other_since}{since} keeps its length and direction (translation): "
             return [
-                Paragraph(line(*arm, f": {words}")),
+                Paragraph(line(words, *next(both), ", ", *next(both), ", subtracted:")),
                 Equation((line(Name(answer.name)), line(Name(before.name)))),
             ]
         self._displaced.append((answer, q))

@@ -90,7 +90,7 @@ def _by_slope(scene: Scene, place: TwoFacts, where: tuple[Decimal, Decimal], phr
 
 
 def coordinate(scene: Scene, name: str, axis: str, figures: int) -> Line:
-    """A coordinate of a point as the file tells its way there: r cos 60° + l cos 0°; empty where it tells it otherwise,
+    """A coordinate of a point as the file tells its way there: r cos 60° + l; empty where it tells it otherwise,
     or bodies have moved since.
     """
     point = next((p for p in scene.problem.points if p.name == name), None)
@@ -104,6 +104,9 @@ def coordinate(scene: Scene, name: str, axis: str, figures: int) -> Line:
     distance, angle = (said(side, figures) for side in (point.place.distance, point.place.angle))
     if not before or not distance or not angle:
         return ()
+    if isinstance(angle[0], Value) and len(angle) == 1 and not angle[0].number:
+        # Along x the arm is its length, and across it nothing.
+        return before if axis == "y" else distance if _is_nothing(before) else line(before, " + ", factor(distance))
     turned = factor(angle)
     arm = line(*factor(distance), " cos" if axis == "x" else " sin", "" if turned != angle else " ", *turned)
     return arm if _is_nothing(before) else line(before, " + ", arm)
