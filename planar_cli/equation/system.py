@@ -32,6 +32,9 @@ from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import changing, record
 
+MOST_FREE = 2
+"""Where more accelerations are free the pin forces are x and y: no link tells the way of its pin."""
+
 
 @record
 class Statements:
@@ -299,6 +302,11 @@ class System:
         )
 
 
+def _freedom(tree: Tree) -> int:
+    """How many accelerations stay free when the closures of vector loops are counted."""
+    return len(tree.acceleration_unknowns()) - sum(2 if j.path is None else 1 for j in tree.closures)
+
+
 def make_system(
     scene: Scene,
     builder: TreeBuilder,
@@ -315,7 +323,8 @@ def make_system(
     """
     facts = [mode.facts for mode in modes.values()]
     tree = builder.build(j for f in facts for j in f.joinings)
-    pushes = (*natural_pushes(scene, facts, plain), *drivers)
+    several = {j.joint for f in facts for j in f.joinings} if _freedom(tree) > MOST_FREE else set[str]()
+    pushes = (*natural_pushes(scene, facts, plain | several), *drivers)
     for push in pushes:
         if push.name not in symbols:
             symbols[push.name] = scene.ledger.fresh(*named(push))

@@ -24,6 +24,7 @@ from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.by_axes import bodies_by_axes
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
+from planar_cli.solve.instant.partners import with_partners
 from planar_cli.solve.instant.plan import Plan, Planner
 from planar_cli.solve.instant.through_given import through_given
 from planar_cli.solve.instant.write import Writer
@@ -133,6 +134,7 @@ class StageMaker:
             names = ", ".join(t.name for t in by_name(targets) if t in index)
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
+        plan = with_partners(plan, candidates, columns.unknowns, self.system)
         by_axes = bodies_by_axes(e for b in plan.blocks for e in b.equations)
         writer = Writer(self.system, columns, self.next_number + len(first), by_axes=by_axes)
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
