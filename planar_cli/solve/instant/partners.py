@@ -23,11 +23,11 @@ def with_partners(plan: Plan, candidates: Collection[Candidate], unknowns: Seque
     alone = {b.unknowns[0]: b for b in plan.blocks if len(b.unknowns) == 1 and _axis(b.equations[0]) is not None}
     pairs, order = _pairs(unknowns, system), list(alone)
     put = {
-        j: found
+        j: partner
         for j, b in alone.items()
         if (own := pairs.get(j)) is not None
         and own[0] in order[: order.index(j)]
-        and (found := _partner(b.equations[0], alone[own[0]].equations[0], own[1], candidates, 1 << j)) is not None
+        and (partner := _partner(b.equations[0], alone[own[0]].equations[0], own[1], candidates, 1 << j)) is not None
     }
     if not put:
         return plan
