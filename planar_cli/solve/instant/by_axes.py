@@ -4,16 +4,15 @@ instantaneous centre, would else need an arm for each part of their acceleration
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from planar_cli.solve.instant.candidates import Candidate
+from planar_cli.solve.instant.plan import Plan
 
 
-def bodies_by_axes(equations: Iterable[Candidate]) -> frozenset[str]:
+def bodies_by_axes(plan: Plan) -> frozenset[str]:
     """The bodies of groups of several, of which moments are taken about a point that has no name of its own."""
     return frozenset(
         body
-        for e in equations
+        for block in plan.blocks
+        for e in block.equations
         if e.choice is not None and e.choice.moment and not e.choice.name and len(e.bodies) > 1
         for body in e.bodies
     )
