@@ -28,7 +28,8 @@ def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
 def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_letter() -> None:
     page = page_of_file("two-sliders-on-a-link")
     assert (
-        "a_B = -0.75 a_A - 2.5 in m/s² (3): S_strut = 100 - 3.333 a_A in N (2), (3) in (4): 4.917 a_A = 101.9" in page
+        "(3): a_A = 30 - 0.3 S_rod in m/s² (4): a_B = -9.81 - 0.2667 S_rod in m/s² (3), (4) in (2): 0.3933 S_rod"
+        in page
     )
 
 

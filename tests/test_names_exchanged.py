@@ -73,7 +73,7 @@ def test_velocities_that_contradict_each_other_in_equilibrium(
 def test_a_force_at_another_particle(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     change = ("at: A, magnitude: F", "at: B, magnitude: F")
     err = told(tmp_path, capsys, "particles/two-sliders-on-a-link.yaml", change)
-    assert ":16:5: PL465 B is another particle; the force B acts on A, which is a particle elsewhere" in err
+    assert ":18:5: PL465 B is another particle; the force B acts on A, which is a particle elsewhere" in err
 
 
 def test_the_path_of_what_slides_is_not_that_of_the_body_below_it(

@@ -26,7 +26,7 @@ def _sides(found: re.Match[str] | None) -> list[tuple[float, float]]:
 @pytest.mark.parametrize(
     ("stem", "pattern"),
     [
-        ("ex-4-16", r"block, bar together: ↑ ΣF_y = (.*?) N, Σ m a_y = (.*?) N"),
+        ("roller-with-a-drag-bar", r"roller, bar together: → ΣF_x = (.*?) N, Σ m a_x = (.*?) N"),
         ("spool-rolls-or-slips", r"spool: [↺↻] ΣM_C = (.*?) N·m; I α and the moment of m a_G: (.*?) N·m"),
         ("crate-on-cart", r"crate: ↺ ΣM_B = (.*?) N·m; the moment of m a_G: (.*?) N·m"),
     ],

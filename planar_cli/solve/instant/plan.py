@@ -26,7 +26,9 @@ CHOICES = 3000
 GOALS = 12
 WIDEST = 4
 INNER = 2
-"""So many inner forces that would only be added again make a sum over two bodies the plainer one."""
+"""So many inner forces that would only be added again make a sum over two bodies the plainer one; so many accelerations
+with their arms a sum of forces.
+"""
 HEAVY, TOGETHER = 3, 5
 """Where so many equations have to be solved together anyhow, they may as well be plain ones, at most so many."""
 
@@ -98,6 +100,8 @@ class Planner:
         self.fixed = fixed
         self.turning: frozenset[str] = frozenset()
         """Bodies that turn and have mass."""
+        self.motion = 0
+        """Accelerations, as bits."""
 
     def inside(self, allowed: int) -> list[Candidate]:
         """The candidates all of whose unknowns are allowed."""
@@ -224,25 +228,33 @@ class Planner:
         return found if any(len(self.turning & set(e.bodies)) > 1 for e in moments) else None
 
     def _of_wholes(self, plan: Plan, targets: int) -> Plan:
-        """The plan with the sum of forces on a body and the one beside it, where one on a body alone would have several
-        inner forces to add that are not asked: F = (M + m) a, not F = M a + F_A + F_B.
-        """
-        blocks = tuple(
-            replace(b, equations=(self._whole_of(b, targets),)) if len(b.equations) == 1 else b for b in plan.blocks
-        )
-        return Plan(_needed(list(blocks), targets))
+        """The plan with the plainest equation of each block that is one for one unknown, the others being known."""
+        known, blocks = 0, []
+        for b in plan.blocks:
+            own = sum(1 << j for j in b.unknowns)
+            one = len(b.equations) == 1
+            blocks.append(replace(b, equations=(self._plainer(b.equations[0], own, known, targets),)) if one else b)
+            known |= own
+        return Plan(_needed(blocks, targets))
 
-    def _whole_of(self, block: Block, targets: int) -> Candidate:
-        """The equation of a block with one unknown, or the same sum over one body more without its inner forces."""
-        (own,) = block.equations
-        if own.choice is None or own.choice.moment or not own.bodies:
+    def _plainer(self, own: Candidate, unknown: int, known: int, targets: int) -> Candidate:
+        """The sum of forces on a body and the one beside it, where one on a body alone would have several inner forces
+        to add that are not asked: F = (M + m) a, not F = M a + F_A + F_B. Where all accelerations are known, a sum of
+        forces, if it holds no more unknowns, for moments that hold several of them with their arms.
+        """
+        if own.choice is None or not own.bodies:
             return own
+        heavy = own.choice.moment and (own.mask & self.motion).bit_count() >= INNER
         for mask, c in zip(self.masks, self.candidates, strict=True):
-            wider = len(c.bodies) == len(own.bodies) + 1 and set(own.bodies) < set(c.bodies)
-            gone = own.mask & ~mask
-            if not wider or mask & ~own.mask or gone.bit_count() < INNER or gone & targets:
+            if not mask & unknown or c.choice is None or c.choice.moment or not c.choice.name:
                 continue
-            if c.choice is not None and c.choice.name == own.choice.name != "" and mask & (1 << block.unknowns[0]):
+            gone = own.mask & ~mask
+            wider = len(c.bodies) == len(own.bodies) + 1 and set(own.bodies) < set(c.bodies)
+            inner = wider and not mask & ~own.mask and gone.bit_count() >= INNER and not gone & targets
+            if inner and c.choice.name == own.choice.name:
+                return c
+            short = mask.bit_count() <= own.mask.bit_count() and not mask & ~(known | unknown)
+            if heavy and short and (wider or c.bodies == own.bodies):
                 return c
         return own
 

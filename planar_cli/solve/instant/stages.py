@@ -125,7 +125,7 @@ class StageMaker:
         elif offers.singles:
             inside = sum_masks(c.mask for c in candidates)
             planner = Planner(candidates, 0, (inside, self._motion_bits(index)), fixed)
-        planner.turning = self._turning()
+        planner.turning, planner.motion = self._turning(), self._motion_bits(index)
         plan = planner.plan(wanted)
         if plan is None and offers.families and self.constructed:
             candidates += power_candidates(offers, wanted_columns)
