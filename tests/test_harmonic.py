@@ -35,3 +35,13 @@ def test_a_block_on_a_spring(words: str) -> None:
 
 def test_a_vibration_in_its_own_letters_stays_as_it_is() -> None:
     assert "cos(ω_0 t)," not in _page("motion/block-runs-into-a-spring")
+
+
+def test_a_speed_is_the_derivative_of_a_place_that_is_told() -> None:
+    page = _page("energy/crate-on-a-floor-that-gets-rougher")
+    place = "x_P = v_0 sin(ω_n t)/ω_n + x_P,eq - x_P,eq cos(ω_n t)"
+    assert f"{place} ẋ_P = v_0 cos(ω_n t) + x_P,eq ω_n sin(ω_n t)" in page
+
+
+def test_a_remark_with_which_the_sentence_above_ends_is_not_said_again() -> None:
+    assert _page("oscillations/weight-on-a-cord-held-by-a-spring").count("x_1 = x_eq") == 1

@@ -11,7 +11,8 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
-from planar_cli.equation.plain import simplified
+from planar_cli.calculus.vibrations import Vibration
+from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.origins import calculus
@@ -34,6 +35,7 @@ def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases, regimes: Seq
     reach = f"From {e.since} to {end}" if end else f"From {e.since} on"
     yield Paragraph(line(f"{reach}, " if e.since else "", *words, ":"))
     every = [r for leg in route.steps for r in leg.relations if _is_same(r, e)]
+    given = {r.kind for r in every}
     for kind, dots in RATES.items():
         told = next((r for r in every if r.kind == kind), None)
         if told is None or told.span is None or told.span.explicit is None:
@@ -42,7 +44,17 @@ def motion_blocks(e: Relation, route: RouteTrace, phrases: Phrases, regimes: Seq
         roles = {s: role for s in formula.free_symbols if (role := phrases.ledger.roles.get(s)) is not None}
         ends = [s for s, role in roles.items() if role.of == names["t"] and role.at == told.stop]
         formula = simplified(formula.xreplace(dict.fromkeys(ends, time)))
+        place = _place(formula, law.vibration, time) if "q(t)" not in given else None
+        if place is not None:
+            yield Equation((line(Name(law.coordinate.symbol.name)), phrases.math(place)))
         yield Equation((line(Name(f"{law.coordinate.symbol.name}{dots}")), phrases.math(formula)))
+
+
+def _place(speed: sp.Expr, own: Vibration, time: sp.Symbol) -> sp.Expr | None:
+    """Where it is, of which the speed is the derivative: q = q_eq - v̇/ω_n². None: it is driven, or damped."""
+    rates = sp.Add.make_args(sp.diff(speed, time))
+    place = sp.Add(own.steady, *(-simplified(rate / own.natural**2) for rate in rates))
+    return place if identically_zero(sp.diff(place, time) - speed) else None
 
 
 def _end(since: str, regimes: Sequence[RegimeTrace]) -> str:

@@ -223,7 +223,7 @@ def _sides(value: object, spec: KeySpec, named: str) -> Iterator[tuple[Line | st
     """The formulas of one key, and what they are."""
     match spec.type, value:
         case (_, Flow()):
-            yield f"speed at which the stream {spec.name}", value.speed
+            yield f"speed of what {spec.name}, relative to the body", value.speed
             if _oblique(value.angle):
                 yield f"direction in which the stream {spec.name}", value.angle
         case (SideKey() | MagnitudeKey() | DirectionKey(), _) if isinstance(value, Side):

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeGuard
 
-from planar_cli.report.blocks import Block, Equation, Forces, Math, Name, Paragraph, Text, Value
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Math, Name, Paragraph, Text, Value
 from planar_cli.report.heads_of_states import with_states_headed_once
 from planar_cli.report.idle_contacts import without_idle_contacts
 from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the_root
@@ -77,7 +77,20 @@ def said_above(blocks: Sequence[Block]) -> Iterator[Block]:
             continue
         if block == last and isinstance(block, Equation) and block.number is None:
             continue
-        yield block
+        yield _without_note_above(block, last)
+
+
+def _without_note_above(block: Block, last: Block | None) -> Block:
+    """An equation without a remark beside it with which the sentence above ends."""
+    if not isinstance(block, Equation) or not block.note or not isinstance(last, Paragraph):
+        return block
+    above, beside = (tuple(map(_read, parts)) for parts in (last.line[-len(block.note) :], block.note))
+    return replace(block, note=()) if above == beside else block
+
+
+def _read(piece: Inline) -> object:
+    """What reads alike: a letter as a name, or as a formula."""
+    return piece.name if isinstance(piece, Name) else getattr(getattr(piece, "expr", None), "name", piece)
 
 
 def _words(block: Block) -> str:
