@@ -20,10 +20,10 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     "words",
     [
-        "x = A cos(ω_0 t) + B sin(ω_0 t) x = l, ẋ = 0 at t = 0: A = l, B = 0 x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t)",
+        "x = A cos(ω_0 t) + B sin(ω_0 t) at t = 0: x = A = l, ẋ = B ω_0 = 0 x = l cos(ω_0 t), ẋ = -l ω_0 sin(ω_0 t)",
         "(2) l cos(ω_0 t_middle) = 0 ω_0 t_middle = π/2",
         "(3) ẋ_middle = -l ω_0 sin(ω_0 t_middle) = -l ω_0 sin(π/2) = -l √(k/m)",
-        "(4) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π (4): t_stop = π √(m/k)",
+        "(4) -l ω_0 sin(ω_0 t_stop) = 0 ω_0 t_stop = π the first such time after the start (4): t_stop = π √(m/k)",
         "(5) x_stop = l cos(ω_0 t_stop) = l cos π = -l",
         "Answer eom: ẍ = -k x/m",
         "work and energy: U = 1/2 k l²; T_middle = 1/2 m ẋ_middle² = 1/2 k l²",

@@ -38,3 +38,9 @@ def test_a_circle_in_its_order() -> None:
     page = page_of_file("ex-1-12")
     told = ["x_P = 15 cos(π t/4) given", "x² + y² = 15² squared and added", "a quarter turn ahead", "Accelerations"]
     assert [page.index(words) for words in told] == sorted(page.index(words) for words in told)
+
+
+def test_a_component_of_no_acceleration_has_its_reason() -> None:
+    page = page_of_file("ex-1-05")
+    assert page.count("_G is constant") == 1
+    assert "|a_P| = r ω² since sin² + cos² = 1 Answer" in page

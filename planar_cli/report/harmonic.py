@@ -151,12 +151,12 @@ class HarmonicTelling:
         first, second = (sp.Symbol(n, real=True) for n in names)
         whole = line(Math(first * sp.cos(NATURAL * t)), " + ", Math(second * sp.sin(NATURAL * t)))
         q, rate = Math(found.coordinate), Name(f"{found.coordinate.name}_dot")
-        begun = line(
-            q, " = ", self.phrases.math(found.a), ", ", rate, " = ", self.phrases.math(found.b), " at ", Math(t)
-        )
-        makes = line(Math(first), " = ", self.phrases.math(found.a), ", ", Math(second), " = ")
-        makes = line(*makes, self.phrases.math(simplified(found.b / NATURAL)))
-        yield Equation((line(q, " = ", *whole),), None, (), line(*begun, " = 0: ", *makes))
+        place = line(q, " = ", Math(first), " = ", self.phrases.math(found.a))
+        speed = line(rate, " = ", Math(second * NATURAL), " = ", self.phrases.math(found.b))
+        note = line("at ", Math(t), " = 0: ", *place, ", ", *speed)
+        if found.b != 0:
+            note = line(*note, ", ", Math(second), " = ", self.phrases.math(simplified(found.b / NATURAL)))
+        yield Equation((line(q, " = ", *whole),), None, (), note)
 
     def _phase(self, found: Harmonic, r: Result, state: str) -> list[Block]:
         """ω_0 t = π, before the time itself."""

@@ -64,15 +64,20 @@ def _size_and_unit(found: Found) -> tuple[sp.Expr, Vec] | None:
 
 
 def letter_size_and_angle(found: Found, phrases: Phrases) -> Iterator[Block]:
-    """√(x² + y²), and arctan(y/x) where that is a number; nothing of a vector along an axis, or of another size."""
+    """√(x² + y²), and arctan(y/x) where that has a number; nothing of a vector along an axis, or of another size."""
     what = found.find.found.what if found.find is not None else None
     plain = found.kind == "vector" and found.values is None and len(found.expressions or ()) == 2
     if not plain or not isinstance(what, Quantity) or what.parts or not _has_direction(what):
         return
     parts = _size_and_unit(found)
-    if parts is None or not (parts[1].x.is_number and parts[1].y.is_number and parts[0].is_positive):
+    if parts is None or not parts[0].is_positive:
         return
     (x, y), name = found.expressions or (), Name(found.name)
+    if not (parts[1].x.is_number and parts[1].y.is_number):
+        size = sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False)
+        pythagoras = line("since sin² + cos² = 1") if size.has(sp.sin) and size.has(sp.cos) else ()
+        yield Equation((line("|", name, "|"), phrases.math(size), phrases.math(parts[0])), None, (), pythagoras)
+        return
     cosine, sine = (phrases.certain(p) for p in (parts[1].x, parts[1].y))
     root = sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False)
     held = swallowed(parts[0], found, phrases.ledger, phrases.figures)

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+import sympy as sp
+
 from planar_cli.calculus.curve_waves import SQUARED
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
@@ -14,7 +16,7 @@ from planar_cli.report.enough_figures import DEGREE
 from planar_cli.report.frames_apart import HODOGRAPH, PATH, SEEN
 from planar_cli.report.swallowed import with_its_number, with_unit
 from planar_cli.report.words import Phrases
-from planar_cli.solve.passages import CURVE, PLACES, RATES, Passage, Row, Tale, sides_of
+from planar_cli.solve.passages import CURVE, PLACES, RATES, SECOND_RATES, Passage, Row, Tale, sides_of
 from planar_cli.units import PURE
 
 RESTS_ON = ((PATH, PLACES), (HODOGRAPH, RATES))
@@ -26,10 +28,15 @@ AHEAD = "the velocity is a quarter turn ahead of the position"
 def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
     """All passages of a part."""
     places: tuple[Row, ...] = ()
+    rates: list[Equation] = []
     for passage in in_order(tale.passages):
         yield Paragraph(line(*_named(passage.heading)))
         places = passage.rows if passage.kind == PLACES else places
         rows = [_row(row, phrases) for row in passage.rows]
+        if passage.kind == SECOND_RATES:
+            rows = [_constant(row, rate) for row, rate in zip(rows, rates, strict=True)] if rates else rows
+        if passage.kind == RATES and len(rows) == _of_second(tale):
+            rates = rows
         if passage.kind == RATES and is_quarter_turn(places, passage.rows) and not rows[-1].note:
             rows[-1] = replace(rows[-1], note=line(AHEAD))
         yield from rows
@@ -44,6 +51,18 @@ def is_quarter_turn(places: Sequence[Row], rates: Sequence[Row]) -> bool:
         return False
     along, across = simplified(v_y / x), simplified(v_x / y)
     return bool(simplified(along + across) == 0)
+
+
+def _of_second(tale: Tale) -> int:
+    """How many lines there are of second derivatives."""
+    return next((len(p.rows) for p in tale.passages if p.kind == SECOND_RATES), 0)
+
+
+def _constant(row: Equation, rate: Equation) -> Equation:
+    """ẍ_G = 0 with its reason beside it, where ẋ_G is not zero."""
+    idle = row.note or len(row.sides) != 2 or row.sides[1] not in (Math(sp.S.Zero), line("0"))
+    moves = rate.sides[-1] not in (Math(sp.S.Zero), line("0"))
+    return row if idle or not moves else replace(row, note=line(rate.sides[0], " is constant"))
 
 
 def in_order(passages: Sequence[Passage]) -> list[Passage]:
