@@ -14,7 +14,7 @@ from planar_cli.report.reciprocals import with_reciprocals
     ("ex-4-11", "U of the spring AD = 1/2 k (s_1² - s_2²) = -1/2 k x_max² (1)"),
     ("ex-4-11", "At 2, y_D is smallest: β̇_2 = 0 to be found:"),
     ("ex-4-11", "stretch of the spring AD, s_1 = 0 the spring is relaxed"),
-    ("ex-4-10", "stretch of the spring CB, s_1 = CB_1 - l_0 = l - √2 l/2"),
+    ("ex-4-10", "stretch of the spring CB, s_1 = CB_1 - l_0 = 0.4 - 0.2828 = 0.1172 m"),
     ("ex-4-10", "stretch of the spring CB, s_2 = CB_2 - l_0 = 0 the spring is relaxed U"),
     ("box-that-tips-over", "At 3, x_G = 0. From 2 to 3"),
     ("sliding-crate-that-strikes-a-curb", "At 3, x_G = b/2. From 2 to 3"),

@@ -8,6 +8,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.plain import derivative, longer
+from planar_cli.problem.expression import Binary, Quantity
 from planar_cli.problem.expression import Relation as RelationOfFile
 from planar_cli.report.as_stated import Stated, in_base, root_of_size, stated_in
 from planar_cli.report.blocks import Block, Equation, Math, Paragraph, line
@@ -56,7 +57,20 @@ def asked_here(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator
     """What is asked and is solved for, in letters of the states."""
     for x in leg.unknowns:
         if x in found.named:
-            yield Equation((phrases.math(x), phrases.math(found.named[x])), None, line("to be found:"))
+            made = _difference(x, found) or phrases.math(found.named[x])
+            yield Equation((phrases.math(x), made), None, line("to be found:"))
+
+
+def _difference(x: sp.Symbol, found: MotionTrace) -> Math | None:
+    """y_D,1 - y_D,2 as the file asks for it, where the letters of the states are others; None: it is no such one."""
+    what = next((f.found.what for f in found.problem.find if f.name == x.name), None)
+    if all(abs(t).is_Symbol for t in sp.Add.make_args(found.named[x])) or not isinstance(what, Binary):
+        return None
+    ends = [q for q in (what.left, what.right) if isinstance(q, Quantity) and q.word in ("x", "y") and not q.parts]
+    if what.operator != "-" or len(ends) < 2 or any(len(q.things) != 1 or not isinstance(q.at, str) for q in ends):
+        return None
+    one, two = (sp.Symbol(f"{q.word}_{q.things[0]}__{q.at}", real=True) for q in ends)
+    return Math(sp.Add(one, -two, evaluate=False))
 
 
 def is_own_name(leg: RouteStep) -> bool:

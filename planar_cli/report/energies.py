@@ -21,7 +21,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.centre_speeds import centre_lines
 from planar_cli.report.clean import is_clean
 from planar_cli.report.common_centre import common_centre
-from planar_cli.report.energy_pieces import SHORT, STATE, fits, has_root
+from planar_cli.report.energy_pieces import SHORT, STATE, fits, has_number_root, has_root
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.inertias import inertia_of
 from planar_cli.report.numbers import significant
@@ -312,6 +312,11 @@ class EnergyTelling(WeightTelling):
             why = line("the spring is relaxed")
             return Equation((lead, *length, self.phrases.math(sp.S.Zero)), None, note=why)
         sides = self._length(stretch)
+        if length and has_number_root(stretch) and not self._is_sought(stretch):
+            own = self._with(
+                sp.Add(letter, -natural, evaluate=False), {letter: stretch + natural, natural: natural}, {}
+            )
+            sides = (*own, sides[-1])
         length = length if fits((*length, *sides), NARROW) else ()
         return self._line(lead, *length, *sides, dimension=LENGTH)
 
