@@ -5,11 +5,13 @@ student would, in the order in which one change rests on the other.
 from __future__ import annotations
 
 from planar_cli.report.across_speeds import with_across_speeds
+from planar_cli.report.flight_axes import with_flight_axes
 from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.offset_normals import with_offset_normals
 from planar_cli.report.one_velocity import with_one_velocity
 from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.single_forces import with_single_forces
+from planar_cli.report.speeds_of_constants import with_constants_for_speeds
 from planar_cli.solve.solved_problem import PartSolution
 
 
@@ -17,5 +19,7 @@ def equations_as_told(part: PartSolution) -> PartSolution:
     """The part with distances for the couples of faces, one velocity of what does not rebound, rolling, what is known
     put in, and speeds of angles; with the letters of what is asked.
     """
-    shared = with_rolling_told(with_one_velocity(with_offset_normals(part)))
+    shared = with_rolling_told(
+        with_one_velocity(with_flight_axes(with_constants_for_speeds(with_offset_normals(part))))
+    )
     return with_single_forces(with_across_speeds(with_known_put_in(shared)))
