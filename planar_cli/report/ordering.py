@@ -58,7 +58,9 @@ def factor_key(factor: Any) -> Key:
             return (_FUNCTIONS + 0.5, False, "", name, power)
         if name.startswith(NUMBER):
             return (_NUMBERS, False, "", name, power)
-        return (_rank(name), "_" in name, name.casefold(), name, power)
+        # ξ stands before η, as x before y.
+        sorted_by = "_".join("ei" if piece == "xi" else piece for piece in name.casefold().split("_"))
+        return (_rank(name), "_" in name, sorted_by, name, power)
     if base.is_Add or base.is_Mul:
         # A bracket stands behind the letters of its own kind: (m_1 + m_2) g, P (R + r), m (R² + k_G²) α.
         ranks = [_rank(s.name) for s in base.free_symbols]

@@ -122,14 +122,17 @@ class TurningAxes:
             yield Paragraph(velocity_words(math(spin)))
             yield Equation((math(speed), math(turned.rate), self._value(sizes[speed], VELOCITY)))
             words = line("(d", Name("eta"), "/d", Name("xi"), ") ", Name("xi_dot"))
-            yield self._rate(RATES[1], words, slope * speed, sizes, 1)
+            own = sp.diff(turned.curve, turned.place).xreplace({turned.place: XI}) * speed
+            yield self._rate(RATES[1], (words, *self._clean(own)), slope * speed, sizes, 1)
             yield self._line((math(V_XI),), speed - spin * ETA, sizes, VELOCITY)
             yield self._line((math(V_ETA),), RATES[1] + spin * XI, sizes, VELOCITY)
         else:
             yield Paragraph(acceleration_words(math(spin), bend != 0))
             if bend != 0:
                 words = line("(d²", Name("eta"), "/d", Name("xi"), "²) ", math(speed**2))
-                yield self._rate(RATES[3], words, bend * speed**2, sizes, 2)
+                own = sp.diff(turned.curve, turned.place, 2).xreplace({turned.place: XI}) * speed**2
+                told = (words, *self._clean(own))
+                yield self._rate(RATES[3], told, bend * speed**2, sizes, 2)
             curved = RATES[3] if bend != 0 else sp.S.Zero
             yield self._line((line(Name("a_xi")),), -2 * spin * RATES[1] - spin**2 * XI, sizes, ACCELERATION)
             yield self._line((line(Name("a_eta")),), curved + 2 * spin * speed - spin**2 * ETA, sizes, ACCELERATION)
@@ -139,9 +142,16 @@ class TurningAxes:
         clean = is_clean(self.phrases.ledger, formula, dimension=LENGTH)
         return [self.phrases.math(formula.xreplace({turned.place: XI}))] if clean else []
 
-    def _rate(self, rate: sp.Symbol, words: Any, formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], n: int) -> Equation:
+    def _clean(self, formula: sp.Expr) -> list[Any]:
+        """A rate of the curve in ξ and ξ̇, where its own numbers, which would hide units, are whole."""
+        numbers = formula.atoms(sp.Rational) - {sp.S.One, sp.S.NegativeOne}
+        return [self.phrases.math(formula)] if formula.free_symbols - {XI, RATES[0]} and len(numbers) < 2 else []
+
+    def _rate(
+        self, rate: sp.Symbol, told: tuple[Any, ...], formula: sp.Expr, sizes: dict[sp.Symbol, Decimal], n: int
+    ) -> Equation:
         value = self._value(sizes[rate], DIMENSIONS[n])
-        return Equation((self.phrases.math(rate), words, *self._numbers(formula, sizes), value))
+        return Equation((self.phrases.math(rate), *told, *self._numbers(formula, sizes), value))
 
     def _numbers(self, formula: sp.Expr, sizes: dict[sp.Symbol, Decimal]) -> list[Any]:
         known = {s: sizes.get(s, self.found.value.known(s)) for s in formula.free_symbols}
