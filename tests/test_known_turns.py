@@ -140,4 +140,6 @@ def test_wheels_that_roll_as_a_velocity_is_asked() -> None:
 
 def test_a_sum_of_moments_has_its_terms_on_their_own_sides() -> None:
     """Weight and m a both turn the crate clockwise about its rear edge."""
-    assert "↻ ΣM_A: 1/2 m g b = 1/2 m a_K h" in _page("friction/crate-on-cart").split("CASE")[0]
+    first, second = _page("friction/crate-on-cart").split("CASE")
+    assert "↻ ΣM_A: 1/2 m g b = 1/2 m a_K h" in first
+    assert "↻ ΣM_A: 1/2 m g b - N_B b = 1/2 m a_K h" in second

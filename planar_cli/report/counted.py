@@ -127,9 +127,11 @@ def clockwise_too(w: Written, turn: int) -> Written:
 
 
 def one_way_round(w: Written, turn: int) -> tuple[Written, int]:
-    """A sum of moments in the sense in which its terms are positive, where all have the other; with that sense."""
-    terms = [t for side in (w.left, w.right) for t in sp.Add.make_args(side) if t != 0]
-    if w.law != "moment" or not all(t.could_extract_minus_sign() for t in terms):
+    """A sum of moments in the sense in which its terms are positive, where all have the other, or where the one moment
+    of what is accelerated has; with that sense.
+    """
+    left, right = ([t.could_extract_minus_sign() for t in sp.Add.make_args(s) if t != 0] for s in (w.left, w.right))
+    if w.law != "moment" or not (all(left + right) or (right == [True] and any(left))):
         return w, turn
     return clockwise_too(w, -1), -turn
 
