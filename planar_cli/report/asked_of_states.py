@@ -26,6 +26,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.equilibrium_places import by_places, equilibrium_places
 from planar_cli.report.friction_at_states import friction_at_states
+from planar_cli.report.missing_couples import missing_couple
 from planar_cli.report.nil_impulses import nil_of_blow
 from planar_cli.report.on_a_line import along_the_line
 from planar_cli.report.oscillation import by_damping, by_frequency, periods_told
@@ -99,6 +100,7 @@ class AskedTelling:
             told |= {x for x, _ in find.beside}
             for request, part, whole in asked:
                 if request is find:
+                    yield from missing_couple(request, part.expr, self.found, self.phrases)
                     yield from self._line(request, part, whole)
         for find, block in vectors:
             if last and _at(find) not in ("", last):

@@ -61,13 +61,15 @@ def force_rows(
     inertia_as_force: bool,
     impulsive: bool = False,
     nil: Collection[sp.Symbol] = (),
+    bodies: Collection[str] = (),
 ) -> list[Forces]:
     """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the
-    forces. `impulsive`: impulses and momenta; `nil`: those of which the page says that they are zero.
+    forces. `impulsive`: impulses and momenta; `nil`: those of which the page says that they are zero;
+    `bodies`: of these alone.
     """
     kinds = (MOMENTUM, ANGULAR_MOMENTUM) if impulsive else (FORCE, ENERGY)
     rows = []
-    for body in drawn_bodies(instant, stage):
+    for body in bodies or drawn_bodies(instant, stage):
         acting = _acting(instant, stage, body, phrases, nil)
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
