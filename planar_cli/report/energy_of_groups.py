@@ -81,11 +81,13 @@ def _whole(
     if terms.keys() - squares.keys() or told is None or known is None or abs(told - known) > CLOSE * abs(known):
         return None
     by_mass: dict[sp.Expr, list[sp.Symbol]] = {}
+    counts = range(1, len(moving) + 1)  # so many bodies of one mass have one speed
     for powers, coefficient in sorted(terms.items(), reverse=True):
-        mass = next((m.mass for m in moving if _same(m.mass, 2 * coefficient, phrases)), None)
-        if mass is None or not mass.is_Symbol:
+        masses = ((n, m.mass) for n in counts for m in moving if _same(n * m.mass, 2 * coefficient, phrases))
+        count, mass = next(masses, (0, sp.S.Zero))
+        if not mass.is_Symbol:
             return None
-        by_mass.setdefault(mass, []).append(squares[powers])
+        by_mass.setdefault(count * mass, []).append(squares[powers])
     sliding = (HALF * mass * sp.Add(*(s**2 for s in own)) for mass, own in by_mass.items())
     return sp.Add(HALF * group.inertia[0] * group.spin**2, *sliding, evaluate=False)
 

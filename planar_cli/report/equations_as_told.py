@@ -5,6 +5,7 @@ student would, in the order in which one change rests on the other.
 from __future__ import annotations
 
 from planar_cli.report.across_speeds import with_across_speeds
+from planar_cli.report.alike_put_in import with_alike_put_in
 from planar_cli.report.flight_axes import with_flight_axes
 from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.offset_normals import with_offset_normals
@@ -22,4 +23,4 @@ def equations_as_told(part: PartSolution) -> PartSolution:
     shared = with_rolling_told(
         with_one_velocity(with_flight_axes(with_constants_for_speeds(with_offset_normals(part))))
     )
-    return with_single_forces(with_across_speeds(with_known_put_in(shared)))
+    return with_single_forces(with_across_speeds(with_known_put_in(with_alike_put_in(shared))))

@@ -13,6 +13,7 @@ from typing import TypeGuard
 from planar_cli.report.blocks import Block, Equation, Forces, Inline, Math, Name, Paragraph, Text, Value
 from planar_cli.report.heads_of_states import with_states_headed_once
 from planar_cli.report.idle_contacts import without_idle_contacts
+from planar_cli.report.idle_symmetry import without_idle_symmetry
 from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the_root
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import quantity
@@ -40,7 +41,7 @@ DEFINED = ("mass of ", "moment of inertia of ")
 def without_idle_lines(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     told = with_times_of_blows(list(said_above(without_unused_masses(without_idle_contacts(blocks)))))
-    told = with_roots_beside(list(without_unused_places(told)))
+    told = without_idle_symmetry(with_roots_beside(list(without_unused_places(told))))
     return with_states_headed_once(without_told_values(told))
 
 

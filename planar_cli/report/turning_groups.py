@@ -20,6 +20,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, Name, line
 from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.ordering import term_key
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import INERTIA, LENGTH, MASS
@@ -162,5 +163,7 @@ def _line(name: sp.Symbol, shares: Sequence[Share], phrases: Phrases, about: str
             mass, arm = phrases.of_dimension(one.mass[1], MASS), phrases.of_dimension(one.arm[1], LENGTH)
             terms.append((1, (*times, (mass.number, 1), (arm.number, 2))))
     whole = phrases.of_dimension(sum((s.whole for s in shares), Decimal(0)), INERTIA)
+    order = sorted(range(len(letters)), key=lambda i: term_key(letters[i]))
+    letters, terms = [letters[i] for i in order], [terms[i] for i in order]
     sides = (line(Name(name.name)), Math(sp.Add(*letters)), sum_of_products(terms, phrases.figures), whole)
     return Equation(sides, None, note=line(f"d: distance from {about}") if about else ())
