@@ -39,6 +39,8 @@ def test_what_is_shifted_parallel_to_itself_is_not_worked_out_again() -> None:
     )
     assert "r_B2/B = r_A2/A\n" in page
     assert "x_B2" not in page
+    # Its size and direction stand where it was found.
+    assert page.index("direction of r_A2/A") < page.index("AB keeps its length")
 
 
 def test_special_positions_check_a_rolling_wheel() -> None:

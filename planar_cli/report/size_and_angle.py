@@ -50,7 +50,8 @@ def with_size_and_angle(
             elif lines:
                 place -= 2
         if (one.expressions or ()) not in lettered:
-            lines += letter_size_and_angle(one, phrases)
+            lines += (read := list(letter_size_and_angle(one, phrases)))
+            place = _in_letters(told, one, place) if read else place
             lettered.append(one.expressions or ())
         told[place:place] = lines
     return told
@@ -90,7 +91,8 @@ def size_and_angle(
     apart = Equation((line("direction of ", name), quotient, steep), None, note=line(where))
     if by is not None:
         yield Equation((own, *by.size, size))
-        yield Equation((line("direction of ", name), *by.direction), None, note=by.beside) if by.direction else apart
+        beside = by.beside if where == "above +x" else line(*by.beside, ", that is ", steep, f" {where}")
+        yield Equation((line("direction of ", name), *by.direction), None, note=beside) if by.direction else apart
     elif any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
         yield apart
     elif 2 * (len(called) + sum(map(len, texts.values()))) + FRAME > ROW:
@@ -109,6 +111,13 @@ def _components(told: Sequence[Block], found: Found, phrases: Phrases) -> tuple[
         return own[-1] + 1, found.name
     same = [(i + 1, name) for i, b in lines if (name := _letter(b)) and _has_numbers(b, found, phrases)]
     return same[-1] if same else (len(told), found.name)
+
+
+def _in_letters(told: Sequence[Block], found: Found, end: int) -> int:
+    """Where the second component of a vector in letters has been told; `end`, where it has not."""
+    last = (found.expressions or (None,))[-1]
+    sides = ((i, b.sides[-1]) for i, b in enumerate(told) if isinstance(b, Equation))
+    return next((i + 1 for i, side in sides if isinstance(side, Math) and last is not None and side.expr == last), end)
 
 
 def _left(equation: Equation) -> Line:
