@@ -33,8 +33,8 @@ def test_the_acceleration_of_a_mass_centre_has_its_numbers() -> None:
     ("name", "told"),
     [
         ("four-bar", "v_B = ω_AB × r_B/A = [-0.1732 (-10), 0.1 (-10)] = [1.732, -1] m/s"),
-        ("four-bar", "a_B = -ω_AB² r_B/A = [-0.1 (-10)², -0.1732 (-10)²] = [-10, -17.32] m/s²"),
-        ("planetary-gear", "a_D,annulus = -ω_annulus² r_D/O = [-0.12 (-5)², 0] = [-3, 0] m/s²"),
+        ("four-bar", "a_B = -ω_AB² r_B/A = [-0.1 · 10², -0.1732 · 10²] = [-10, -17.32] m/s²"),
+        ("planetary-gear", "a_D,annulus = -ω_annulus² r_D/O = [-0.12 · 5², 0] = [-3, 0] m/s²"),
         ("car-that-brakes-in-a-bend", "a_P = a_car,t e_t + v_car²/ρ e_n = [-6, 60²/450] = [-6, 8] ft/s²"),
         ("pendulum-tension", "= [0.86603 (-4.905) - 0.5 · 1.8² / 1.2,"),
     ],

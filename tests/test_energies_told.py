@@ -9,7 +9,7 @@ def test_a_share_of_an_energy_is_told_by_the_energies() -> None:
     page = page_of_file("box-that-tips-over")
     assert "T_1 = 1/2 m v_0² = 1/2 · 40 · 1.7194² = 59.13 J" in page
     # As it stands in the balance of energies.
-    assert "T_2 = 1/2 I_C ω_2² = 9.067 (-1.8964)² = 32.61 J" in page
+    assert "T_2 = 1/2 I_C ω_2² = 9.067 · 1.8964² = 32.61 J" in page
     assert "share = 1 - T_2/T_1 = 1 - 32.61/59.13 = 0.4485" in page
 
 

@@ -28,7 +28,7 @@ def _page(name: str) -> str:
         # Of a relation between velocities or accelerations, lengths times what was found before.
         (
             "kinematics/four-bar",
-            ["0.3783 ω_DC = 0.1103 (-10) = -1.103", "0.5 · 2.578² + 0.1668 (-10)² - 0.13 (-2.916)²"],
+            ["0.3783 ω_DC = 0.1103 (-10) = -1.103", "0.5 · 2.578² + 0.1668 · 10² - 0.13 · 2.916²"],
         ),
         # Where components of known vectors stand before it, these.
         ("textbook/ex-2-09", ["= v_D · n = -0.5 · 0.8619 = -0.4309 m/s", "= -1.44973 - (-1.39282) = -0.05691 m/s²"]),
@@ -41,7 +41,7 @@ def _page(name: str) -> str:
             ],
         ),
         # All components of a point of a body.
-        ("kinematics/slider-crank-offset", ["[-40.60 - (-0.1066) · 159.9 - 0.2804 (-5.761)², 0]"]),
+        ("kinematics/slider-crank-offset", ["[-40.60 - (-0.1066) · 159.9 - 0.2804 · 5.761², 0]"]),
     ],
 )
 def test_where_a_number_comes_from(name: str, lines: list[str]) -> None:

@@ -70,7 +70,7 @@ def test_derivatives_by_the_chain_rule() -> None:
             [
                 "v_T = ω_gear × r_T/C",
                 "v_K = v_T",
-                "a_B = a_G + α_gear × r_B/G - ω_gear² r_B/G = [-0.4 - 0.2 (-3)², 0.2 · 2] = [-2.2, 0.4] m/s²",
+                "a_B = a_G + α_gear × r_B/G - ω_gear² r_B/G = [-0.4 - 0.2 · 3², 0.2 · 2] = [-2.2, 0.4] m/s²",
             ],
         ),
         # On a belt that runs the point of contact has its speed, and an acceleration across it alone.

@@ -24,7 +24,7 @@ def test_the_parts_that_turn_are_named_with_their_lengths() -> None:
     page = " ".join(Terminal(110).render(narrate(solve_problem(load_text(PEG)[0]))).split())
     assert "l̈ = a·e + v_⊥²/l, e along it, v_⊥ across it, AC = 5 ft, CB = 5 ft:" in page
     assert "4 a_B/5 = 0.64 v_A²/AC + 0.36 v_B²/CB" in page
-    assert "= 4 (-5)² / (5 · 5) + 0.45 · 3.75² / 5 = 5.266 ft/s²" in page
+    assert "= 4 · 5² / (5 · 5) + 0.45 · 3.75² / 5 = 5.266 ft/s²" in page
     assert "4.2125" not in page
 
 

@@ -14,7 +14,7 @@ def test_the_mass_centre_of_a_wheel_is_reached_from_its_middle() -> None:
 def test_a_pin_on_a_wheel_has_its_acceleration_told() -> None:
     page = page_of_file("wheel-that-pushes-a-rod")
     assert "a_A = -ω_wheel² r_A/O O moves along a straight line at constant speed" in page
-    assert "a_A = -ω_wheel² r_A/O = [-0.4 (-3.75)², 0] = [-5.625, 0] m/s²" in page
+    assert "a_A = -ω_wheel² r_A/O = [-0.4 · 3.75², 0] = [-5.625, 0] m/s²" in page
 
 
 def test_what_a_gear_carries_has_its_acceleration_along_the_contact_only() -> None:

@@ -145,8 +145,7 @@ _FUNCTIONS = {
 }
 # Coefficients such as 2/5 (a sphere) and 5/12 (a plate) are read as fractions, 0.45 as a decimal number.
 _FRACTION_DENOMINATORS = frozenset({2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 18, 24, 32, 48, 64})
-_LONG = 7
-_FIGURES_OF_LONG = 6
+_LONG, _FIGURES_OF_LONG = 7, 6
 
 
 def read(expr: Any, values: Values | None = None) -> Formula:
@@ -182,8 +181,7 @@ class _Reader:
         terms = list(expr.args)
         if is_canonical(expr):
             terms.sort(key=lambda t: (is_negative(t), term_key(t)))
-        read = [self.read(t) for t in terms]
-        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in read))
+        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in map(self.read, terms)))
 
     def _product(self, factors: list[Any], together: bool = False) -> Formula:
         split = _Split(with_whole_powers(factors))
@@ -204,7 +202,10 @@ class _Reader:
         base, exponent = expr.args
         if base.func.__name__ in _ANGULAR and exponent.is_Integer and exponent > 1:
             return self._function(base, int(exponent))
-        return Power(self.read(base), self.read(exponent))
+        inside = self.read(base)
+        if isinstance(inside, Numeral) and inside.given and exponent.is_even:
+            inside = Numeral(inside.text.removeprefix("-"), given=True)  # (-3)² is 3²
+        return Power(inside, self.read(exponent))
 
     def _function(self, expr: Any, exponent: int) -> Formula:
         if isinstance(expr, sympy.Abs):
