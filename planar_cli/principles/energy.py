@@ -36,7 +36,9 @@ class WorkEnergy(Principle):
         ideal joints (smooth pins and guides, links, taut ropes, rolling without slip) do none. Where all of it has a
         potential this is the conservation of energy. By itself it is one of the laws that the plan chooses from;
         `method: energy` takes no other law between states. Then states are related even if the motion would not lead
-        from one to the other by itself, which is said beside the answer.
+        from one to the other by itself, which is said beside the answer. Of one body on which, beside loads, a rope
+        alone works the law tells the tension, where this does not change: where nothing else of forces, accelerations
+        or times is asked, the page goes that way.
 
     YAML
         title: Crate slides to a stop
@@ -58,6 +60,7 @@ class WorkEnergy(Principle):
         weight:  U = m g (y_1 - y_2)            spring:  U = k (s_1² - s_2²)/2
         constant force:  U = F · Δr             couple:  U = M Δθ
         friction:  U = -∫ mu N ds               conservation:  T_1 + V_1 = T_2 + V_2
+        a rope on a part:  U = S Δs
         seen from the mass centre G of all:     T'_1 + U'_1-2 = T'_2,  T' = Σ (m (v_i - v_G)²/2 + I_i ω_i²/2)
 
     Signs

@@ -30,8 +30,10 @@ class ImpulseMomentum(Principle):
     Meaning
         The law relates two `states` by the time between them, for a body or a group, in one direction or about one
         point. Taken where no unknown reaction acts it gives speeds at once; where nothing acts at all, momentum is
-        conserved, be it in one direction only. In a blow (`just after`, `impact`, `impulse`) it is the only law. By
-        itself it is one of the laws that the plan chooses from; `method: momentum` takes no other law between states.
+        conserved, be it in one direction only. Reactions that stay in it have letters for their impulses, which count
+        as they act; of the whole system those between its bodies cancel. In a blow (`just after`, `impact`, `impulse`)
+        it is the only law. By itself it is one of the laws that the plan chooses from; `method: momentum` takes no
+        other law between states.
 
     YAML
         title: Braked wheel
