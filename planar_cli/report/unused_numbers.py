@@ -17,13 +17,17 @@ MADE = ("mass of ", "moment of inertia of ", "x of the mass centre", "y of the m
 
 
 def without_unused_numbers(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
-    """The blocks of a case without such lines. `before`: those of earlier cases."""
+    """The blocks of a case without such lines. `before`: those of earlier cases. What stood there word for word stays,
+    to be named again, where a numbered equation has its letter.
+    """
     formulas = {(_letter(b), repr(b.sides[1])) for b in before if isinstance(b, Equation) and _is_made(b)}
+    numbered = {x for b in blocks if isinstance(b, Equation) and b.number is not None for x in _letters(b)}
     wanted: set[str] = set()
     kept: list[Block] = []
     for block in reversed(blocks):
         made = isinstance(block, Equation) and _is_made(block) and _letter(block) not in wanted
-        if made and isinstance(block, Equation) and (_letter(block), repr(block.sides[1])) in formulas:
+        told = made and isinstance(block, Equation) and (_letter(block), repr(block.sides[1])) in formulas
+        if told and isinstance(block, Equation) and (block not in before or _letter(block) not in numbered):
             continue
         if not isinstance(block, Equation) or any(map(_is_number, block.sides)):
             wanted |= set(_letters(block))
