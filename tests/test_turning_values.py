@@ -45,6 +45,8 @@ def test_what_lies_after_the_last_state_needs_no_word() -> None:
     page = page_of_file("body-hoist-starting-softly")
     assert "t_pull = 2 s" in page
     assert "6 s" not in page
+    # An angle is no time, however large it is.
+    assert "not π - arctan(b/h): there it would be largest" in page_of_file("plate-let-go-at-a-corner")
 
 
 def test_an_integral_told_with_numbers_has_its_function_of_time() -> None:

@@ -8,6 +8,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind
 from planar_cli.report.blocks import Line, Math, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result
@@ -38,9 +39,14 @@ def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases
 
 def beyond_the_end(found: MotionTrace, r: Result, left: list[Root]) -> bool:
     """Are all other roots of a largest or smallest value times after the last state, when nobody looks any more?"""
-    times = (found.value.known(s) for s, own in found.general.items() if own.name == "t")
-    end = max((t for t in times if t is not None), default=r.value)
-    return bool(left) and _condition(found, r) is not None and all(x.value > end > r.value for x in left)
+    letters = [s for s, own in found.general.items() if found.ledger.roles[own].kind is Kind.TIME]
+    end = max((t for s in letters if (t := found.value.known(s)) is not None), default=r.value)
+    return (
+        bool(left)
+        and r.unknown in letters
+        and _condition(found, r) is not None
+        and all(x.value > end > r.value for x in left)
+    )
 
 
 def _was_there(found: MotionTrace, r: Result, root: Root) -> bool:
