@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 DEFERRED = ("sympy.combinatorics", "sympy.combinatorics.tensor_can", "sympy.geometry")
-"""Modules of SymPy of which others take names as they are loaded, and that nothing of planar uses; parents first."""
+"""Modules of SymPy of which others take names as they are loaded, and that hardly a page uses; parents first."""
 
 
 def defer() -> None:

@@ -25,6 +25,7 @@ assert sympy.sympify("2*x + sqrt(y)").free_symbols == set(sympy.symbols("x y"))
 from sympy import *
 from sympy.physics import units
 assert sympy.simplify(sympy.sin(units.meter)**2 + sympy.cos(units.meter)**2) == 1
+assert sympy.deg(sympy.pi / 3) == 60
 from sympy.geometry import Point2D
 from sympy.combinatorics import Permutation
 assert sympy.Point(3, 4).distance(sympy.Point(0, 0)) == 5
