@@ -211,6 +211,8 @@ class EnergyTelling(WeightTelling):
         it positive. One that is no product is told by its components.
         """
         moving = [s for s in expr.free_symbols if s in self.unknowns]
+        if isinstance(expr, sp.Abs):
+            expr = self._signed(expr)
         if len(moving) == 1 and self._linear(expr, moving[0]):
             u = moving[0]
             factor = (expr / u).xreplace({u: sp.Integer(1 if self.phrases.value(u) >= 0 else -1)})
