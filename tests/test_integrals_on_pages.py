@@ -36,6 +36,12 @@ def test_a_speed_is_the_root_of_its_own_line() -> None:
     assert "ṡ_back = v_t √(1 - exp(-2 g h/v_t²))" in page
 
 
+def test_a_terminal_speed_of_an_earlier_case_is_told_by_its_value() -> None:
+    page = page_of_file("ball-up-with-drag")
+    assert "As before: v_t = 35.02 m/s." in page
+    assert page.count("terminal speed") == 1
+
+
 def test_a_time_by_the_place_where_the_speed_is_given_by_it() -> None:
     page = page_of_file("speed-falls-with-place")
     assert "From bridge to mill, dx/v = dt, x of raft:" in page

@@ -35,8 +35,8 @@ TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBER = re.compile(r"Decimal\('([^']+)'\)")
 NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
-INERTIA, BETWEEN = "moment of inertia of", ",  "
-"""Begins the line of a moment of inertia; stands between the forces of a diagram."""
+DEFINED, BETWEEN = ("moment of inertia of", "terminal speed"), ",  "
+"""Begins the line of a moment of inertia, and of what a drag makes; stands between the forces of a diagram."""
 
 
 def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
@@ -179,10 +179,10 @@ def _announces(block: Block) -> bool:
 
 
 def _defines(block: Block) -> bool:
-    """Is it the line of a moment of inertia?"""
+    """Is it the line of a moment of inertia, or of a terminal speed?"""
     if not isinstance(block, Equation) or block.number is not None or not block.lead:
         return False
-    return isinstance(block.lead[0], Text) and block.lead[0].text.startswith(INERTIA)
+    return isinstance(block.lead[0], Text) and block.lead[0].text.startswith(DEFINED)
 
 
 def _entries(acting: Line) -> Iterator[Line]:
