@@ -63,3 +63,9 @@ def test_what_stands_before_its_use(stem: str, line: str) -> None:
 
 def test_a_slack_cord_has_no_length_that_is_natural() -> None:
     assert "OP_1 - l = 0" not in page_of_file("bungee-jump")
+
+
+def test_a_speed_by_numbers_has_its_unit() -> None:
+    """Beside the letter that is sought."""
+    page = page_of_file("bar-that-swings-down-from-a-rolling-disk")
+    assert "v_G,bar,2 = 3.388 - 0.3 ω_disk,2 in m/s; bar moves with disk, which rolls" in page

@@ -6,6 +6,7 @@ v_G and ω by the unknown speed, T = m v_G²/2 + I ω²/2;  U = m g (y_1 - y_2);
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -124,7 +125,8 @@ class EnergyTelling(WeightTelling):
             yield Equation((line(one), line(*_chained(first), ",  ", two, " = ", *_chained(second))), None, note=why)
         else:
             # The speed of the last state may be a letter that has been told: a package that goes with its belt.
-            yield from (Equation(sides, None, note=why if i == reason else ()) for i, sides in enumerate(told))
+            for i, sides in enumerate(told):
+                yield self._speed_line(sides, why if i == reason else ())
         masses, texts = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}, {}
         for kind, dimension in (("v", MASS), ("omega", INERTIA)):
             if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
@@ -135,6 +137,13 @@ class EnergyTelling(WeightTelling):
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
         self.letters[f"T of {body}"] = put if self._short(put) else None if texts else formula
         yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
+
+    def _speed_line(self, sides: tuple[Any, ...], why: Line) -> Equation:
+        """One speed, with its unit where numbers stand beside an unknown, and why it is so."""
+        if sides[0].expr.name.startswith("omega"):
+            return Equation(sides, None, note=why)
+        told = self._line(*sides, dimension=VELOCITY)
+        return replace(told, note=line(*told.note, "; ", *why) if told.note and why else told.note or why)
 
     def in_letters(self, bodies: Sequence[str], put: sp.Expr, lead: Line) -> Iterator[Block]:
         """T of one body, or of each of several, at the end where everything is a letter, after the speeds:
