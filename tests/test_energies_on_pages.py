@@ -241,7 +241,7 @@ def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: 
 def test_a_speed_that_is_no_product_has_a_place() -> None:
     """x_G and y_G, and their rates, before v_G; each height before the weight falls from it."""
     told = page("ex-4-17")
-    place = "x_G,AB = -3/2 l cos θ, y_G,AB = 1/2 l sin θ differentiated: "
+    place = "x_G,AB = -3/2 l cos θ, y_G,AB = 1/2 l sin θ "
     assert told.index(place) < told.index("v_G,AB,2 = 1/2 l") < told.index("y_G,OA,2 = 1/2 l sin θ_2")
     assert "y_G,1 - y_G,2 = x_max/2" in page("ex-4-11")
 
