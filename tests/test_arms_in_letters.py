@@ -28,7 +28,7 @@ def test_an_equation_in_accelerations_that_are_known_gets_their_numbers() -> Non
 
 def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:
     page = page_of_file("chain-5")
-    assert "(12) → ΣF_x: O_x = 1 a_G,BC,x + 1.5 a_G,CD,x + 2 a_G,DE,x - 1.5 · 2² · 0.12856" in page
+    assert "+ 1.5 · 0.06788 a_G,CD,x + 1 · 0.05130 a_G,BC,x + 2 · 0.19384 a_G,DE,x" in page
 
 
 def test_half_of_a_rod_that_coordinates_place_is_told_by_its_length() -> None:

@@ -21,7 +21,7 @@ from planar_cli.report.ordering import NUMBER, factor_key
 from planar_cli.report.words import Phrases
 from planar_cli.units import LENGTH, PURE
 
-MOST_TERMS, MOST_FACTORS = 11, 28
+MOST_TERMS, MOST_FACTORS = 12, 28
 """A sum of more terms, or of more numbers in all, says less than its result."""
 
 

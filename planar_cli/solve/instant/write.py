@@ -20,6 +20,7 @@ from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
+from planar_cli.solve.instant.by_axes import led_by_ground
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
@@ -142,8 +143,9 @@ class Writer:
         axes = [axis for axis in axes if axis[1] != 0]
         if len(axes) == 1:
             return [in_its_sense(self.system, body, axes[0][:2], self._component)]
-        for tangent in self.system.straight_ways(body):
-            if self.vanishes(a.cross(tangent)) or (body in self.by_axes and not self.system.scene.rigid(body)):
+        led = led_by_ground(self.system, body) if body in self.by_axes else ()
+        for tangent in (*self.system.straight_ways(body), *led):
+            if self.vanishes(a.cross(tangent)) or tangent in led:
                 return [(tangent, self._component(body, self._along(a, tangent), ""))]
         parts = self._vector_parts(x, y)
         if body not in self.by_axes and len({part.as_independent(*self.numbers.unknowns)[1] for _, part in parts}) <= 3:
