@@ -60,7 +60,7 @@ def test_a_point_on_a_taut_cord_is_told_to_move_across_it() -> None:
 
 
 def test_normal_parts_of_two_bodies_are_two_arrows() -> None:
-    assert "m_2 l_1 ω_OA² ↖ at G_AB,  1/2 m_2 l_2 ω_AB² ↖ at" in _page("plans/chain-5")
+    assert "1/2 m_AB b ω_AB² ↙ at G_AB,  m_AB a ω_OA² ↙ at G_AB" in _page("plans/four-bar-driven")
 
 
 def test_an_angular_momentum_and_its_impulse_are_told_before_their_balance() -> None:
