@@ -63,6 +63,7 @@ def test_what_is_put_in_and_where_a_formula_comes_from_is_said(stem: str, lines:
 def test_an_acceleration_given_as_a_letter_is_that_letter() -> None:
     """In the lift what is asked is the unknown, and the lift's own acceleration is a_0 wherever it stands."""
     told = unicodedata.normalize("NFC", page("atwood-machine-in-a-lift"))
-    assert "T - m_1 g = m_1 (a_0 - ÿ)" in told
-    assert "T = m_1 (g + a_0 - ÿ) (1) in (2): ÿ = (m_1 - m_2) (g + a_0) / (m_1 + m_2)" in told
+    assert "T - m_1 g = m_1 (a_0 - z̈)" in told
+    assert "T = m_1 (g + a_0 - z̈) (1) in (2): z̈ = (m_1 - m_2) (g + a_0) / (m_1 + m_2)" in told
+    assert "y_A = s - z differentiated twice: a_Ay = a_0 - z̈" in told
     assert told.count("s̈") == 1

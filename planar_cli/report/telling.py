@@ -43,6 +43,7 @@ from planar_cli.report.solved_already import is_given
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
+from planar_cli.report.sums_of_rates import sums_of_rates
 from planar_cli.report.translations import translations
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.velocities_first import ACCELERATIONS, VELOCITIES, asked_told, of_velocities, without_repeats
@@ -121,6 +122,8 @@ class Telling:
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
         ]
+        if kinetic and last is not None:
+            kinematics += sums_of_rates(self.instant, last, self.phrases)
         first = next((i for i, b in enumerate(kinematics) if b in (VELOCITIES, ACCELERATIONS)), 0)
         kinematics[first:first], self.vectors.opened = self.vectors.preface, True
         kinematics[:0] = in_numbers(self.scene, kinematics, self.phrases)
