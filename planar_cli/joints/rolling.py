@@ -104,7 +104,7 @@ class Rolling(Joint):
         for stem, kind, direction in (("N", "normal", normal), ("F", "friction", tangent)):
             actions = opposed(a.body, b.body, place, direction)
             pushes.append(Push(f"{stem}_{self.name}", kind, self.name, self.at, actions))
-        return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)
+        return (Mode("stick", "", Facts((joining,), pushes=tuple(pushes))),)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         place = scene.point(self.at)
