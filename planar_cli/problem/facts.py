@@ -240,7 +240,7 @@ class Facts:
 class Mode:
     """One way in which a joint may act.
 
-    `name`: stick, slip, apart, tip, taut, slack, or "" of a joint that has no modes. `sliding`: the row that measures the
+    `name`: stick, slip, apart, tip, taut, slack, or "" of a joint without modes. `sliding`: the row that measures the
     speed of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the
     assumption as a sentence. `touching`: what still holds of the velocities at this instant where a contact is about to
     part, a face to tip, a rope to slacken. `side`: where the drawing leaves it open on which side of its partner a body
