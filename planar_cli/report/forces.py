@@ -29,6 +29,7 @@ from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
 from planar_cli.report.offsets import offsets
+from planar_cli.report.open_lines import NOT_NEEDED, open_line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_points import in_plain_lengths
@@ -126,7 +127,11 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
             there: Line = ()
             if (offset := beside.get(expr)) is not None:
                 where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))
-            parts.append([*_push(push, expr, a, phrases, where, sure), *there])
+            if rigid and (unplaced := open_line(instant.trial, push, body, used, instant.value)) is not None:
+                where, acting = NOT_NEEDED, replace(a, point=unplaced.place(a))
+            else:
+                acting = a
+            parts.append([*_push(push, expr, acting, phrases, where, sure), *there])
     return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
 
 
