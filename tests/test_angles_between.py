@@ -65,7 +65,7 @@ def test_right_angles_beside_degrees() -> None:
         ("body-shaper-time-ratio", "θ_arm,left = arccos(-r_c/h) = arccos(-0.12/0.3) = 113.6°"),
         ("body-shaper-time-ratio", "(6) in (5): cos θ_arm,back = 0"),
         ("body-shaper-time-ratio", "θ_crank,left = π/2 + θ_arm,left = 90° + 113.6° = 203.6°"),
-        ("body-offset-slider-crank-strokes", "θ_crank,1 = π - arcsin(e/(l - r_c))"),
+        ("body-offset-slider-crank-strokes", "φ_1 = arcsin(e/(l - r_c))"),
         ("rod-through-a-swivelling-sleeve", "(1), (2) together: sin θ_AB,up = 0.4"),
     ],
 )

@@ -167,7 +167,7 @@ def test_no_file_imports_what_imports_it() -> None:
 
 def test_print_sees_only_the_trace_of_a_motion() -> None:
     hidden = {("solve", f) for f in ("regimes", "impulsive", "between", "following", "curves")}
-    trace = {("solve", "between", f) for f in ("trace", "oscillation_trace")}
+    trace = {("solve", "between", f) for f in ("trace", "span_trace", "oscillation_trace")}
     reports = [p for p in MODULES if stage_of(p) == "report"]
     assert not wrong(reports, lambda p: {t for t in shape(p).imports if t[:2] in hidden} - trace)
 

@@ -21,13 +21,14 @@ def page() -> str:
     "told",
     [
         "B rests for a moment: A then moves perpendicularly to AB and to OA, so that OA and AB lie in one line",
-        "At 2, v_slider,x = 0, OA and AB lie in one line, stretched:",
-        "(l - r_c) sin θ_crank,1 = e",
-        "Not 23.58°: there AB would point to the left",
-        "At 3, v_slider,x = 0, folded as at 1, one turn later:",
-        "stroke = √((l + r_c)² - e²) - √((l - r_c)² - e²)",
-        "turning = √((l - r_c)² - e²)",
-        "B stays on its line:",
+        "At 2, v_slider,x = 0, OA and AB lie in one line, stretched, inclined at φ_2:",
+        "(l - r_c) sin φ_1 = e",
+        "From 1 to 2 the crank turns, at its constant rate, through: Δθ_2 = π + φ_1 - φ_2 = 180° + 23.58° - 11.54°",
+        "folded as one turn before; from 2 to 3 the crank turns, at its constant rate, through: Δθ_3 = 2 π - Δθ_2",
+        "x_1 = √((l - r_c)² - e²)",
+        "stroke = x_2 - x_1",
+        "first_way = Δθ_2/ω_crank",
+        "ratio = Δθ_2/Δθ_3",
     ],
 )
 def test_told(page: str, told: str) -> None:
@@ -37,4 +38,5 @@ def test_told(page: str, told: str) -> None:
 def test_no_velocities(page: str) -> None:
     """Geometry tells the positions: no equation of velocities is needed for them."""
     assert "ω_AB" not in page
+    assert "θ_AB" not in page
     assert "B_2" not in page

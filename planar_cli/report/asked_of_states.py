@@ -37,7 +37,8 @@ from planar_cli.report.state_words import at, place
 from planar_cli.report.turning_axes import TurningAxes
 from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request, SpanIntegral
+from planar_cli.solve.between.span_trace import SpanIntegral
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request
 from planar_cli.units import Unit
 
 HENCE = Paragraph(line("Hence:"))

@@ -11,7 +11,8 @@ import sympy as sp
 from planar_cli.equation.ledger import Kind
 from planar_cli.report.blocks import Math, Name, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, SpanIntegral
+from planar_cli.solve.between.span_trace import SpanIntegral
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace
 
 
 def by_ends(span: SpanIntegral, found: MotionTrace, phrases: Phrases, value: Value) -> tuple[Any, ...]:

@@ -18,7 +18,7 @@ from planar_cli.problem.scene import Rod
 from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Text, Value, line
 from planar_cli.report.origins import balanced, head
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import LinksInLine, MotionTrace, Result, RouteStep
+from planar_cli.solve.between.trace import DeadPosition, LinksInLine, MotionTrace, Result, RouteStep
 
 HALF_TURN = 180
 Chain = Callable[[Result, bool], tuple[Any, ...]]
@@ -34,6 +34,8 @@ def in_line_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases, number:
     result = next(r for r in leg.results if r.unknown == own.first)
     before = found.route.steps[: found.route.steps.index(leg)] if leg in found.route.steps else ()
     earlier = [(s, same) for s in before if (same := s.in_line) is not None]
+    if own.dead is not None:
+        return list(_by_triangle((leg, own, own.dead), found, phrases, number, (chain, not earlier)))
     for step, same in earlier:
         turns = simplified((own.formula - same.formula) / (2 * sp.pi))
         if turns.is_Integer and own.folded == same.folded:
@@ -71,6 +73,33 @@ def _again(
     words = line(*_open(head(leg.relations[0], found.ledger.symbols)), f", {way}")
     formula = phrases.math(same.first + 2 * turns * sp.pi)
     return [Paragraph(words), Equation((told[1][0], formula, told[1][-1]), told[0])]
+
+
+def _by_triangle(
+    told: tuple[RouteStep, LinksInLine, DeadPosition],
+    found: MotionTrace,
+    phrases: Phrases,
+    number: int,
+    way: tuple[Chain, bool],
+) -> Iterator[Block]:
+    """The acute angle of the line, the place, and the angle turned since the position before."""
+    leg, own, dead = told
+    e, chain, explained = leg.relations[0], *way
+    opening, span = _open(head(e, found.ledger.symbols)), f"from {dead.since} to {e.stop}"
+    turns = "" if dead.turned is None else f"{span} the crank turns, at its constant rate, through"
+    if dead.again:
+        yield Paragraph(line(*opening, f", {_way(own)} as one turn before; {turns}:"))
+    else:
+        phi = phrases.math(dead.acute.unknown)
+        yield Paragraph(line(*opening, ", ", *_why(own, e.words, found, explained), ", inclined at ", phi, ":"))
+        length, offset = dead.sine
+        yield Equation((phrases.math(length * sp.sin(dead.acute.unknown)), phrases.math(offset)), number)
+        yield Equation(chain(dead.acute, False), None, line(f"({number}):"))
+        yield from () if dead.place is None else [Equation(chain(dead.place, True))]
+        yield from () if dead.turned is None else [Paragraph(line(turns[0].upper(), turns[1:], ":"))]
+    if dead.turned is not None:
+        radians = Value(dead.turned.value, "rad", phrases.figures)
+        yield Equation((*chain(dead.turned, True), radians))
 
 
 def _way(own: LinksInLine) -> str:

@@ -12,7 +12,7 @@ OVER_TIME = "Motion over time"
 
 def title_of(legs: Sequence[RouteStep], found: MotionTrace) -> str:
     """Of these steps of a motion: that time runs; else work and energy, impulse and momentum, or both."""
-    if any(e.is_of_motion for leg in legs for e in leg.relations):
+    if any(leg.turns or any(e.is_of_motion for e in leg.relations) for leg in legs):
         return OVER_TIME
     sources = [e.source for leg in legs for e in leg.relations]
     laws = {b.law.letter for b in sources if isinstance(b, BalanceTrace)}

@@ -10,7 +10,8 @@ import sympy as sp
 
 from planar_cli.report.blocks import Block, Equation, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, SpanIntegral
+from planar_cli.solve.between.span_trace import SpanIntegral
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
 

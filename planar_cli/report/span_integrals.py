@@ -21,7 +21,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.put_in import Writer
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Piece, SpanIntegral
+from planar_cli.solve.between.span_trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit, parse_unit
 
 NUMERICAL = {

@@ -266,6 +266,9 @@ def _kind(instant: InstantSolution, w: Written) -> str:
 
 def _of_motion(found: Uses, motion: MotionTrace) -> None:
     routes = [motion.route, *motion.passing.values()]
+    if any(leg.turns for route in routes for leg in route.steps):
+        found.laws.add("steady")
+        found.constant.add("rad")
     for e in _relations(routes):
         if isinstance(e.source, BalanceTrace):
             (found.energies if e.source.law.letter else found.momenta).append(e.source)

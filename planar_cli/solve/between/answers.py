@@ -30,9 +30,9 @@ from planar_cli.solve.between.given_times import endless_times, without_end
 from planar_cli.solve.between.modes_of_oscillation import has_formula, mode_sizes, of_modes
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.oscillation import Oscillation, stability
+from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
-from planar_cli.solve.between.trace import SpanIntegral
 from planar_cli.solve.curves.paths import CurveReader
 from planar_cli.solve.diagnosis.unsettled import settled_by
 from planar_cli.solve.following.starts import started

@@ -29,7 +29,7 @@ def line_of(relations: Sequence[Relation | Equation], results: Sequence[Result])
     for first, other in (tuple(formulas), tuple(formulas)[::-1]):
         half_turns = sp.expand(formulas[other] - first) / sp.pi
         asin = [f for f in formulas[first].atoms(sp.asin) if not f.is_number]
-        if half_turns.is_Integer and len(asin) == 1 and _turns(formulas[first], asin[0]) is not None:
+        if half_turns.is_Integer and len(asin) == 1 and turns_of(formulas[first], asin[0]) is not None:
             return LinksInLine(first, other, int(half_turns), formulas[first])
     return None
 
@@ -46,7 +46,7 @@ def says_in_line(closed: sp.Expr, pairs: Iterable[tuple[sp.Symbol, sp.Symbol]]) 
     return any(simplified(closed.xreplace({b: a + n * sp.pi})) == 0 for a, b in both for n in (0, 1))
 
 
-def _turns(formula: sp.Expr, asin: sp.Expr) -> tuple[int, int] | None:
+def turns_of(formula: sp.Expr, asin: sp.Expr) -> tuple[int, int] | None:
     """n and the sign of n π ± arcsin."""
     slope = formula.coeff(asin)
     rest = sp.expand(formula - slope * asin) / sp.pi
@@ -58,17 +58,17 @@ def by_lines(motion: MotionTrace) -> MotionTrace:
     waves: dict[sp.Expr, sp.Expr] = {}
     for step in motion.route.steps:
         if step.in_line is not None:
-            waves.update(_waves(step.in_line, motion.value))
+            waves.update(waves_of(step.in_line, motion.value))
     if not waves:
         return motion
     requests = tuple(replace(r, parts=tuple(_put(p, waves) for p in r.parts)) for r in motion.requests)
     return replace(motion, requests=requests)
 
 
-def _waves(found: LinksInLine, value: Valuation) -> dict[sp.Expr, sp.Expr]:
+def waves_of(found: LinksInLine, value: Valuation) -> dict[sp.Expr, sp.Expr]:
     """Sines and cosines of both angles in lengths: cos(n π ± arcsin(e/d)) = ± √(d² - e²)/d."""
     (asin,) = (f for f in found.formula.atoms(sp.asin) if not f.is_number)
-    told = _turns(found.formula, asin)
+    told = turns_of(found.formula, asin)
     assert told is not None
     turns, slope = told
     above, below = sp.fraction(sp.together(asin.args[0]))

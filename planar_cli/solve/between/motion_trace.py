@@ -19,6 +19,7 @@ from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.by_centres import in_centres, without_places
 from planar_cli.solve.between.by_functions import by_functions
+from planar_cli.solve.between.dead_positions import by_triangles
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.elapsed import by_what_passes
 from planar_cli.solve.between.energies import energy_parts, impulse_integral
@@ -32,6 +33,7 @@ from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
 from planar_cli.solve.between.terminal import by_terminal_speed
@@ -49,7 +51,6 @@ from planar_cli.solve.between.trace import (
     Relation,
     RouteStep,
     RouteTrace,
-    SpanIntegral,
     Turning,
 )
 from planar_cli.solve.impulsive.impact import Blow
@@ -114,7 +115,7 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_functions(by_terminal_speed(by_what_passes(by_what_is_asked(by_lines(made)))))
+    return by_functions(by_terminal_speed(by_what_passes(by_what_is_asked(by_triangles(made) or by_lines(made)))))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:

@@ -13,7 +13,7 @@ from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.oscillation import Oscillation
-from planar_cli.solve.between.trace import SpanIntegral
+from planar_cli.solve.between.span_trace import SpanIntegral
 
 ALIKE = 1e-6
 """Times that differ by this part of them are the same, as of departures to either side of a symmetrical scene."""

@@ -35,7 +35,7 @@ from planar_cli.solve.between.given_times import endless_times
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.one_sense import demand_one_sense
 from planar_cli.solve.between.span_quantities import SpanQuantity
-from planar_cli.solve.between.trace import Piece, SpanIntegral
+from planar_cli.solve.between.span_trace import Piece, SpanIntegral
 from planar_cli.solve.diagnosis.words import names_of
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow

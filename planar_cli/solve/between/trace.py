@@ -15,10 +15,10 @@ from planar_cli.calculus.spans import Span
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.principles.base import Balance, EnergyParts
-from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
+from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.instant.conditions import Proviso
 from planar_cli.solve.instant.roots import Root
 from planar_cli.solve.law import RELATIVE, Law
@@ -177,6 +177,28 @@ class Result:
 
 
 @record
+class DeadPosition:
+    """A dead position by its right triangle."""
+
+    acute: Result
+    """The acute angle of the line of both links."""
+    sine: tuple[sp.Expr, sp.Expr]
+    """Of its right triangle the longest side and the one opposite to it."""
+    place: Result | None
+    """How far its end is along the guide; None: that is not asked."""
+    along: sp.Expr
+    """The same in the angles of both links."""
+    angle: sp.Expr
+    """The angle of the first link by the acute one."""
+    turned: Result | None = None
+    """Through what the first link has turned since the position before."""
+    since: str = ""
+    """The state of the position before."""
+    again: bool = False
+    """Is it an earlier position some turns later?"""
+
+
+@record
 class LinksInLine:
     """Where two links lie in one line: the angle of the first, that of the other as so many half turns more."""
 
@@ -185,10 +207,17 @@ class LinksInLine:
     half_turns: int
     formula: sp.Expr
     """The first angle: n π ± arcsin of a ratio of lengths."""
+    dead: DeadPosition | None = None
+    """Its right triangle, where nothing else rests on both angles."""
 
     @property
     def folded(self) -> bool:
         return self.half_turns % 2 == 1
+
+    @property
+    def turns(self) -> bool:
+        """Does it tell through what the first link turns?"""
+        return self.dead is not None and self.dead.turned is not None
 
 
 @record
@@ -208,6 +237,11 @@ class RouteStep:
     in_line: LinksInLine | None = None
     """Of an extreme position of a mechanism."""
 
+    @property
+    def turns(self) -> bool:
+        """Does it tell through what a crank turns?"""
+        return self.in_line is not None and self.in_line.turns
+
 
 @record
 class RouteTrace:
@@ -221,57 +255,6 @@ class RouteTrace:
     """Everything that was derived."""
     plain: Mapping[sp.Symbol, sp.Expr]
     """Data that are put in at once: zeros and names of the file."""
-
-
-# --- spans and equilibria --------------------------------------------------------------------------------------------
-
-
-@record
-class Piece:
-    """Part of a span in one regime, between two states."""
-
-    since: str
-    """The state at its beginning."""
-    until: str
-    """The state at its end."""
-    limits: tuple[sp.Symbol, sp.Symbol]
-    """The times of both."""
-    integrand: sp.Expr
-    """What is integrated over time."""
-    how: str
-    """difference, integral, quadrature, flow or blow; change: of the momentum of what the impulse acts on."""
-    number: Decimal
-    """Its number."""
-    formula: sp.Expr | None = None
-    """The result in symbols of states; None: in numbers alone."""
-    antiderivative: sp.Expr | None = None
-    """A function of the general position of which the integrand is the rate; None: there is none."""
-    over_time: sp.Expr | None = None
-    """The integrand over time, where the motion is known as a function of it."""
-    turns: tuple[Decimal, ...] = ()
-    """Of a path length: the instants at which the velocity vanishes, s."""
-
-
-@record
-class SpanIntegral:
-    """A quantity over a span worked out."""
-
-    symbol: sp.Symbol
-    """What stands for it in other expressions."""
-    quantity: Quantity
-    """What the file asks."""
-    pieces: tuple[Piece, ...]
-    """Its parts, one for each regime."""
-    number: Decimal
-    """Its number."""
-    formula: sp.Expr | None
-    """The result in symbols of states; None: in numbers alone."""
-    duration: sp.Expr = sp.S.One
-    """What a mean is divided by, s; else 1."""
-    events: tuple[Decimal, ...] = ()
-    """Of a count: the times of what is counted, s."""
-    dated: bool = True
-    """Do its times tell more than a slight touch by which the motion began?"""
 
 
 # --- the motion ------------------------------------------------------------------------------------------------------

@@ -11,8 +11,8 @@ from planar_cli.equation.plain import longer
 from planar_cli.errors import Undecided
 from planar_cli.problem.scene import Find
 from planar_cli.solve.between.independence import rests_on
+from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.between.trace import SpanIntegral
 from planar_cli.solve.regimes.regime import Regime
 
 READABLE = 40
