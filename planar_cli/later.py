@@ -3,18 +3,24 @@
 `import sympy` loads plane geometry, and its first sum loads the groups that order the indices of tensors:
 together a tenth of what an ordinary page takes. A stand-in takes the place of each of these modules. What it offers
 gets the real module once it is called, or looked into, or something is asked whether it is an instance of it.
+
+Functions that go by the types of their arguments are spared as much again: SymPy puts all kinds of arguments of one in
+order with each that it adds, a twentieth of such a page, though most of these functions are never called.
 """
 
 from __future__ import annotations
 
 import importlib
 import sys
-from importlib.machinery import PathFinder
+from importlib.machinery import ModuleSpec, PathFinder
+from importlib.util import module_from_spec
 from types import ModuleType
 from typing import Any
 
 DEFERRED = ("sympy.combinatorics", "sympy.combinatorics.tensor_can", "sympy.geometry")
 """Modules of SymPy of which others take names as they are loaded, and that hardly a page uses; parents first."""
+BY_TYPES = "sympy.multipledispatch"
+"""The package for functions that go by the types of their arguments; it needs nothing else of SymPy."""
 
 
 def defer() -> None:
@@ -25,6 +31,33 @@ def defer() -> None:
     for name in DEFERRED:
         folder = "/".join(name.split(".")[1:])
         sys.modules[name] = _StandIn(name, [f"{root}/{folder}" for root in package.submodule_search_locations or ()])
+    _order_when_called(package)
+
+
+def _order_when_called(package: ModuleSpec) -> None:
+    """Let a function that goes by types put these in order when it is first called."""
+    found = PathFinder.find_spec(BY_TYPES, package.submodule_search_locations)
+    if found is None or found.loader is None:
+        return
+    sys.modules[BY_TYPES] = loaded = module_from_spec(found)
+    found.loader.exec_module(loaded)
+    dispatcher = loaded.dispatcher.Dispatcher
+    warn = loaded.dispatcher.ambiguity_warn
+    order, choose = dispatcher.reorder, dispatcher.dispatch
+    waiting: dict[Any, Any] = {}
+
+    def wait(self: Any, on_ambiguity: Any = warn) -> None:
+        # As the import system does: by now SymPy is there, and `from sympy import *` takes the package from it.
+        setattr(sys.modules["sympy"], BY_TYPES.rpartition(".")[2], loaded)
+        # What one way of adding says to kinds of which none goes first, holds for all that were added before.
+        waiting[self] = waiting.get(self, warn) if on_ambiguity is warn else on_ambiguity
+
+    def chosen(self: Any, *types: Any) -> Any:
+        while self in waiting:
+            order(self, waiting.pop(self))
+        return choose(self, *types)
+
+    dispatcher.reorder, dispatcher.dispatch = wait, chosen
 
 
 class _StandIn(ModuleType):

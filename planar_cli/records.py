@@ -40,7 +40,8 @@ def _made(cls: type[T], frozen: bool) -> type[T]:
     special = {n: f for n, f in written.items() if isinstance(f, Field)}
     del own["__dict__"], own["__weakref__"]
     shared = FROZEN if frozen else SHARED
-    space = {**shared, **_comparisons([n for n in names if n not in special or special[n].compare]), **own}
+    shown = _shown([n for n in names if n not in special or special[n].repr])
+    space = {**shared, **shown, **_comparisons([n for n in names if n not in special or special[n].compare]), **own}
     if not frozen:
         space["__hash__"] = own.get("__hash__")
     space["__slots__"] = tuple(names)
@@ -172,9 +173,13 @@ def _each(names: Sequence[str]) -> Callable[[object], tuple[Any, ...]]:
     return lambda owner: tuple(getattr(owner, n) for n in names)
 
 
-def _shown(self: Any) -> str:
-    told = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in fields(self) if f.repr)
-    return f"{self.__class__.__qualname__}({told})"
+def _shown(names: Sequence[str]) -> dict[str, Callable[..., str]]:
+    """What a record looks like to a programmer: its class and its fields."""
+
+    def shown(self: object) -> str:
+        return f"{self.__class__.__qualname__}({', '.join([f'{n}={getattr(self, n)!r}' for n in names])})"
+
+    return {"__repr__": shown}
 
 
 def _set(self: object, name: str, value: object) -> None:
@@ -195,5 +200,5 @@ def _restore(self: Any, state: Sequence[Any]) -> None:
         object.__setattr__(self, f.name, value)
 
 
-SHARED: dict[str, Any] = {"__repr__": _shown, "__getstate__": _state, "__setstate__": _restore}
+SHARED: dict[str, Any] = {"__getstate__": _state, "__setstate__": _restore}
 FROZEN: dict[str, Any] = {**SHARED, "__setattr__": _set, "__delattr__": _delete}

@@ -54,3 +54,34 @@ def test_a_page_needs_none_of_them() -> None:
 def test_what_asks_for_them_gets_them() -> None:
     done = outcome(ASKED)
     assert done.returncode == 0, done.stderr
+
+
+CHOSEN = """
+import sys
+if sys.argv[1] == "later":
+    from planar_cli.later import defer
+    defer()
+import gc
+import sympy, sympy.sets.handlers.mul, sympy.sets.handlers.functions, sympy.assumptions.handlers.sets
+from sympy.multipledispatch.dispatcher import Dispatcher
+from sympy.combinatorics import Permutation
+assert Permutation([0]).size == 1 and sympy.Point(0, 0).x == 0
+assert sympy.Interval(0, 2).intersect(sympy.Interval(1, 3)) == sympy.Interval(1, 2) and sympy.Eq(sympy.S(1), 1)
+every = [d for d in gc.get_objects() if isinstance(d, Dispatcher)]
+for it in sorted(every, key=lambda d: (d.name, sorted(map(repr, d.funcs)))):
+    it.dispatch(int)
+    kinds = sorted({k for given in it.funcs for k in given}, key=lambda k: (k.__module__, k.__name__))
+    pairs = [(a, b) for a in kinds for b in kinds] + [(a,) for a in kinds]
+    print(it.name, [getattr(it.dispatch(*types), "__name__", "") for types in pairs])
+    print([[k.__name__ for k in f] for f in sorted(it.funcs, key=repr)])
+"""
+
+
+def test_what_goes_by_types_is_chosen_as_ever() -> None:
+    now, later = (
+        subprocess.run([sys.executable, "-c", CHOSEN, when], cwd=ROOT, capture_output=True, text=True, check=False)
+        for when in ("now", "later")
+    )
+    assert now.returncode == later.returncode == 0, now.stderr + later.stderr
+    assert now.stdout == later.stdout
+    assert now.stderr == later.stderr == ""

@@ -77,13 +77,9 @@ def _own(shared: Sequence[Block], rest: Sequence[Block], old: Sequence[Block]) -
 
 def _shared(lines: Sequence[Block], old: Sequence[Block]) -> int:
     """How many lines at the beginning stood there in this order, whatever their numbers are."""
-    place = 0
-    for n, block in enumerate(lines):
-        keys = [_key(b) for b in old[place:]]
-        if _key(block) not in keys:
-            return n
-        place += keys.index(_key(block)) + 1
-    return len(lines)
+    keys = map(_key, old)
+    # What is searched is used up, so that each line is looked for below the one before it.
+    return next((n for n, block in enumerate(lines) if _key(block) not in keys), len(lines))
 
 
 def _is_result(block: Equation) -> bool:

@@ -61,11 +61,11 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         while stop > start and stop < len(drawn) and _leads(drawn[stop - 1]) and not isinstance(drawn[stop], Heading):
             stop -= 1
         run = drawn[start:stop]
-        told = _as_before(run, printed, _cited(drawn[stop:]))
+        told = _as_before(run, printed, _cited(drawn[stop:])) if run else ()
         if run and isinstance(heading, Heading) and heading in before:
             found[-1] = _headed(heading, run, told)
             start = stop
-        elif run and told and ((len(run) >= LEAST and _alike(run, printed)) or all(_defines(b) for b in run)):
+        elif told and ((len(run) >= LEAST and _alike(run, printed)) or all(_defines(b) for b in run)):
             found.append(Paragraph(line("As before: ", told, ".")))
             start = stop
         else:
