@@ -1,4 +1,5 @@
-"""Parts of SymPy that no problem of mechanics needs are loaded when something asks for them, not before.
+"""Parts of SymPy that no problem of mechanics needs, and parts of planar that few need, are loaded when something asks
+for them, not before.
 
 `import sympy` loads plane geometry, and its first sum loads the groups that order the indices of tensors:
 together a tenth of what an ordinary page takes. A stand-in takes the place of each of these modules. What it offers
@@ -6,6 +7,8 @@ gets the real module once it is called, or looked into, or something is asked wh
 
 Functions that go by the types of their arguments are spared as much again: SymPy puts all kinds of arguments of one in
 order with each that it adds, a twentieth of such a page, though most of these functions are never called.
+
+From the modules of planar that are put off others take functions alone.
 """
 
 from __future__ import annotations
@@ -17,6 +20,8 @@ from importlib.util import module_from_spec
 from types import ModuleType
 from typing import Any
 
+from planar_cli.seldom import SELDOM
+
 DEFERRED = ("sympy.combinatorics", "sympy.combinatorics.tensor_can", "sympy.geometry")
 """Modules of SymPy of which others take names as they are loaded, and that hardly a page uses; parents first."""
 BY_TYPES = "sympy.multipledispatch"
@@ -24,7 +29,10 @@ BY_TYPES = "sympy.multipledispatch"
 
 
 def defer() -> None:
-    """Let stand-ins take the places of these modules; without effect where SymPy is loaded, or is not there."""
+    """Let stand-ins take the places of these modules; without effect on SymPy where it is loaded, or is not there."""
+    for name in SELDOM:
+        if name not in sys.modules:
+            sys.modules[name] = _StandIn(name, [])
     package = PathFinder.find_spec("sympy")
     if package is None or "sympy" in sys.modules:
         return
@@ -61,18 +69,20 @@ def _order_when_called(package: ModuleSpec) -> None:
 
 
 class _StandIn(ModuleType):
-    """A module that is not loaded. Its folder is known, so that a module inside it can be loaded by itself."""
+    """A module that is not loaded. A package has its folder, so that a module inside it can be loaded by itself."""
 
     def __init__(self, name: str, path: list[str]) -> None:
         super().__init__(name)
-        self.__path__ = path
+        if path:
+            self.__path__ = path
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         # As the import system does: `from sympy import *` takes the module from its parent.
         parent, _, own = self.__name__.rpartition(".")
-        setattr(sys.modules[parent], own, self)
+        if parent in sys.modules:
+            setattr(sys.modules[parent], own, self)
         return _Offered(self.__name__, name)
 
 
@@ -82,9 +92,12 @@ class _Offered:
     def __init__(self, module: str, name: str) -> None:
         self._module = module
         self._name = name
+        self._found: Any = None
 
     def _real(self) -> Any:
-        return getattr(_loaded(self._module), self._name)
+        if self._found is None:
+            self._found = getattr(_loaded(self._module), self._name)
+        return self._found
 
     def __call__(self, *values: Any, **options: Any) -> Any:
         return self._real()(*values, **options)
@@ -98,7 +111,7 @@ class _Offered:
 
 def _loaded(module: str) -> ModuleType:
     """The module itself, after those in which it is."""
-    for name in DEFERRED:
+    for name in (*DEFERRED, module):
         if f"{module}.".startswith(f"{name}.") and isinstance(sys.modules.get(name), _StandIn):
             del sys.modules[name]
             importlib.import_module(name)

@@ -58,6 +58,7 @@ class _Measures:
     point: Callable[[str], Vec]
     evaluator: Evaluator
     written: WrittenAngles
+    span: Callable[[str, str], sp.Expr | None]
     zero: sp.Expr = ZERO
 
     def value(self, side: Side) -> sp.Expr:
@@ -70,10 +71,12 @@ class _Measures:
         return Vec(sp.cos(angle), sp.sin(angle))
 
     def rod(self, shape: Rod, reach: Vec) -> tuple[sp.Expr, sp.Expr]:
-        square = reach.dot(reach)
         angle = None if shape.end is None else self.written.angle(shape.start, shape.end, reach)
         angle = sp.atan2(reach.y, reach.x) if angle is None else angle
-        return square if square.is_number else simplified(square), angle
+        # A length that the file gives stands for what follows from coordinates.
+        length = None if shape.end is None else self.span(shape.start, shape.end)
+        square = reach.dot(reach) if length is None else length**2
+        return square if square.is_number or length is not None else simplified(square), angle
 
 
 class MassReader:
@@ -94,8 +97,7 @@ class MassReader:
         self.alone, self.problem = len(heavy) == 1, problem
         self.own_points = {p.name for p in problem.points}
         self.varying, self.placed = varying(problem), placed(problem)
-        self.measures = _Measures(points, evaluator, written)
-        self.span = span
+        self.measures = _Measures(points, evaluator, written, span)
         self.cancelling: list[sp.Symbol] = []
 
     def read(self, body: Body) -> BodyModel:
@@ -104,12 +106,10 @@ class MassReader:
             return self._composite(body, body.shape)
         shape = uniform(body.shape, self.measures, body.name)
         if isinstance(body.shape, Rod) and body.shape.end is not None:
-            length = self.span(body.shape.start, body.shape.end)
             reach = self.points(body.shape.end) - self.points(body.shape.start)
             if all(sp.sympify(e).xreplace(dict(self.ledger.values)) == 0 for e in (reach.x, reach.y)):
                 text = f"both ends of {body.name} are at the same place"
                 raise refuse(body.mark, "PL615", text, "draw them apart")
-            shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
         rigid, later, varies = not isinstance(body.shape, Particle), body.name in self.placed, body.name in self.varying
         mass = ZERO if later else self._mass(body)
         inertia = self._inertia(body, shape, mass) if rigid and not later else ZERO

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from decimal import Decimal
+from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 from planar_cli.records import record
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from planar_cli.problem.geometry import Vec
 
 TextStyle = Literal["plain", "strong", "muted"]
+KEPT = 10_000
+"""So many formulas are remembered as they are spelled out."""
 
 
 @record
@@ -60,6 +63,9 @@ class Math:
     expr: Expr
     values: Mapping[Symbol, str] | None = field(default=None, hash=False)
 
+    def __repr__(self) -> str:
+        return f"Math(expr={_spelled(self.expr)}, values={self.values!r})"
+
 
 @record
 class Value:
@@ -68,6 +74,12 @@ class Value:
     number: Decimal
     unit: str = ""
     figures: int = 4
+
+
+@lru_cache(maxsize=KEPT)
+def _spelled(expr: Expr) -> str:
+    """A formula for comparing what reads alike, which spells the same ones out again and again."""
+    return repr(expr)
 
 
 Term = Text | Name | Math | Value
