@@ -8,7 +8,7 @@ gets the real module once it is called, or looked into, or something is asked wh
 Functions that go by the types of their arguments are spared as much again: SymPy puts all kinds of arguments of one in
 order with each that it adds, a twentieth of such a page, though most of these functions are never called.
 
-From the modules of planar that are put off others take functions alone.
+From the modules of planar that are put off others take functions; who takes a class or a constant loads them at once.
 """
 
 from __future__ import annotations
@@ -79,6 +79,9 @@ class _StandIn(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
+        if self.__name__ in SELDOM and not name.islower():
+            # A class or a constant cannot wait.
+            return getattr(_loaded(self.__name__), name)
         # As the import system does: `from sympy import *` takes the module from its parent.
         parent, _, own = self.__name__.rpartition(".")
         if parent in sys.modules:

@@ -1,8 +1,8 @@
-"""Modules of planar that at most half of the pages need; from these, others take functions alone.
+"""Modules of planar that at most half of the pages need; others take functions from them.
 
 To load a module takes 0.2 ms. These are loaded by the first call of a function that another module took from them, so
-that an ordinary page starts without them (`later`). A module belongs here where its functions are called seldom, and
-where none that loads with it takes a class or a constant from it.
+that an ordinary page does without most of them (`later`). A module belongs here where its functions are called seldom;
+one that takes a class or a constant from it loads it at once, and does best to load seldom itself.
 """
 
 from __future__ import annotations

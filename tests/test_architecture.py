@@ -25,6 +25,7 @@ COMMON = {
     "near",
     "records",
     "registry",
+    "seldom",
     "typeset",
     "unit_hints",
     "units",

@@ -5,9 +5,6 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
-from collections.abc import Iterator
-from functools import cache
-from pathlib import Path
 
 import pytest
 from conftest import ROOT
@@ -46,6 +43,17 @@ head = TensorHead("A", [index] * 2, TensorSymmetry.fully_symmetric(-2))
 assert head(a, b).canon_bp() == -head(b, a).canon_bp() and head(a, -a).canon_bp() == 0
 from sympy.geometry import Circle
 assert type(Circle) is type(sympy.Basic) and Circle(sympy.Point(0, 0), 2).area == 4 * sympy.pi
+"""
+
+TAKEN = """
+import sys
+from planar_cli.later import defer
+defer()
+from planar_cli.calculus.polish import polish
+assert not hasattr(sys.modules["planar_cli.calculus.polish"], "__file__")
+from planar_cli.calculus.polish import GUARD
+assert GUARD > 0 and hasattr(sys.modules["planar_cli.calculus.polish"], "__file__")
+assert polish.__code__ is sys.modules["planar_cli.calculus.polish"].polish.__code__
 """
 
 
@@ -95,51 +103,15 @@ def test_what_goes_by_types_is_chosen_as_ever() -> None:
     assert now.stderr == later.stderr == ""
 
 
-def path_of(module: str) -> Path:
-    return ROOT / f"{module.replace('.', '/')}.py"
+@pytest.mark.parametrize("module", SELDOM)
+def test_what_is_put_off_has_functions_by_their_names(module: str) -> None:
+    """A name in small letters waits for its first call, so that it has to be that of a function."""
+    tree = ast.parse((ROOT / f"{module.replace('.', '/')}.py").read_text())
+    made = [t.id for node in tree.body if isinstance(node, ast.Assign) for t in node.targets if isinstance(t, ast.Name)]
+    assert all(node.name.islower() for node in tree.body if isinstance(node, ast.FunctionDef))
+    assert not [name for name in made if name.islower() and name != "__all__"]
 
 
-@cache
-def functions_of(module: str) -> frozenset[str]:
-    return frozenset(
-        node.name for node in ast.parse(path_of(module).read_text()).body if isinstance(node, ast.FunctionDef)
-    )
-
-
-def at_once(node: ast.AST) -> Iterator[str]:
-    """The names that are made use of while a module is loaded; one that stands in a table only waits there."""
-    if isinstance(node, ast.FunctionDef | ast.Lambda):
-        own = node.decorator_list if isinstance(node, ast.FunctionDef) else []
-        yield from (n for part in (*own, *node.args.defaults) for n in at_once(part))
-        return
-    if isinstance(node, ast.AnnAssign):
-        yield from at_once(node.value) if node.value else ()
-        return
-    if isinstance(node, ast.Name):
-        yield node.id
-    waiting = isinstance(node, ast.Tuple | ast.List)
-    for part in ast.iter_child_nodes(node):
-        yield from () if waiting and isinstance(part, ast.Name) else at_once(part)
-
-
-@pytest.mark.parametrize(
-    "path", [p for p, text in TEXTS.items() if any(f"{m} import" in text for m in SELDOM)], ids=lambda p: p.stem
-)
-def test_others_take_functions_alone_from_what_is_put_off(path: Path) -> None:
-    tree = ast.parse(TEXTS[path])
-    taken = {
-        name.name: node.module
-        for node in ast.walk(tree)
-        if isinstance(node, ast.ImportFrom) and node.module in SELDOM
-        for name in node.names
-    }
-    assert all(name in functions_of(module) for name, module in taken.items())
-    assert not taken.keys() & set(at_once(tree)), "they are not used while a module is loaded"
-
-
-def test_nothing_takes_them_as_a_whole() -> None:
-    folders = {module.rpartition(".")[0] for module in SELDOM}
-    for text in (t for t in TEXTS.values() if any(f"from {folder} import" in t for folder in folders)):
-        for node in ast.walk(ast.parse(text)):
-            if isinstance(node, ast.ImportFrom) and node.module in folders:
-                assert not {f"{node.module}.{n.name}" for n in node.names} & set(SELDOM)
+def test_a_constant_loads_what_was_put_off() -> None:
+    done = outcome(TAKEN)
+    assert done.returncode == 0, done.stderr
