@@ -10,6 +10,7 @@ from planar_cli.report.flight_axes import with_flight_axes
 from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.offset_normals import with_offset_normals
 from planar_cli.report.one_velocity import with_one_velocity
+from planar_cli.report.polar_parts import with_polar_parts
 from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.single_forces import with_single_forces
 from planar_cli.report.speeds_of_constants import with_constants_for_speeds
@@ -21,6 +22,6 @@ def equations_as_told(part: PartSolution) -> PartSolution:
     put in, and speeds of angles; with the letters of what is asked.
     """
     shared = with_rolling_told(
-        with_one_velocity(with_flight_axes(with_constants_for_speeds(with_offset_normals(part))))
+        with_one_velocity(with_flight_axes(with_constants_for_speeds(with_polar_parts(with_offset_normals(part)))))
     )
     return with_single_forces(with_across_speeds(with_known_put_in(with_alike_put_in(shared))))

@@ -24,6 +24,7 @@ from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
+from planar_cli.report.grooves import normal_to
 from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
@@ -123,7 +124,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
-            where, sure = named if rigid and push.kind != "drive" else "", expr in {*at_limit, *phrases.ledger.values}
+            beside_it = named if rigid and push.kind != "drive" else normal_to(instant.instant.scene, push)
+            where, sure = beside_it, expr in {*at_limit, *phrases.ledger.values}
             there: Line = ()
             if (offset := beside.get(expr)) is not None:
                 where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))

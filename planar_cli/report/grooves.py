@@ -17,12 +17,16 @@ import sympy as sp
 
 from planar_cli.equation.curves import curve_formula
 from planar_cli.equation.motion import Edge
-from planar_cli.problem.facts import Joining
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.facts import Joining, Push
 from planar_cli.problem.scene import GROUND, Curve
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.enough_figures import DEGREE
+from planar_cli.report.polar_parts import COMPONENTS
+from planar_cli.report.polar_slides import LETTERS
 from planar_cli.report.told import Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -126,6 +130,7 @@ def _acceleration(g: Groove, result: SolvedLine, phrases: Phrases, number: int) 
     if not phrases.value.is_zero(g.gain):
         rate += slope * g.gain
     yield _rate(g, result, rate, Name("r_ddot"), (phrases, ACCELERATION), number)
+    yield from _components(g, result, phrases)
     sizes = _sizes(g, phrases)
     value = phrases.value.extended(sizes)
     if value.is_zero(slope):
@@ -157,6 +162,40 @@ def _acceleration(g: Groove, result: SolvedLine, phrases: Phrases, number: int) 
             pure(sp.cos(angle)),
         ),
     )
+
+
+def _components(g: Groove, result: SolvedLine, phrases: Phrases) -> Iterator[Block]:
+    """a_r = r̈ - r ω² and a_θ = r α + 2 ṙ ω with their numbers, where the equations have these letters."""
+    if not all(phrases.value.known(s) is not None for s in COMPONENTS):
+        return
+    r, r_dot, r_ddot = LETTERS
+    spin = [(g.spin, phrases.certain(g.spin)), (g.gain, phrases.certain(g.gain))]
+    length = phrases.of_dimension(phrases.value.extended(_sizes(g, phrases))(g.radius), LENGTH).number
+    slope = phrases.value.extended(_sizes(g, phrases))(sp.diff(g.radius, g.angle) * g.spin)
+    slide = phrases.of_dimension(slope, VELOCITY).number
+    rate = phrases.of_dimension(phrases.value(result.symbol), ACCELERATION).number
+    (omega, turns), (alpha, gains) = spin
+    outward = sp.Add(r_ddot, -r * omega**2, evaluate=False)
+    across = sp.Add(r * alpha, 2 * r_dot * omega, evaluate=False) if gains else 2 * r_dot * omega
+    terms: tuple[list[Term], list[Term]] = (
+        [(1, ((rate, 1),)), (-1, ((length, 1), (turns, 2)))],
+        [*([(1, ((length, 1), (gains, 1)))] if gains else []), (1, ((Decimal(2), 1), (slide, 1), (turns, 1)))],
+    )
+    for letter, formula, parts in zip(COMPONENTS, (outward, across), terms, strict=True):
+        value = phrases.of_dimension(phrases.value(letter), ACCELERATION)
+        steady = line("θ̈ = 0") if letter == COMPONENTS[1] and not gains else ()
+        yield Equation((Math(letter), Math(formula), sum_of_products(parts, phrases.figures), value), note=steady)
+
+
+def normal_to(scene: Scene, push: Push) -> str:
+    """What the force of a groove r(θ) is normal to, beside its arrow: it is neither along the radius nor across it."""
+    joint = next((j for j in scene.problem.joints if j.name == push.joint), None)
+    along = getattr(joint, "along", None)
+    surface = scene.surfaces.get(getattr(along, "name", along) or "")
+    shape = surface.shape if surface is not None and push.kind == "normal" else None
+    if surface is None or not isinstance(shape, Curve) or shape.kind != "r":
+        return ""
+    return f" (normal to {surface.name})"
 
 
 def _rate(g: Groove, result: SolvedLine, rate: sp.Expr, letter: Name, by: tuple[Phrases, Any], number: int) -> Equation:
