@@ -99,8 +99,8 @@ def test_what_the_page_rests_on_is_given(text: str, datum: str) -> None:
 
 def test_lengths_that_only_place_what_is_drawn_are_said_to() -> None:
     given = _page("textbook/ex-4-18").split("Given ")[1].split(" Find ")[0]
-    assert "M = 10 N·m; A(0, 0)" in given
-    assert "G(b/2, h), whatever b, h; 1: at rest" in given
+    assert "M = 10 N·m; frame: mass centre G" in given
+    assert "frame: mass centre G; rear: centre O_A, on road at A; front: centre O_B, on road at B; 1: at rest" in given
     # The way down is h, and what is read off a motion that is followed may rest on anything.
     assert "whatever" not in _page("impact/pile-driver")
     assert "whatever" not in _page("hard/two-rods-of-unlike-mass")

@@ -8,20 +8,33 @@ from worked import page_of_file
 def test_impulses_over_a_time_are_drawn_before_their_equations() -> None:
     page = page_of_file("ex-4-18")
     assert (
-        "From 1 to 2, from rest: impulses = momenta at 2 (J: impulse of a reaction; the vertical impulses do not enter)"
-        in page
+        "From 1 to 2, from rest: impulses = momenta at 2 (J: impulse of a reaction; m_rear, m_front: parts of m; the "
+        "vertical impulses do not enter)" in page
     )
-    assert "rear: M t_2 ↻, J_OAx → at O_A, J_F,A → at A = I_r ω_rear,2 ↻" in page
-    assert "frame, rear, front: J_F,A → at A, J_F,B ← at B = m v_G,2 → at G" in page
-    assert page.count("= m v_G,2 → at G") == 1
+    assert "frame, rear, front: J_F,A → at A, J_F,B ← at B = m v → at G" in page
+    assert page.count("= m v → at G") == 1
+
+
+def test_a_wheel_whose_mass_is_counted_elsewhere_has_its_momentum() -> None:
+    page = page_of_file("ex-4-18")
+    assert "rear: M t_2 ↻, J_OAx → at O_A, J_F,A → at A = m_rear v → at O_A, I_r ω_rear,2 ↻" in page
+    assert "front: J_OBx → at O_B, J_F,B ← at B = m_front v → at O_B, I_f ω_front,2 ↻" in page
+
+
+def test_the_speed_that_is_asked_is_the_unknown_and_its_kinematics_come_first() -> None:
+    page = page_of_file("ex-4-18")
+    first = "Kinematics, at 2: ω_rear,2 = ω_front,2 = v/r rear and front roll without slipping"
+    assert first in page
+    assert page.index(first) < page.index("impulses = momenta")
+    assert "hence: v = M r t_2 / (m r² + I_f + I_r)" in page
 
 
 def test_an_impulse_counts_as_it_acts_and_inner_ones_cancel() -> None:
     """The road holds the front wheel back; of the whole cycle no impulse of an axle enters."""
     page = page_of_file("ex-4-18")
-    assert "(1) ↻ H_O,A: M t_2 - J_F,A r = I_r ω_rear,2" in page
-    assert "(2) → J_F,A - J_F,B = m r ω_rear,2" in page
-    assert "↻ H_O,B: J_F,B r = I_f ω_rear,2" in page
+    assert "(1) ↻ H_O,A: M t_2 - J_F,A r = I_r v/r" in page
+    assert "(2) → J_F,A - J_F,B = m v" in page
+    assert "↻ H_O,B: J_F,B r = I_f v/r" in page
 
 
 def test_balances_without_such_impulses_need_no_diagram() -> None:
@@ -29,9 +42,9 @@ def test_balances_without_such_impulses_need_no_diagram() -> None:
 
 
 def test_a_body_without_mass_that_moves_on_is_told() -> None:
-    told = "Of rear and front only their rotation is added: their masses are included in that of frame, or negligible."
+    told = "m is the mass of frame together with rear and front; of these only the rotation is added."
     assert told in page_of_file("ex-4-18")
-    assert "rotation is added" not in page_of_file("two-wheels-pressed-together")
+    assert "the rotation is added" not in page_of_file("two-wheels-pressed-together")
 
 
 def test_the_work_of_one_source_is_the_kinetic_energy() -> None:

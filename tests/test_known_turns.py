@@ -132,8 +132,8 @@ def test_wheels_that_roll_as_a_velocity_is_asked() -> None:
     page = _page("textbook/ex-4-18")
     for told in (
         "the angle by which the rear has turned, clockwise",
-        "↻ H_O,A: M t_2 - J_F,A r = I_r ω_rear,2",
-        "v = r ω_rear,2",
+        "↻ H_O,A: M t_2 - J_F,A r = I_r v/r",
+        "ω_rear,2 = ω_front,2 = v/r",
     ):
         assert told in page
 

@@ -17,8 +17,11 @@ from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.report.blocks import Block, Forces, Line, Math, Paragraph, Text, Value, line
 from planar_cli.report.conditions_of_states import asked_here
 from planar_cli.report.forces import force_rows
+from planar_cli.report.light_bodies import own_momenta, parts_of_mass
+from planar_cli.report.speeds_of_momenta import speeds_first
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
+from planar_cli.solve.solution import InstantSolution
 
 BETWEEN = ",  "
 """Stands between the impulses of a diagram."""
@@ -28,17 +31,22 @@ IMPULSES = ("impulses", "momenta")
 """What stands over both sides of such diagrams."""
 
 
-def before_leg(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
-    """What stands before the equations of a leg: what is asked and solved for, and diagrams of impulses."""
-    yield from asked_here(leg, found, phrases)
+def before_leg(leg: RouteStep, found: MotionTrace, phrases: Phrases, told: set[sp.Symbol]) -> Iterator[Block]:
+    """What stands before the equations of a leg: what is asked and solved for, or speeds by it, and diagrams of
+    impulses. `told`: speeds that were told, which grows.
+    """
     balances = [e.source for e in leg.relations if isinstance(e.source, BalanceTrace) and not e.source.law.letter]
-    spans = dict.fromkeys((b.since, b.stop) for b in balances)
-    for since, stop in spans:
+    rows, first = list[Block](), list[Block]()
+    for since, stop in dict.fromkeys((b.since, b.stop) for b in balances):
         own = [b for b in balances if (b.since, b.stop) == (since, stop)]
         regime = next((r for r in found.regimes if (since, stop) in r.stretches), None)
         rests = all(b.before.xreplace(dict(found.route.plain)) == 0 for b in own)
-        if regime is not None and rests:
-            yield from _rows(regime, own, found, phrases)
+        drawn = list(_rows(regime, own, found, phrases)) if regime is not None and rests else []
+        first += speeds_first(own, found.route.plain, phrases, told) if drawn else ()
+        rows += drawn
+    if not first:
+        yield from asked_here(leg, found, phrases)
+    yield from (*first, *rows)
 
 
 def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
@@ -54,10 +62,16 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     speeds = {rate: speed for speed, rate in system.rates().items()}
     ends = {general: x for x, general in found.general.items() if found.ledger.roles[x].at == stop}
     after = {rate: ends.get(speed, sp.Symbol(f"{speed.name}__{stop}", real=True)) for rate, speed in speeds.items()}
-    after |= {x.symbol: sp.Symbol(f"v{x.symbol.name[1:]}__{stop}", real=True) for x in stage.lines}
+    asked = {sp.expand(made): x for x, made in found.named.items()}
+    for x in stage.lines:
+        made = sp.expand(x.expression.xreplace(after).xreplace(dict(found.route.plain)))
+        after[x.symbol] = asked.get(made, sp.Symbol(f"v{x.symbol.name[1:]}__{stop}", real=True))
     told = Phrases(solution.instant.scene.ledger, solution.value, phrases.figures, phrases.symbolic)
     groups = list(dict.fromkeys(b.law.bodies for b in own))
     bodies = {body for group in groups for body in group}
+    shares = _shares(solution, groups, ends, found)
+    if shares is None:
+        return
     against = {s for s, (_, number) in regime.constants.items() if number < 0}
     rows = []
     for row in force_rows(solution, stage, told, inertia_as_force=False):
@@ -66,29 +80,49 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
             return
         if row.body in bodies and left is not None and right is not None:
             rows.append(Forces(row.body, left, right, IMPULSES, row.scene))
-    rows = [row for group in sorted(groups, key=len) for row in _of_group(group, rows)]
+    rows = [row for group in sorted(groups, key=len) for row in _of_group(group, rows, shares)]
     level = [_level(row) for row in rows]
     kept = {s for row in level for s in _letters(row)}
     upright = {s.name for row in rows for s in _letters(row) - kept}
     left_out = rows != level and not used & upright
     left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in _entries(row.right))
     across = "impulses along y" if found.problem.plane == "horizontal" else "vertical impulses"
-    note = "J: impulse of a reaction" + (f"; the {across} do not enter" if left_out else "")
-    yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} ({note})"))
+    note = line("J: impulse of a reaction", *parts_of_mass(solution, shares))
+    note = line(*note, f"; the {across} do not enter" if left_out else "")
+    yield Paragraph(line(f"From {since} to {stop}, from rest: impulses = momenta at {stop} (", *note, ")"))
     yield from level if left_out else rows
 
 
-def _of_group(group: tuple[str, ...], rows: list[Forces]) -> Iterator[Forces]:
-    """The diagram of a group: what acts between its bodies cancels; that of a body alone is its own."""
+def _shares(
+    solution: InstantSolution, groups: list[tuple[str, ...]], ends: Mapping[sp.Symbol, sp.Symbol], found: MotionTrace
+) -> dict[str, Line] | None:
+    """The momenta of bodies whose mass is counted in that of another one; None: they can not be drawn."""
+    asked = {sp.expand(made): x for x, made in found.named.items()}
+    plain = dict(found.route.plain)
+
+    def speed(velocity: sp.Expr) -> sp.Expr | None:
+        return asked.get(sp.expand(velocity.xreplace(dict(ends)).xreplace(plain)))
+
+    return own_momenta(solution, groups, speed)
+
+
+def _of_group(group: tuple[str, ...], rows: list[Forces], shares: Mapping[str, Line]) -> Iterator[Forces]:
+    """The diagram of a group: what acts between its bodies cancels; that of a body alone is its own, with the momentum
+    that the other ones leave to it.
+    """
     own = [row for row in rows if row.body in group]
     if len(own) < 2:
-        yield from own
+        yield from (replace(row, right=_joined([*_share(row, shares), *_entries(row.right)])) for row in own)
         return
     acting = [entry for row in own for entry in _entries(row.left)]
     sizes = [next((p for p in entry if isinstance(p, Math)), None) for entry in acting]
     outer = [entry for entry, size in zip(acting, sizes, strict=True) if size is None or sizes.count(size) == 1]
     left, right = outer or [line("0")], [entry for row in own for entry in _entries(row.right)]
     yield replace(own[0], body=", ".join(row.body for row in own), left=_joined(left), right=_joined(right))
+
+
+def _share(row: Forces, shares: Mapping[str, Line]) -> list[Line]:
+    return [shares[row.body]] if row.body in shares else []
 
 
 def _joined(entries: list[Line]) -> Line:

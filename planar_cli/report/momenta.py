@@ -42,15 +42,24 @@ class MomentumTelling:
 
     def lines(self) -> Iterator[Block]:
         """The momentum at the end, of one body that turns, or that alone of several has mass; and the impulse."""
-        parts = self.balance.parts
-        moving = [] if parts is None else [m for m in parts.moving if m.mass != 0 or self.balance.law.about]
-        if parts is not None and len(moving) == 1:
-            yield from self._led(moving[0])
-            yield from self._momentum(moving[0]) if self.balance.law.about else ()
+        yield from self.speeds()
+        if self.balance.law.about and (only := self._only()) is not None:
+            yield from self._momentum(only)
         if self.balance.impulse is not None and self.balance.gain != 0:
             yield from self._impulse(self.balance.impulse)
 
-    def _led(self, made: Moving) -> Iterator[Block]:
+    def speeds(self) -> Iterator[Equation]:
+        """The speed of that body by the speed of another one, unless it was told."""
+        if (only := self._only()) is not None:
+            yield from self._led(only)
+
+    def _only(self) -> Moving | None:
+        """The body that turns, or that alone of several has mass; None: several do."""
+        parts = self.balance.parts
+        moving = [] if parts is None else [m for m in parts.moving if m.mass != 0 or self.balance.law.about]
+        return moving[0] if len(moving) == 1 else None
+
+    def _led(self, made: Moving) -> Iterator[Equation]:
         """What the balance counts by the speed of another body: turning, or going along one axis."""
         omega, stop = self._put(made.omega), self.balance.stop
         along = [v for v in (self._put(made.vx), self._put(made.vy)) if v != 0]

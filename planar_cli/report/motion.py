@@ -175,7 +175,7 @@ class MotionTelling:
         return datum_blocks(leg, self.found, (self.phrases, self.numeric), self._chain, self._others, not self.wanted)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
-        yield from before_leg(leg, self.found, self.phrases)
+        yield from before_leg(leg, self.found, self.phrases, self.between.made)
         yield from self._flights.before(leg, self.number, lambda e: self._sides(e, route))
         equations, ledger = leg.relations, self.found.ledger
         numbers, single = list[int](), len(equations) == 1

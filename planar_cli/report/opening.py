@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Block, Line, Name, Note, Text, Value, line
 from planar_cli.report.given import given_rows, idle_inertias, idle_masses
 from planar_cli.report.lettered import lettered
 from planar_cli.report.mentioned import Mentioned, mentioned
+from planar_cli.report.points_by_bodies import points_by_bodies
 from planar_cli.report.principles import principles
 from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.uses import Uses
@@ -87,10 +88,9 @@ def _rows(
 ) -> list[Sequence[Line]]:
     """All that a file gives: its letters, then what has none. `aside`: letters that only place what is drawn."""
     letters = [d for s in problem.given if s.name not in aside and (d := _datum(s, phrases, figures))]
-    placing = [line(Name(s.name)) for s in problem.given if s.name in aside]
     numbers, *others = given_rows(problem, seen, figures)
-    if placing and others:
-        others[0] = (*others[0], line("whatever ", *_listed(placing)))
+    if others and any(s.name in aside for s in problem.given):
+        others[:1] = [(told,) for told in points_by_bodies(problem, seen)]
     return [
         [
             *letters,

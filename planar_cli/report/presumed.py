@@ -13,7 +13,8 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.expression import JustAfter, Name, Relation
 from planar_cli.problem.knots import balanced_knots
 from planar_cli.problem.scene import Problem, Round
-from planar_cli.report.blocks import Line, Note, line
+from planar_cli.report.blocks import Line, Math, Note, line
+from planar_cli.report.light_bodies import heavy_bodies, light_bodies
 from planar_cli.report.words import Phrases
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instant.conditions import without_factors
@@ -46,12 +47,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
         yield Note("Assume", line(f"{words}; whether it is so depends on the letters"))
     for put in _placed(part, phrases):
         yield Note("Assume", put)
-    if light := _without_mass(part):
-        neglected = "only its rotation is added" if len(light) == 1 else "only their rotation is added"
-        heavy = _with_mass(part)
-        whose = f"that of {heavy[0]}" if len(heavy) == 1 else "that of another body"
-        own = "its mass is" if len(light) == 1 else "their masses are"
-        yield Note("Assume", line(f"Of {' and '.join(light)} {neglected}: {own} included in {whose}, or negligible."))
+    yield from _masses_together(part)
     if part.motion is None:
         return
     for knot in balanced_knots(part.motion.problem):
@@ -129,24 +125,24 @@ def _placed(part: PartSolution, phrases: Phrases) -> Iterator[Line]:
             )
 
 
-def _without_mass(part: PartSolution) -> dict[str, None]:
-    """Bodies that move on and turn, of which the file gives a moment of inertia alone."""
-    found: dict[str, None] = {}
-    for instant in part.instants:
-        motion, scene = instant.trial.system.motion, instant.instant.scene
-        for name, body in scene.bodies.items() if motion is not None else ():
-            if body.mass != 0 or body.inertia == 0 or not body.rigid or motion is None:
-                continue
-            v = motion.velocity(body.center, name)
-            if any(instant.value.known(p) != 0 for p in (v.x, v.y)):
-                found[name] = None
-    return found
-
-
-def _with_mass(part: PartSolution) -> list[str]:
-    """The bodies of which the file gives a mass."""
-    scenes = (instant.instant.scene for instant in part.instants)
-    return list(dict.fromkeys(name for scene in scenes for name, body in scene.bodies.items() if body.mass != 0))
+def _masses_together(part: PartSolution) -> Iterator[Note]:
+    """Of bodies with a moment of inertia alone, in what their masses are counted."""
+    light = list(dict.fromkeys(name for instant in part.instants for name in light_bodies(instant)))
+    if not light:
+        return
+    heavy = heavy_bodies(part.instants)
+    mass = part.instants[0].instant.scene.bodies[heavy[0]].mass if len(heavy) == 1 else sp.S.Zero
+    if mass.is_Symbol:
+        these = "it" if len(light) == 1 else "these"
+        whole = (
+            f" is the mass of {heavy[0]} together with {' and '.join(light)}; of {these} only the rotation is added."
+        )
+        yield Note("Assume", line(Math(mass), whole))
+        return
+    add = "only its rotation is added" if len(light) == 1 else "only their rotation is added"
+    own = "its mass is" if len(light) == 1 else "their masses are"
+    whose = f"that of {heavy[0]}" if len(heavy) == 1 else "that of another body"
+    yield Note("Assume", line(f"Of {' and '.join(light)} {add}: {own} included in {whose}, or negligible."))
 
 
 def _bounded(problem: Problem) -> Iterator[str]:

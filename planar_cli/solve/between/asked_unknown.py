@@ -62,7 +62,7 @@ def _changes(motion: MotionTrace, request: Request) -> Iterator[_Change]:
     numbers = _numbers(motion.route.formulas)
     for step in motion.route.steps:
         letter = step.unknowns[0]
-        if letter not in expr.free_symbols or not _balances(step) or _is_used(motion, request, step, letter):
+        if letter not in expr.free_symbols or not _balances(step) or is_used(motion, request, step, letter):
             continue
         asked = sp.Symbol(name, real=True)
         inverse = _inverse(expr.xreplace(numbers), letter, asked)
@@ -88,7 +88,7 @@ def _balances(step: RouteStep) -> bool:
     )
 
 
-def _is_used(motion: MotionTrace, request: Request, own: RouteStep, letter: sp.Symbol) -> bool:
+def is_used(motion: MotionTrace, request: Request, own: RouteStep, letter: sp.Symbol) -> bool:
     """Does anything else that is told rest on this letter?"""
     others = [e for r in motion.requests if r is not request for e in (*r.parts, *(f for _, f in r.beside))]
     others += [s.formula for s in motion.spans if s.formula is not None]
@@ -142,7 +142,7 @@ def _changed(motion: MotionTrace, change: _Change) -> MotionTrace | None:
     ledger, unit = motion.ledger, change.request.unit
     assert unit is not None
     ledger.adopt(change.asked, unit, Role(Kind.SOUGHT))
-    relations = (_relation(relation, change.put),)
+    relations = (relation_in(relation, change.put),)
     needs = change.step.needs & residual.free_symbols
     step = RouteStep(relations, (change.asked,), needs, (result,), False)
     steps = tuple(step if s is change.step else s for s in motion.route.steps)
@@ -171,8 +171,8 @@ def solved_for_asked(residual: sp.Expr, asked: sp.Symbol, value: Valuation, symb
     return None if formula is None else Result(asked, formula, truth, tuple(roots))
 
 
-def _relation(e: Relation, put: Put) -> Relation:
-    """A balance with all its parts."""
+def relation_in(e: Relation, put: Put) -> Relation:
+    """A balance with all its parts, what `put` makes of them."""
     b = e.source
     assert isinstance(b, BalanceTrace)
     source = replace(

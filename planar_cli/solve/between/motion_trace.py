@@ -15,6 +15,7 @@ from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.asked_finds import AskedFind
+from planar_cli.solve.between.asked_speed import by_the_speed_asked
 from planar_cli.solve.between.asked_unknown import by_what_is_asked
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.by_centres import in_centres, without_places
@@ -115,7 +116,8 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-    return by_functions(by_terminal_speed(by_what_passes(by_what_is_asked(by_triangles(made) or by_lines(made)))))
+    by_asked = by_the_speed_asked(by_what_is_asked(by_triangles(made) or by_lines(made)))
+    return by_functions(by_terminal_speed(by_what_passes(by_asked)))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
