@@ -239,13 +239,3 @@ def test_friction_that_is_found_to_be_zero_stands_on_the_diagrams() -> None:
     assert page.count("F_C ↑ at C (assumed)") == page.count("F_C ↓ at C (assumed)") == 1
     assert "↑ ΣF_y:   F_C + A_y = 0" in page
     assert "x_B" not in page
-
-
-def test_what_a_rod_drives_along_a_groove_has_its_polar_components() -> None:
-    """Both with their numbers before the diagram, which has them as its two vectors; the sums are along them."""
-    page = _page("particles/can-driven-along-a-groove")
-    assert "a_r = r̈ - r ω² = -0.72 - 0.1 · 6² = -4.32 m/s²" in page
-    assert "a_θ = 2 ṙ ω = 2 · 0.2078 · 6 = 2.494 m/s²    θ̈ = 0" in page
-    assert "N_wall ↘ (normal to groove)   =   m a_r ↖,  m a_θ ↙" in page
-    assert "ΣF_r:           -N_wall sin ψ = m a_r" in page
-    assert "ΣF_θ:   N_fork + N_wall cos ψ = m a_θ" in page

@@ -40,11 +40,13 @@ find: {v: v(P).mag, a: a(P).mag, F: reaction(slot/pin).mag, N: reaction(wall).ma
         "(1) ṙ = b ω sin θ = 0.04 · 6 sin 120° = 0.2078 m/s",
         "(2) r̈ = b ω² cos θ = 0.04 · 6² cos 120° = -0.72 m/s²",
         "ψ = 70.89°, from OP to the tangent of groove; sin ψ = 0.9449",
-        "= m r̈ ↖, 2 m ṙ ω ↙, m r ω² ↘",
-        "(3) ↖ ΣF: -N_wall sin ψ = m r̈ - m r ω²",
-        "(4) ↙ ΣF: N_fork + N_wall cos ψ = 2 m ṙ ω",
+        "a_r = r̈ - r ω² = -0.72 - 0.1 · 6² = -4.32 m/s²",
+        "a_θ = 2 ṙ ω = 2 · 0.2078 · 6 = 2.494 m/s² θ̈ = 0",
+        "N_wall ↘ (normal to groove) = m a_r ↖, m a_θ ↙",
+        "(3) ↖ ΣF_r: -N_wall sin ψ = m a_r",
+        "(4) ↙ ΣF_θ: N_fork + N_wall cos ψ = m a_θ",
         "(3), (4), 2 unknowns: N_wall, N_fork",
-        "(3): N_wall = m (r ω² - r̈) / sin ψ",
+        "(3): N_wall = -m a_r/sin ψ",
     ],
 )
 def test_a_can_in_a_groove(told: str) -> None:
@@ -61,6 +63,8 @@ def test_a_spiral_with_an_angular_acceleration(tmp_path: Path) -> None:
     page = normalize("NFC", re.sub(r"\s+", " ", Terminal(200).render(narrate(solution))))
     assert normalize("NFC", "ṙ = c ω = 0.05 · 3 = 0.15 m/s") in page
     assert normalize("NFC", "r̈ = c α = 0.05 · 2 = 0.1 m/s²") in page
+    assert normalize("NFC", "a_r = r̈ - r ω² =") in page
+    assert normalize("NFC", "a_θ = r α + 2 ṙ ω =") in page
     theta, omega, alpha, c, m = 80 * pi / 180, 3.0, 2.0, 0.05, 0.2
     r, dr, ddr = c * theta, c * omega, c * alpha
     a_r, a_t = ddr - r * omega**2, r * alpha + 2 * dr * omega
