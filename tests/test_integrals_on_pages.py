@@ -19,7 +19,7 @@ def test_a_time_follows_from_the_integral_over_the_speed() -> None:
     page = page_of_file("ball-up-with-drag")
     assert "From hand to top, dv/a = dt:" in page
     assert "terminal speed: v_t = √(m g/c) = √(0.15 · 9.81 / 0.0012) = 35.02 m/s" in page
-    assert "[-v_t arctan(ṡ/v_t)/g] from ṡ = ṡ_hand to 0 = t_top (3) t_top = v_t arctan(ṡ_hand/v_t)/g" in page
+    assert "t_top = [-v_t arctan(ṡ/v_t)/g] from ṡ = ṡ_hand to 0 (3) t_top = v_t arctan(ṡ_hand/v_t)/g" in page
     assert "with it: s̈ = -g (1 + ṡ²/v_t²)" in page
     assert "tan(t_top" not in page
 
@@ -31,7 +31,7 @@ def test_a_time_follows_from_a_velocity_that_is_asked() -> None:
 
 def test_a_speed_is_the_root_of_its_own_line() -> None:
     page = page_of_file("ball-up-with-drag")
-    assert "∫[0 → ṡ_back] (v_t² ṡ / (g (v_t² - ṡ²))) dṡ = ∫[0 → h] ds [-v_t² ln(v_t² - ṡ²) / (2 g)] from" in page
+    assert "∫[0 → ṡ_back] (v_t² ṡ / (g (v_t² - ṡ²))) dṡ = ∫[0 → h] ds h = [-v_t² ln(v_t² - ṡ²) / (2 g)] from" in page
     assert "ṡ_back² = v_t² - v_t² exp(-2 g h/v_t²)" in page
     assert "ṡ_back = v_t √(1 - exp(-2 g h/v_t²))" in page
 

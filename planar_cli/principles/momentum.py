@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar, final
 
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.principles._bodies import body_families, moving_of, of_mass_centre
 from planar_cli.principles._frames import Frame, frames, knows_less, unknown_sizes
@@ -91,7 +91,8 @@ def _balances(position: Position) -> Iterator[Balance]:
     system, scene = position.system, position.system.scene
     if system.reactions is None or any(p.kind == "drive" and not p.actions for p in system.pushes):
         return
-    if any(b.varies for b in scene.bodies.values()):
+    varying = {b.mass for b in scene.bodies.values() if b.varies}
+    if any(m.free_symbols & {c.symbol for c in position.coordinates} for m in varying):
         return
     followers = {law.push for law in system.laws}
     loose = {system.symbols[p.name] for p in system.pushes if p.name not in followers}
@@ -102,9 +103,14 @@ def _balances(position: Position) -> Iterator[Balance]:
             continue
         outer = [w for w in acting if w.body in group]
         for d, arrow in ((Vec(sp.S.One, sp.S.Zero), "→ "), (Vec(sp.S.Zero, sp.S.One), "↑ ")):
-            rate = expanded(sp.Add(*(w.force.dot(d) for w in outer if w.force is not None)))
+            rate = expanded(
+                sp.Add(*(w.force.dot(d) for w in outer if w.force is not None), _gained(position, group, d))
+            )
             if not rate.free_symbols & loose:
-                yield from _balance(group, _linear(position, group, d), rate, arrow, "")
+                brings = _brings_nothing(position, group, d, outer) if varying else ""
+                yield from _balance(group, _linear(position, group, d), rate, arrow, "", brings)
+        if varying:
+            continue
         centres = {**fixed, **(_own_points(position, group[0]) if len(group) == 1 else {})}
         for name, center in centres.items():
             rate = simplified(expanded(sp.Add(*(_moment(position, w, center) for w in outer))))
@@ -216,6 +222,31 @@ def _moment(position: Position, w: Wrench, center: Vec) -> sp.Expr:
 def _linear(position: Position, group: tuple[str, ...], d: Vec) -> dict[str, sp.Expr]:
     scene, motion = position.system.scene, position.motion
     return {b: scene.bodies[b].mass * motion.velocity(scene.center(b), b).dot(d) for b in group}
+
+
+def _gained(position: Position, group: tuple[str, ...], d: Vec) -> sp.Expr:
+    """The momentum per second of what enters or leaves with the velocity of the body: dm/dt v. The push of a stream is
+    that of its velocity relative to the body, so that both together are the momentum that it brings.
+    """
+    scene, motion = position.system.scene, position.motion
+    rates = ((b, _filling(position, b)) for b in group)
+    return sp.Add(*(rate * motion.velocity(scene.center(b), b).dot(d) for b, rate in rates if rate != 0))
+
+
+def _filling(position: Position, body: str) -> sp.Expr:
+    """dm/dt."""
+    return derivative(sp.sympify(position.system.scene.bodies[body].mass), position.time)
+
+
+def _brings_nothing(position: Position, group: tuple[str, ...], d: Vec, outer: Iterable[Wrench]) -> str:
+    """That streams bring no momentum in a direction, where masses vary; "": they do."""
+    streams = sp.Add(*(w.force.dot(d) for w in outer if w.force is not None and w.kind == "stream"))
+    gained = _gained(position, group, d)
+    if gained == 0 or expanded(streams + gained) != 0:
+        return ""
+    enters = position.value.known(sp.Add(*(_filling(position, b) for b in group)))
+    what = "flows" if enters is None else "enters" if enters > 0 else "leaves"
+    return f" (what {what} has no velocity along {'x' if d.x != 0 else 'y'})"
 
 
 def _angular(position: Position, group: tuple[str, ...], center: Vec) -> dict[str, sp.Expr]:

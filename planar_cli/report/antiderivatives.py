@@ -1,7 +1,7 @@
 """A definite integral, and where its antiderivative is a logarithm or an inverse function, this between its limits.
 
 ∫[v_0 → 0] (-v_t² v/(g (v_t² + v²))) dv = ∫[0 → h] ds
-[-v_t² ln(v_t² + v²)/(2 g)] from v_0 to 0 = h
+h = [-v_t² ln(v_t² + v²)/(2 g)] from v = v_0 to 0
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative, where_real
 from planar_cli.equation.plain import identically_zero, longer, simplified
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.blocks import Block, Equation, Text, line
 from planar_cli.report.laws import integral_note, running
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Relation
@@ -22,6 +22,15 @@ LONGEST = 24
 """A longer antiderivative is not told."""
 TOLD = (sp.log, sp.atan, sp.atanh, sp.asinh)
 """Functions that a reader does not see in the integrand."""
+OPENS = "["
+
+
+def is_between_limits(block: Block) -> bool:
+    """Is it an antiderivative between its limits, whose value the next line tells?"""
+    match block:
+        case Equation(sides=(_, (Text(text), *_))):
+            return text == OPENS
+    return False
 
 
 def integral_blocks(
@@ -41,7 +50,7 @@ def integral_blocks(
     if found is not None and found.has(*TOLD) and not longer(found, LONGEST):
         _, since, until = plain[0].limits[0]
         running_from = line("] from ", phrases.math(x), " = ", phrases.math(low), " to ", phrases.math(high))
-        yield Equation((line("[", phrases.math(found), running_from), phrases.math(until - since)))
+        yield Equation((phrases.math(until - since), line(OPENS, phrases.math(found), running_from)))
 
 
 def _antiderivative(integral: sp.Integral, phrases: Phrases) -> sp.Expr | None:

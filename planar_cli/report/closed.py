@@ -12,6 +12,7 @@ from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.problem.scene import Problem
 from planar_cli.report.answer_letters import asked_symbol
+from planar_cli.report.antiderivatives import is_between_limits
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value
 from planar_cli.report.clean import is_clean
 from planar_cli.report.hidden_data import hides_data
@@ -47,7 +48,7 @@ def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phra
         closed = answer.expressions or ()
         for axis, expr in zip(("x", "y") if len(closed) > 1 else ("",), closed, strict=True):
             own = {f"{name}, {axis}" if axis else name for name in names}
-            lines = [i for i, block in enumerate(found) if _left(block) in own]
+            lines = [i for i, block in enumerate(found) if _left(block) in own and not is_between_limits(block)]
             # A numbered line may be an equation that a letter stands in, rather than what gives it.
             given = [i for i in lines if not _is_numbered(found[i])] or lines
             shown = swallowed(expr, answer, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))

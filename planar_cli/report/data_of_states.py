@@ -7,6 +7,7 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.problem.expression import Relation
+from planar_cli.problem.scene import Particle
 from planar_cli.report.as_stated import Stated, between, gives, stated_in
 from planar_cli.report.blocks import Block, Equation, Name, line
 from planar_cli.report.conditions_of_states import condition_blocks, followed_from, given_by_another
@@ -43,7 +44,7 @@ def datum_blocks(
         stated = said_there if _is_number(r, phrases[0]) else None
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
-        if headed and (_is_datum_of_file(r, found) or (len(sides) == 2 and _is_repeated(said_there, r))):
+        if headed and (_is_datum_of_file(r, found) or (len(sides) == 2 and _is_repeated(said_there, r, found))):
             continue
         if stated is None or gives(stated, r.value, phrases[1]):
             another = list(given_by_another(e, r, found, phrases)) if e.kind == "given" and stated is None else []
@@ -74,9 +75,9 @@ def _is_datum_of_file(r: Result, found: MotionTrace) -> bool:
     return given is not None and found.value.known(r.unknown) is not None and abs(given - r.value) <= SAME * abs(given)
 
 
-def _is_repeated(stated: Stated | None, r: Result) -> bool:
+def _is_repeated(stated: Stated | None, r: Result, found: MotionTrace) -> bool:
     """Would its line only say again what is given, 2: t = 2 s and then t_2 = 2 s; 1: v_Ax = 4 m/s and then v_A,1 for
-    what moves along x alone?
+    what moves along x alone, or v of the only body.
     """
     if not isinstance(stated, Relation):
         return False
@@ -84,5 +85,10 @@ def _is_repeated(stated: Stated | None, r: Result) -> bool:
     match named:
         case (Name(name),):
             letter = plain_name(r.unknown.name.partition("__")[0])
-            return plain_name(name) in (letter, *(f"{letter}{c}" for c in COMPONENTS))
+            if plain_name(name) in (letter, *(f"{letter}{c}" for c in COMPONENTS)):
+                return True
+            (body, *more) = found.problem.bodies
+            place = body.shape.place if isinstance(body.shape, Particle) else None
+            alone = letter.removesuffix(f"_{place}") if isinstance(place, str) and not more else ""
+            return bool(alone) and name in {f"{alone}_{body.name}_{c}" for c in COMPONENTS}
     return False

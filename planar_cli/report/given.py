@@ -147,8 +147,10 @@ def _mass_letter(body: Body, heavy: Sequence[Body]) -> str:
 def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Iterator[Datum]:
     heavy = _heavy(problem)
     letter = _mass_letter(body, heavy)
-    if page.kinetic or letter in page.letters:
+    formula = body.mass is not None and any(n.name == "t" for n in walk(body.mass) if isinstance(n, Name))
+    if page.kinetic or letter in page.letters or formula:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
+    if page.kinetic or letter in page.letters:
         yield from _datum(f"weight of {body.name}", body.weight, figures)
     named = _tells_inertia(body, problem, page)
     if page.energies or (page.kinetic and named):

@@ -114,7 +114,8 @@ class MomentumTelling:
             return
         sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
         if not gain.free_symbols & set(self.unknowns) and not self.phrases.symbolic:
-            value = self.phrases.value.known(gain)
+            told = all(self.phrases.has_numbers(s) for s in gain.free_symbols)
+            value = self.phrases.value.known(gain) if told else None
             shown = [] if value is None else [self.phrases.of_dimension(value, dimension)]
             usual = bool(self.balance.law.about) and not self.phrases.ledger.us
             # A number is not written twice, bare and with its unit.

@@ -68,6 +68,7 @@ from planar_cli.report.rate_first import ToldRate, rate_first
 from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.solved_in_letters import solved_in_letters, solved_in_numbers
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.speed_by_balance import speed_by_balance
 from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
@@ -118,8 +119,7 @@ class MotionTelling:
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
-        body = list(told_once(self._body()))
-        if not body:
+        if not (body := list(told_once(self._body()))):
             return []
         spans = [s for s in self.found.spans if not in_blow(s)]
         rest = [leg for leg in self.found.route.steps if leg not in self.early]
@@ -281,7 +281,7 @@ class MotionTelling:
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
-        yield from self._laws.blocks(e, self.found.route, self._open)
+        yield from speed_by_balance(e, self.found, self.phrases) or self._laws.blocks(e, self.found.route, self._open)
 
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import are_zero
+from planar_cli.equation.plain import are_zero, derivative, identically_zero
 from planar_cli.principles.base import Balance
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
@@ -60,7 +60,7 @@ def wanted_of(
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        for law in _laws(e):
+        for law in () if _told_by_balance(course, e, way) else _laws(e):
             if law.v in own and (law.f != 0 or _has_other(law, laws)):
                 names |= _rates(regime, regime.free if law.speed is None else (law.speed,))
                 names |= set() if law.constant is None else {law.constant[0].name}
@@ -93,6 +93,22 @@ def _laws(e: Equation) -> tuple[Law, ...]:
     if isinstance(e.source, Together):
         return () if e.source.falling else e.source.laws
     return () if e.law is None else (e.law,)
+
+
+def _told_by_balance(course: StatedMotion, e: Equation, way: Route) -> bool:
+    """Is it a way whose speed at any time a balance of momentum to the same state tells, so that it needs no law?"""
+    if e.kind != "q(t)" or e.law is None or e.span is None or e.span.explicit is None:
+        return False
+    stop = course.stops[e.stop]
+    speed = next((own for letter, own in stop.letters.items() if letter in (e.law.v, e.law.speed)), None)
+    if speed is None:
+        return False
+    put = {speed: derivative(e.span.explicit, stop.t)}
+    used = (x for step in way.steps for x in step.derivation.equations)
+    balances = (x for x in used if isinstance(x.source, StateBalance) and (x.since, x.stop) == (e.since, e.stop))
+    # Of a mass that stays the same the law is as short as the balance.
+    growing = (x for x in balances if x.kind == "momentum" and derivative(x.residual, speed).has(stop.t))
+    return any(identically_zero(x.residual.xreplace(put)) for x in growing)
 
 
 def _carried(regime: Regime, blow: Blow, w: Written) -> set[str]:
