@@ -16,13 +16,14 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
+from planar_cli.report.clean import is_clean
 from planar_cli.solve.instant.algebra import Line, SolvedBlock
 from planar_cli.solve.instant.stages import Stage
-from planar_cli.solve.instant.tangent_angle import GROOVE
+from planar_cli.solve.instant.tangent_angle import radius_told
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.units import parse_unit
+from planar_cli.units import LENGTH, parse_unit
 
 OUTWARD, ACROSS = sp.symbols("a_r a_theta", real=True)
 COMPONENTS = (OUTWARD, ACROSS)
@@ -56,9 +57,12 @@ def with_polar_parts(part: PartSolution) -> PartSolution:
 
 def _instant(instant: InstantSolution) -> InstantSolution:
     ledger = instant.instant.scene.ledger
-    radius = next((s for s, title in ledger.titles.items() if title.startswith(f"{GROOVE}radius")), None)
+    radius = radius_told(instant.trial.system, instant.value)
     taken = {s.name for s in (*ledger.symbols.values(), *instant.trial.system.symbols.values())}
-    if radius is None or not instant.stages or taken & {s.name for s in COMPONENTS}:
+    # The letters are told with their numbers.
+    if radius is None or ledger.letters or not is_clean(ledger, ledger.behind(radius), dimension=LENGTH):
+        return instant
+    if not instant.stages or taken & {s.name for s in COMPONENTS}:
         return instant
     *first, last = instant.stages
     edges = [e for e in instant.trial.system.tree.edges if e.slide_rate is not None and e.body in last.accelerations]
@@ -72,7 +76,7 @@ def _instant(instant: InstantSolution) -> InstantSolution:
     return replace(instant, stages=(*first, told), value=instant.value.extended(_numbers(found, instant)))
 
 
-def _parts(edge: Edge, radius: sp.Symbol, instant: InstantSolution) -> PolarParts | None:
+def _parts(edge: Edge, radius: sp.Expr, instant: InstantSolution) -> PolarParts | None:
     """None: what slides does not move outward with its letter, or the rod stands."""
     motion, value = instant.trial.system.motion, instant.value
     if motion is None or edge.slide is None or edge.slide_rate is None or edge.joining is None:

@@ -60,6 +60,15 @@ def as_radius(coefficient: sp.Expr, system: System, value: Valuation) -> sp.Expr
     return None
 
 
+def radius_told(system: System, value: Valuation) -> sp.Expr | None:
+    """The radius as equations have it: its letter, or a short formula; None: no groove is told so."""
+    letter = next((s for s, t in system.scene.ledger.titles.items() if t.startswith(f"{GROOVE}radius")), None)
+    if letter is not None:
+        return letter
+    grooves = (_groove(system, j) for j in system.tree.closures if _quotient(system, j, value) is not None)
+    return next((curve_formula(system.scene, g[1])[1] for g in grooves if g is not None), None)
+
+
 def _quotient(system: System, joining: Joining, value: Valuation) -> sp.Expr | None:
     """r/(dr/dθ) of a groove of the ground in which a particle slides; None: it is none that is told so."""
     surface = _groove(system, joining)
