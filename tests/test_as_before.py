@@ -78,3 +78,16 @@ def test_a_case_that_is_derived_as_the_first_part_tells_its_results() -> None:
     )
     assert "Restitution between" not in case
     assert "v_A,2 = v_B,2 - e (v_A,1 - v_B,1) = 4.6 - 1 (4 - 1) = 1.6 m/s" in case
+
+
+@pytest.mark.parametrize("stem", ["chain-5", "lever-with-spring-and-damper", "rod-and-disk-pendulum"])
+def test_no_heading_without_lines(stem: str) -> None:
+    """What would stand under it stands under Given."""
+    assert "Velocities: Accelerations:" not in " ".join(page_of_file(stem).split())
+
+
+def test_named_quantities_by_the_same_formulas() -> None:
+    """Another height of the same toy: its mass and mass centre by their new values alone."""
+    page = page_of_file("toy-on-a-round-end")
+    assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
+    assert page.count("y_1 = r - 4 r/(3 π)") == 1

@@ -104,9 +104,18 @@ def without_restated_data(page: Sequence[Block]) -> list[Block]:
     kept = [_beside(b) for b, told_above in zip(page, again, strict=True) if not told_above]
     data = (b for b, told_above in zip(page, again, strict=True) if told_above and isinstance(b, Equation))
     kept = with_given_letters(kept, data)
-    headed = [i for i, b in enumerate(kept) if isinstance(b, Paragraph) and b.line in GROUPS]
-    empty = {i for i in headed if i + 1 == len(kept) or not isinstance(kept[i + 1], Equation | Paragraph)}
-    return [b for i, b in enumerate(kept) if i not in empty] if len(kept) < len(page) else kept
+    follows = (*kept[1:], None)
+    return [b for b, after in zip(kept, follows, strict=True) if not _is_group(b) or _stands_under(after)]
+
+
+def _is_group(block: Block | None) -> bool:
+    """Is it a heading of velocities or accelerations?"""
+    return isinstance(block, Paragraph) and block.line in GROUPS
+
+
+def _stands_under(block: Block | None) -> bool:
+    """Is it a line of a group?"""
+    return isinstance(block, Equation | Paragraph) and not _is_group(block)
 
 
 def _beside(block: Block) -> Block:

@@ -1,5 +1,6 @@
 """What a case says as an earlier one did is told once: of a run of lines that stood there word for word, with the same
-numbers of equations, only that it is as before; of a diagram from which forces are gone, which they are.
+numbers of equations, only that it is as before, of named quantities by the same formulas the new values; of a diagram
+from which forces are gone, which they are.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     if not printed.said:
         return list(blocks)
     drawn = [printed.reduced(b) for b in blocks]
-    known = [printed.knows(b) for b in drawn]
+    known = [printed.knows(b) or printed.renews(b) for b in drawn]
     turned = list(steps_turned(drawn, known, printed.knows_turned))
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
     known = [k and not _is_led_anew(drawn, known, i) for i, k in enumerate(known)]
@@ -63,15 +64,25 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         run = drawn[start:stop]
         told = _as_before(run, printed, _cited(drawn[stop:])) if run else ()
         if run and isinstance(heading, Heading) and heading in before:
-            found[-1] = _headed(heading, run, told)
+            found[-1] = _headed(heading, run, told, _link(run, printed))
             start = stop
-        elif told and ((len(run) >= LEAST and _alike(run, printed)) or all(_defines(b) for b in run)):
-            found.append(Paragraph(line("As before: ", told, ".")))
+        elif told and ((len(run) >= LEAST and _alike(run, printed)) or _all_define(run, printed)):
+            found.append(Paragraph(line("As before", _link(run, printed), told, ".")))
             start = stop
         else:
             found += drawn[start : max(stop, start + 1)]
             start = max(stop, start + 1)
     return found
+
+
+def _all_define(run: Sequence[Block], printed: _Printed) -> bool:
+    """Is it nothing but moments of inertia that have kept their values?"""
+    return all(_defines(b) and not printed.renews(b) for b in run)
+
+
+def _link(run: Sequence[Block], printed: _Printed) -> str:
+    """What stands between `as before` and what is named."""
+    return ", now with " if any(map(printed.renews, run)) else ": "
 
 
 def _alike(run: Sequence[Block], printed: _Printed) -> bool:
@@ -96,6 +107,7 @@ class _Printed:
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
         self.formulas = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_long(b)}
+        self.named = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_named(b)}
 
     def knows(self, block: Block) -> bool:
         """Does it stand there word for word, and would `before` mean it?"""
@@ -105,6 +117,11 @@ class _Printed:
         if isinstance(block, Equation) and block.number is not None:
             return _told(block) in self._numbers
         return isinstance(block, TOLD) and _told(block) in self.said
+
+    def renews(self, block: Block) -> bool:
+        """Is it the line of a named quantity by the same formula, with other numbers?"""
+        named = isinstance(block, Equation) and _is_named(block) and _read((block.lead, block.sides[:2])) in self.named
+        return named and not self.knows(block)
 
     def knows_turned(self, block: Block) -> bool:
         """Would it stand there word for word, but for directions that are turned?"""
@@ -135,6 +152,13 @@ class _Printed:
             return block
         names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
         return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
+
+
+def _is_named(equation: Equation) -> bool:
+    """Has a line letter = formula = numbers = value, without a number of its own, a title?"""
+    formula = equation.sides[1] if len(equation.sides) > 3 and equation.number is None and equation.lead else None
+    title = isinstance(formula, Math) and not formula.values and isinstance(equation.lead[0], Text)
+    return title and not NUMBERED.match(equation.lead[0].text)
 
 
 def _is_long(equation: Equation) -> bool:
@@ -214,6 +238,8 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
     """What stands in place of a run of lines: the diagram, the numbers of equations, quantities with their values; ():
     there is nothing to name. `cited`: the numbers that the lines after it name.
     """
+    if new := [valued for b in run if printed.renews(b) and (valued := _valued(b))]:
+        return line(*(p for i, t in enumerate(new) for p in (", ", t)[i == 0 :]))
     equations = [b for b in run if isinstance(b, Equation) and b.number is not None]
     drawn = [b for b in run if isinstance(b, Forces)]
     as_it_is = "the diagram" if all(map(printed.knows, drawn)) else "the diagram (turned)"
@@ -275,12 +301,12 @@ def _valued(block: Block) -> Line:
     return line(first, " = ", last, *unit) if named or letter else ()
 
 
-def _headed(heading: Heading, run: Sequence[Block], told: Line) -> Heading:
+def _headed(heading: Heading, run: Sequence[Block], told: Line, link: str) -> Heading:
     """The heading of a step of which all lines stood there before; the legend of diagrams that are not drawn goes."""
     aside = (heading.aside,) if isinstance(heading.aside, str) else heading.aside
     legend = any(isinstance(b, Forces) for b in run)
     kept = line(*aside, "; ") if heading.aside and not legend else ()
-    return replace(heading, aside=line(kept, "as before", ": " if told else "", told))
+    return replace(heading, aside=line(kept, "as before", link if told else "", told))
 
 
 def _range(first: int, last: int) -> str:
