@@ -157,8 +157,10 @@ class _Printed:
 def _is_named(equation: Equation) -> bool:
     """Has a line letter = formula = numbers = value, without a number of its own, a title?"""
     formula = equation.sides[1] if len(equation.sides) > 3 and equation.number is None and equation.lead else None
-    title = isinstance(formula, Math) and not formula.values and isinstance(equation.lead[0], Text)
-    return title and not NUMBERED.match(equation.lead[0].text)
+    if not isinstance(formula, Math) or formula.values:
+        return False
+    title = equation.lead[0]
+    return isinstance(title, Text) and NUMBERED.match(title.text) is None
 
 
 def _is_long(equation: Equation) -> bool:
