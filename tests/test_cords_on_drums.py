@@ -113,7 +113,7 @@ def test_a_load_that_swings_on_a_drum() -> None:
 
 def test_what_is_asked_of_several_states_is_told_by_states() -> None:
     page = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-09.yaml")[0]))
-    assert "The cable keeps its length and does not slip on the wheel:" in page
+    assert "The cable keeps its length and does not slip on the wheel: it moves by the arc r_h θ; differentiated:" in page
     assert "θ: the angle by which the wheel has turned, counterclockwise" in page
     assert (
         page.index("At 1:")
@@ -122,7 +122,7 @@ def test_what_is_asked_of_several_states_is_told_by_states() -> None:
         < page.index("At 2:")
         < page.index("x_B,2 =")
     )
-    assert "0.6 cos(0.6667 rad) = 0.4715 m" in page
+    assert "0.6 cos 38.20° = 0.4715 m" in page
 
 
 PULLEY = (ROOT / "problems/systems/double-pulley.yaml").read_text(encoding="utf-8")

@@ -51,7 +51,7 @@ def test_a_force_that_stays_the_same_needs_no_integral() -> None:
 
 
 def test_a_datum_of_another_quantity_has_its_relation() -> None:
-    assert "At 1, v_Ax = -v_1: v_1 = r_h ω_1 ω_1 = v_1/r_h = 0.1/0.3" in page_of_file("ex-1-10")
+    assert "At 1, v_A to the left = v_1: r_h ω_1 = v_1 ω_1 = v_1/r_h = 0.1/0.3" in page_of_file("ex-1-10")
 
 
 def test_the_size_and_angle_of_a_vector_in_letters_have_lines() -> None:

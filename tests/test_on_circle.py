@@ -18,13 +18,14 @@ V, W, R, X = sp.symbols("v omega r v_Ax", real=True)
 @pytest.mark.parametrize(
     ("stem", "line"),
     [
-        ("ex-1-09", "(1) v = r_h ω (1): ω = v/r_h = 0.1/0.3 = 0.3333 rad/s"),
+        ("ex-1-09", "(1) v_A = r_h ω (1): ω = v_A/r_h = v/r_h = 0.1/0.3 = 0.3333 rad/s"),
         ("ex-1-09", "θ_2 = ω t_2 = 0.33333 · 2 = 0.6667 rad = 38.20°"),
         (
             "ex-1-09",
-            "θ_2 + 90° = 38.2° + 90° = 128.2° perpendicular to OB, that is 51.8° above -x v_Bx,2 = -R ω sin θ_2",
+            "θ_2 + 90° = 38.2° + 90° = 128.2° perpendicular to OB, that is 51.8° above -x v_Bx,2 = 0.2 cos 128.2°",
         ),
-        ("ex-1-10", "(2): α = a/r_h = 0.05/0.3 = 0.1667 rad/s²"),
+        ("ex-1-10", "(2): α = a_A/r_h = 0.05/0.3 = 0.1667 rad/s²"),
+        ("ex-1-10", "e_n = [-cos θ_2, -sin θ_2] from B to O: a_B = a_t e_t + a_n e_n: a_Bx,2 = -a_t sin θ_2"),
         ("ex-1-10", "a_By,2 = a_t cos θ_2 - a_n sin θ_2 = 0.1 cos 57.30° - 0.2667 sin 57.30° = -0.1704 m/s²"),
     ],
 )

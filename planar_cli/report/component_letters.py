@@ -75,9 +75,12 @@ def _pieces(side: Any) -> list[Any]:
 
 
 def _lettered(block: Block, vector: _Vector) -> Block:
-    """A block with the letters; an answer says which of them it is, where the file calls it otherwise."""
+    """A block with the letters; an answer says which of them it is, where the file calls it otherwise:
+    a_B is as good a name as a_B,2.
+    """
     if isinstance(block, Answer) and block.name == vector.name and block.relation == "=":
-        same = plain_name(vector.whole) == plain_name(vector.name)
+        own, _, state = vector.whole.partition("__")
+        same = plain_name(vector.name) in map(plain_name, (vector.whole, own, f"{own}_{state}"))
         return block if same else replace(block, line=line(Name(vector.whole), " = ", *block.line))
     if not isinstance(block, Equation):
         return block

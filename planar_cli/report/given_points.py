@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from planar_cli.problem.expression import Name, Negate, Quantity, Side
-from planar_cli.problem.keys import keys_of
+from planar_cli.problem.keys import RopeStop, keys_of
 from planar_cli.problem.scene import (
     At,
     Body,
@@ -41,6 +42,7 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
     joined, drawn = _joined(problem), _drawn(problem)
     used = page.words | joined | drawn
     idle = set() if page.kinetic else drawn - joined - page.words
+    used -= set() if page.kinetic else _only_moving(problem, page)
     turning = {p.name: d for p in problem.points if p.name in idle and (d := _direction(p, problem, page, figures))}
     places = [p for p in problem.points if p.name in used and p.name not in turning]
     drops = [
@@ -105,13 +107,33 @@ def _is_placed(name: str, page: Mentioned) -> bool:
     return any(x.startswith((f"x_{name}", f"y_{name}", f"r_{name}")) for x in page.letters)
 
 
+def _only_moving(problem: Problem, page: Mentioned) -> set[str]:
+    """The ends of ropes that the page tells nothing of but velocities and accelerations, and the points where ropes
+    leave the bodies on which they are wound, of which it tells nothing.
+    """
+    stops = [s for j in problem.joints for s in getattr(j, "path", ()) if isinstance(s, RopeStop)]
+    leaving = {s.name for s in stops if s.way == "on"} - page.words
+    rates = re.compile(r"[va](?:_\w+)?")
+    spoken = page.letters | {w for w in page.words if w.isupper()}
+    particles = {b.shape.place for b in problem.bodies if isinstance(b.shape, Particle)}
+    ends = {
+        s.name
+        for s in stops
+        if s.name in particles and all(rates.fullmatch(w) for w in spoken if s.name in w and w != s.name)
+    }
+    return leaving | ends - _asked_places(problem)
+
+
+def _asked_places(problem: Problem) -> set[str]:
+    """The points of which more is asked than a velocity or an acceleration."""
+    asked = (n for f in problem.find if f.found.what is not None for n in walk(f.found.what) if isinstance(n, Quantity))
+    return {t for q in asked if q.word not in RATES or len(q.things) > 1 for t in q.things}
+
+
 def _joined(problem: Problem) -> set[str]:
     """The points on which joints, loads and finds rest; of a particle whose velocity is asked, its place is none."""
     found = {name for m in members_of(problem) for s in keys_of(type(m)) for name in names_in(getattr(m, s.name), s)}
-    for find in problem.find:
-        asked = (n for n in walk(find.found.what) if isinstance(n, Quantity)) if find.found.what is not None else ()
-        found |= {t for q in asked if q.word not in RATES or len(q.things) > 1 for t in q.things}
-    return found
+    return found | _asked_places(problem)
 
 
 def _drawn(problem: Problem) -> set[str]:

@@ -19,10 +19,10 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Math, Name, Value, line
+from planar_cli.report.blocks import Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
-from planar_cli.report.on_circle import angle_of, components
+from planar_cli.report.on_circle import angle_of, components, unit_vectors
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
@@ -49,6 +49,8 @@ class Sized:
     theta: Decimal = Decimal(0)
     components: tuple[tuple[Math, Math], ...] = ()
     """Formula and numbers of each component, where they are told by the parts."""
+    vectors: Paragraph | None = None
+    """The unit vectors along and across the path, by which they are."""
 
 
 def sized(found: Found, part: PartSolution, phrases: Phrases) -> Sized | None:
@@ -106,7 +108,10 @@ def _with_components(
         return size
     whole = [display(v, found.unit, phrases.ledger.us) for v in found.values]
     parts = components(told[0], [told[1][k] for k in KINDS], own, theta, whole, phrases.figures)
-    return size if parts is None else replace(size, angle=own, theta=theta, components=tuple(parts))
+    if parts is None:
+        return size
+    vectors = unit_vectors(own, found.name, told[0], (edge.joining.place, thing))
+    return replace(size, angle=own, theta=theta, components=tuple(parts), vectors=vectors)
 
 
 def _about_pin(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) -> Sized | None:

@@ -7,7 +7,8 @@ its components from these.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from functools import partial
 from typing import TYPE_CHECKING
@@ -18,9 +19,10 @@ from planar_cli.equation.plain import simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Block, Equation, Math, Value
-from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
+from planar_cli.report.enough_figures import MOST, figures_of
 from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
 from planar_cli.solve.between.trace import MotionTrace
 
 if TYPE_CHECKING:
@@ -57,6 +59,68 @@ def with_degrees(blocks: Sequence[Block], angle: sp.Symbol, degrees: Decimal, fi
 def _is_in_radians(equation: Equation) -> bool:
     last = equation.sides[-1]
     return isinstance(last, Value) and last.unit == "rad"
+
+
+def in_degrees(block: Block, angle: sp.Symbol, degrees: Decimal, figures: int) -> Block:
+    """A line with the number of an angle in it, told in degrees: R cos θ_2 = 0.6 cos 38.20°."""
+    if not isinstance(block, Equation):
+        return block
+    last = block.sides[-1]
+    if not isinstance(last, Value):
+        return block
+    sides = [_turned(s, angle, degrees, last, figures) if isinstance(s, Math) else s for s in block.sides]
+    return replace(block, sides=tuple(sides))
+
+
+def _turned(side: Math, angle: sp.Symbol, degrees: Decimal, last: Value, figures: int) -> Math:
+    """The numbers of a line with the angle in degrees, with so many figures that they make its value."""
+    turned = next((s for s in side.values or () if s.name == f"{angle.name} turned"), None)
+    if turned is None or side.values is None:
+        return side
+    others = {s: sp.Float(text, 20) for s, text in side.values.items() if not text.endswith("rad")}
+    for n in range(figures, MOST):
+        text = significant(degrees, n)
+        got = side.expr.subs({**others, turned: sp.rad(sp.Float(text, 20))})
+        if significant(Decimal(str(sp.N(got, 20))), last.figures) == significant(last.number, last.figures):
+            return replace(side, values={**side.values, turned: f"{text}°"})
+    return side
+
+
+def by_direction(blocks: Sequence[Block], whole: Sequence[Decimal], figures: int) -> list[Block]:
+    """The two components of a vector by its size and direction, which stand before them: 0.2 cos 128.2° = -0.1237 m/s.
+    `whole`: the components, as they are shown.
+    """
+    x, y = whole
+    way = Decimal(math.degrees(math.atan2(y, x)))
+    numbers = [(x * x + y * y).sqrt(), way]
+    size, angle = (sp.Symbol(f"{NUMBER}{k}", real=True) for k in ("size", "way"))
+    found: list[Block] = []
+    for block, wave, f in zip(blocks, (sp.cos, sp.sin), (math.cos, math.sin), strict=True):
+        if not isinstance(block, Equation) or not isinstance(block.sides[-1], Value):
+            return list(blocks)
+
+        def worked(n: Sequence[Decimal], f: Callable[[float], float] = f) -> Decimal:
+            return n[0] * Decimal(f(math.radians(n[1])))
+
+        own = figures_of(numbers, worked, figures)
+        texts = {size: significant(numbers[0], own), angle: f"{significant(way, own)}°"}
+        found.append(replace(block, sides=(block.sides[0], Math(size * wave(angle), texts), block.sides[-1])))
+    return found
+
+
+def unit_vectors(angle: sp.Symbol, vector: str, names: Sequence[str], ends: tuple[str, str]) -> Paragraph:
+    """Along and across the path, before the components of a vector: e_t = [-sin θ, cos θ] … a = a_t e_t + a_n e_n.
+    `names`: of a_t and a_n; `ends`: the centre and the point.
+    """
+    sin, cos = Math(sp.sin(angle)), Math(sp.cos(angle))
+    (center, point), (t, n) = ends, map(Name, names)
+    return Paragraph(
+        line(
+            Name("e_t"), " = [-", sin, ", ", cos, f"] perpendicular to {center}{point} and ", Name("e_n"), " = [-", cos
+        )
+        + line(", -", sin, f"] from {point} to {center}: ", Name(vector), " = ", t, " ", Name("e_t"), " + ", n, " ")
+        + line(Name("e_n"), ":")
+    )
 
 
 def components(

@@ -198,7 +198,7 @@ def _bodies(uses: Uses, page: Printed) -> Iterator[str]:
         formulas = ", ".join(told[v] for v in "va" if v in page.levels)
         yield f"Rigid bodies: {in_letters(formulas, page.turned)}."
     elif uses.axles and not uses.coriolis and uses.asked & {"v", "a"}:
-        yield "Rotation about a fixed axis: v = r ω, a_t = r α, a_n = r ω²."
+        yield f"Rotation about a fixed axis: v = r ω{', a_t = r α, a_n = r ω²' if 'a' in uses.asked else ''}."
     if uses.rolling or ROLLING in uses.passages:
         yield ROLLS if uses.rolling else ROLLS_BY_ARC
     for kind in sorted(uses.taut):

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from planar_cli.report.blocks import Block, Line, Paragraph, line
+from planar_cli.report.blocks import Block, Line, Paragraph, Text, line
 from planar_cli.report.extreme_rates import with_rate
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
@@ -31,7 +31,12 @@ class Reasons:
         if not isinstance(first, Paragraph) or w.law != "relation" or w.source == "given":
             return blocks
         if stage.level == "velocity":
-            self._told[w.lead, first.line] = number(stage, w.number)
+            self._told[w.lead, _once(first.line)] = number(stage, w.number)
             return blocks
-        before = self._told.get((w.lead, first.line))
+        before = self._told.get((w.lead, _once(first.line)))
         return blocks if before is None else [Paragraph(line(f"({before}), differentiated:")), *blocks[1:]]
+
+
+def _once(told: Line) -> Line:
+    """A reason that ends with `; differentiated twice:` as it is before the velocities."""
+    return told[:-1] if told and isinstance(told[-1], Text) and told[-1].text.startswith("; differentiated") else told

@@ -18,13 +18,15 @@ from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 
-KEEPS = "keeps its length"
+KEEPS, DERIVED = "keeps its length", "differentiated"
 
 
 def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Line:
     """`y_A + 2 y_B = const., differentiated`; nothing where a part of the rope turns, or runs over what turns."""
     if w.source != "row" or not w.lead.endswith(KEEPS):
         return ()
+    if by_arc := _by_arc(w, system, phrases, twice):
+        return by_arc
     places = _places(system)
     residual = expanded(_of_all(w, system) if twice else w.left - w.right)
     found = sp.S.Zero
@@ -59,6 +61,34 @@ def wound(w: Written, system: System, written: Sequence[Written]) -> str:
     if len(joints) > 1:
         return f"{begun(called)} keep their lengths and do not slip on {drum}:"
     return f"{begun(called)} {KEEPS} and does not slip on {drum}:"
+
+
+def _by_arc(w: Written, system: System, phrases: Phrases, twice: bool) -> Line:
+    """`The cable keeps its length and does not slip on the wheel: it moves by the arc r_h θ; differentiated:` where it
+    is wound on one body that turns about a fixed axle and v = ± r ω; nothing on a page of masses, which tells no angle.
+    """
+    joints, bodies = _wound(w, system)
+    scene = system.scene
+    displacement = scene.displacement
+    if (
+        len(joints) != 1
+        or len(bodies) != 1
+        or displacement is None
+        or not all(b.is_massless for b in scene.problem.bodies)
+    ):
+        return ()
+    edge = next((e for e in system.tree.edges if e.body == bodies[0]), None)
+    angle = next((c for c in displacement.coordinates if c.body == bodies[0]), None)
+    if edge is None or angle is None or edge.joining is None or edge.spin is None:
+        return ()
+    residual = expanded(_of_all(w, system) if twice else w.left - w.right)
+    radius = residual.coeff(edge.spin)
+    speed = residual - radius * edge.spin
+    speeds = {s for e in system.tree.edges for s in (e.slide, e.rise) if s is not None}
+    if edge.parent != GROUND or not edge.joining.only_turns or radius == 0 or not {speed, -speed} & speeds:
+        return ()
+    arc = phrases.math((-radius if radius.could_extract_minus_sign() else radius) * angle.symbol)
+    return line(f"{wound(w, system, (w,))} it moves by the arc ", arc, f"; {DERIVED}{' twice' if twice else ''}:")
 
 
 def _wound(w: Written, system: System) -> tuple[tuple[Joint, ...], tuple[str, ...]]:

@@ -23,7 +23,7 @@ from planar_cli.problem.walk import Tree, walk
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, Text, Value, line
 from planar_cli.report.numbers import superscript
-from planar_cli.report.spoken import LETTERS, RELATIVE, SHORT
+from planar_cli.report.spoken import LETTERS, RELATIVE, SHORT, TOWARDS
 from planar_cli.units import pretty_unit
 
 SUM, FACTOR, POWER = 0, 1, 2
@@ -168,6 +168,9 @@ def _quantity(asked: Quantity, figures: int) -> Line:
         return line("direction of ", base)
     if part.kind in ("x", "y"):
         return line(base, f" along {part.kind}")
+    number = None if relative or not isinstance(part.direction, Side) else number_of(part.direction)
+    if part.kind == "along" and number is not None and number[1] == "deg" and f"{number[0]}" in TOWARDS:
+        return line(base, f" {TOWARDS[str(number[0])]}")
     return line(base, f" {part.kind} ", *_direction(part.direction, figures))
 
 

@@ -19,7 +19,7 @@ from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.letter_vectors import letter_size_and_angle
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_axles import Sized, sized
-from planar_cli.report.on_circle import with_degrees
+from planar_cli.report.on_circle import by_direction, in_degrees, with_degrees
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.solution import Found
@@ -44,10 +44,17 @@ def with_size_and_angle(
         by = sized(one, part, phrases)
         lines = list(size_and_angle(one, phrases, told, name, by))
         if by is not None and by.angle is not None and name == one.name:
-            told = with_degrees(told, by.angle, Decimal(math.degrees(by.theta)), phrases.figures)
+            degrees = Decimal(math.degrees(by.theta))
+            told = with_degrees(told, by.angle, degrees, phrases.figures)
+            told = [in_degrees(b, by.angle, degrees, phrases.figures) for b in told]
+            own = told[place - 2 : place]
             if by.components:
-                told[place - 2 : place] = map(_by_parts, told[place - 2 : place], by.components)
+                above = [by.vectors] if by.vectors is not None else []
+                told[place - 2 : place] = [*above, *map(_by_parts, own, by.components)]
+                place += len(above)
             elif lines:
+                whole = [display(v, one.unit, phrases.ledger.us) for v in one.values or ()]
+                told[place - 2 : place] = by_direction(own, whole, phrases.figures)
                 place -= 2
         if (one.expressions or ()) not in lettered:
             lines += (read := list(letter_size_and_angle(one, phrases)))

@@ -31,6 +31,8 @@ PARTS = {"mag": "the size of ", "angle": "the direction of "}
 AXES = ("x", "y", "t", "n")
 SHORT = 2
 """A component clings to a name of so many letters."""
+TOWARDS = {"0": "to the right", "90": "upward", "180": "to the left", "270": "downward", "-90": "downward"}
+"""Directions by their angle in degrees."""
 _WAY = r"(?:along|across)\([^()]*\)"
 _STATED = re.compile(rf"([A-Za-zωα_]+)\((\w+(?:/\w+)?)\)(?:\.({_WAY}|(?:x|y|t|n|mag|angle)\b))?(?: @ (\w+))?")
 _POWER = str.maketrans("23", "²³")
@@ -71,7 +73,13 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None, names:
     name = f"{LETTERS[word]}_{thing}"
     if part in AXES:
         name += part if len(thing) <= SHORT and part in ("x", "y") else f"_{part}"
-    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name, of_thing=True), behind)
+    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name, of_thing=True), _towards(part), behind)
+
+
+def _towards(part: str | None) -> str:
+    """` to the left` of the component along 180°."""
+    angle = (part or "").removeprefix("along(").removesuffix(")").removesuffix(" deg").removesuffix("°")
+    return f" {TOWARDS[angle]}" if angle in TOWARDS else ""
 
 
 def _reach(end: str, start: str, part: str | None, names: Collection[str]) -> Line:
@@ -88,6 +96,8 @@ def _way(part: str | None, names: Collection[str]) -> Line:
     if part is None or "(" not in part:
         return ()
     side, where = part[:-1].split("(")
+    if side == "along" and where.removesuffix(" deg").removesuffix("°") in TOWARDS:
+        return ()
     angle = where in names or not re.fullmatch(r"[^\W\d]\w*(?:/\w+)?", where)
     return line("the component ", f"{side} the direction " if angle else f"{side} ", *_plain(where, names), " of ")
 
