@@ -30,7 +30,7 @@ def test_a_velocity_that_is_given_is_not_said_again() -> None:
 
 def test_a_contact_on_which_nothing_presses_has_no_impulse() -> None:
     """The friction under a ball that a cue strikes is finite, and the blow short."""
-    said = "(the impulse of the weight, the normal force and the friction at C is negligible). ball: J → at S ="
+    said = "(the impulses of the weight, the normal force and the friction at C are negligible). ball: J → at S ="
     assert said in page_of_file("billiard-ball")
 
 

@@ -40,7 +40,7 @@ def with_known_turns(
         return builder
     builder.clockwise = frozenset(scene.bodies) if states_clockwise(scene.problem) else frozenset()
     modes = tuple(modes)
-    builder.clockwise |= rolling_as_given(scene, statements, modes)
+    builder.clockwise |= rolling_as_given(scene, statements, modes) | frozenset(scene.problem.turning)
     asked = rolling_as_asked(scene, statements, modes)
     if asked:
         builder.clockwise = frozenset(wheel for wheel, sense in asked.items() if sense < 0)

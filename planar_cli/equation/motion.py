@@ -197,7 +197,8 @@ class TreeBuilder:
             for axis, index in (("x", component(name, "x")), ("y", component(name, "y") if upward > 0 else name))
         )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
-        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, upward=upward)
+        turn = -1 if body in self.clockwise else 1
+        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, upward=upward, turn=turn)
 
     def _hung(self, body: str, joining: Joining, taken: Container[sp.Symbol | None]) -> Edge:
         """A body that hangs on what is placed. `taken`: speeds of others, which may slide at the same place."""

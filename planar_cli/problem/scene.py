@@ -381,6 +381,7 @@ class Problem:
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
     clockwise: tuple[str, ...] = ()
     """Of a case: the bodies whose rotation counts clockwise in what was told before of the same file."""
+    turning: tuple[str, ...] = ()  # bodies whose rotation counts clockwise through a motion, as a blow turns them so
     hidden: frozenset[str] = frozenset()  # names that figures do not show
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:

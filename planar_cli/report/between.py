@@ -17,6 +17,7 @@ from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
+from planar_cli.report.counted import counts_the_other_way, opposite
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
 from planar_cli.report.forces import force_rows
@@ -291,10 +292,12 @@ class BetweenTelling:
         if e.law == "force" and not e.lead and e.along and all(t.could_extract_minus_sign() for t in terms):
             # Counted in the sense in which its terms are positive.
             left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
+        turn = -1 if e.law != "force" and counts_the_other_way(left, right) else 1
+        left, right = (left, right) if turn > 0 else (opposite(left), opposite(right))
         if e.together is not None:
             yield Paragraph(together(*e.together))
         yield Paragraph(self._at_blow(e))
-        told = self._equation(left, right, number, self._lead(e))
+        told = self._equation(left, right, number, self._lead(e, turn))
         yield told if self.named is None or told.note else replace(told, note=self._arms(self.named))
 
     def _at_blow(self, e: ImpactEquation) -> Line:
@@ -352,12 +355,12 @@ class BetweenTelling:
             return line(f"{group}, momentum along {e.lead}")
         return line(f"{group}, momentum ", *_across(e.words))
 
-    def _lead(self, e: ImpactEquation) -> Line:
+    def _lead(self, e: ImpactEquation, turn: int = 1) -> Line:
         """What stands before an equation of a blow: the sense in which it counts."""
         if e.law == "relation":
             return ()
         if e.law == "moment":
-            return line("↺ ", Name(f"H_{point_at(e) or e.lead}"), ":")
+            return line("↺ " if turn > 0 else "↻ ", Name(f"H_{point_at(e) or e.lead}"), ":")
         return line(f"{self.phrases.along(e.along)} ")
 
     def _about(self, e: ImpactEquation, group: str, passing_by: tuple[sp.Expr, ...]) -> Line:

@@ -78,7 +78,8 @@ def _turned(found: Found, letter: sp.Symbol, value: Valuation) -> Found:
 def counted(system: System, phrases: Phrases) -> Iterator[Block]:
     """What is said of it, once."""
     for e in system.tree.edges:
-        if e.turn < 0 and e.spin_rate is not None:
+        # What a blow turns is told where the angular velocity stands first.
+        if e.turn < 0 and e.spin_rate is not None and not system.scene.problem.turning:
             yield Paragraph(_clockwise(phrases, e, system))
         if e.slide_rate is not None and (way := _way(e)):
             yield Paragraph(line(phrases.math(e.slide_rate), f" is counted {way}."))
@@ -99,11 +100,15 @@ def clockwise(letter: Math, edge: Edge) -> Line:
     """That a rotation counts clockwise, as all loads turn the body that way about the point of the ground that holds
     it; of a body that others carry that it turns so.
     """
-    assert edge.joining is not None
-    if edge.parent != GROUND:
-        return line(letter, f" is counted clockwise, the way in which {with_article(edge.body)} turns.")
+    if edge.parent != GROUND or edge.joining is None:
+        return turning(letter, edge)
     why = f" is counted clockwise, the way in which the loads turn {with_article(edge.body)} about "
     return line(letter, why, Name(edge.joining.place.replace("_", ",")), ".")
+
+
+def turning(letter: Math, edge: Edge) -> Line:
+    """That a rotation counts clockwise, as the body turns so."""
+    return line(letter, f" is counted clockwise, the way in which {with_article(edge.body)} turns.")
 
 
 def _way(edge: Edge) -> str:
@@ -122,18 +127,32 @@ def clockwise_too(w: Written, turn: int) -> Written:
     """A sum of moments in the sense in which its rotations count."""
     if turn > 0:
         return w
-    left, right = (sp.Add(*(_opposite(t) for t in sp.Add.make_args(side))) for side in (w.left, w.right))
-    return replace(w, left=left, right=right)
+    return replace(w, left=opposite(w.left), right=opposite(w.right))
 
 
 def one_way_round(w: Written, turn: int) -> tuple[Written, int]:
     """A sum of moments in the sense in which its terms are positive, where all have the other, or where the one moment
     of what is accelerated has; with that sense.
     """
-    left, right = ([t.could_extract_minus_sign() for t in sp.Add.make_args(s) if t != 0] for s in (w.left, w.right))
-    if w.law != "moment" or not (all(left + right) or (right == [True] and any(left))):
+    if w.law != "moment" or not counts_the_other_way(w.left, w.right):
         return w, turn
     return clockwise_too(w, -1), -turn
+
+
+def counts_the_other_way(left: sp.Expr, right: sp.Expr) -> bool:
+    """Are all terms of a sum of moments negative, or that of what turns and one of the others, or that alone where the
+    others are not negative the other way round?
+    """
+    told, gained = ([t.could_extract_minus_sign() for t in sp.Add.make_args(s) if t != 0] for s in (left, right))
+    if all(told + gained):
+        return True
+    turned = (t.could_extract_minus_sign() for t in sp.Add.make_args(opposite(left)))
+    return gained == [True] and (any(told) or not any(turned))
+
+
+def opposite(side: sp.Expr) -> sp.Expr:
+    """A side of a sum of moments, each of which counts the other way."""
+    return sp.Add(*(_opposite(t) for t in sp.Add.make_args(side)))
 
 
 def _opposite(term: sp.Expr) -> sp.Expr:

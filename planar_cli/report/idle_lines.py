@@ -18,7 +18,7 @@ from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
-from planar_cli.report.said import said
+from planar_cli.report.said import said as worded
 
 BLOW = "a blow takes no time"
 """The remark on the time of a state just after a blow."""
@@ -28,6 +28,8 @@ PLACES = ("x_", "y_")
 """Begins the letter of where a point is."""
 MEANS = ": the angle "
 """Begins what an angle is."""
+CLOCKWISE = " is counted clockwise"
+"""Begins that a rotation counts so."""
 STILL = "nothing moves during a blow"
 """The remark on a place just after a blow."""
 STATE = "__"
@@ -38,10 +40,15 @@ DEFINED = ("mass of ", "moment of inertia of ")
 """Begins the line of a mass or a moment of inertia."""
 
 
-def without_idle_lines(blocks: Sequence[Block]) -> list[Block]:
-    """The blocks of a part."""
+def without_idle_lines(blocks: Sequence[Block], said: set[str] | None = None) -> list[Block]:
+    """The blocks of a part. `said`: what letters mean, as far as that stands on the page; changed, where it is left
+    out.
+    """
     told = with_times_of_blows(list(said_above(without_unused_masses(without_idle_contacts(blocks)))))
-    told = without_idle_symmetry(with_roots_beside(list(without_unused_places(told))))
+    needed = list(without_unused_places(told))
+    if said is not None:
+        said -= {str(b.line) for b in told if isinstance(b, Paragraph) and b not in needed}
+    told = without_idle_symmetry(with_roots_beside(needed))
     return with_states_headed_once(without_told_values(told))
 
 
@@ -76,9 +83,21 @@ def said_above(blocks: Sequence[Block]) -> Iterator[Block]:
         alone = isinstance(last, Forces) and (i < 2 or not isinstance(blocks[i - 2], Forces))
         if alone and isinstance(last, Forces) and _words(block) == f"{last.body}:":
             continue
-        if block == last and isinstance(block, Equation) and block.number is None:
+        if (
+            isinstance(block, Equation)
+            and block.number is None
+            and (block == last or _numbered_above(block, blocks[:i]))
+        ):
             continue
         yield _without_note_above(block, last)
+
+
+def _numbered_above(block: Equation, above: Sequence[Block]) -> bool:
+    """Does a line solve an equation above, by its number, that stands there solved already?"""
+    led = len(block.lead) == 1 and not block.note
+    return led and any(
+        isinstance(b, Equation) and block.lead == (Text(f"({b.number}):"),) and b.sides == block.sides for b in above
+    )
 
 
 def _without_note_above(block: Block, last: Block | None) -> Block:
@@ -133,17 +152,41 @@ def without_unused_places(blocks: Sequence[Block]) -> Iterator[Block]:
             continue
         if not _is_unused_meaning(block, spoken):
             kept.append(block)
-    return _without_unused_angles(kept, spoken)
+    return _with_meanings_needed(list(_without_unused_angles(kept, spoken)))
+
+
+def _with_meanings_needed(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Blocks without what only the lines left out spoke of; where an angle counts clockwise, so does its rate."""
+    spoken = Counter(name for block in blocks for name in _letters(block))
+    above = False
+    for block in blocks:
+        if not _is_unused_meaning(block, spoken) and not (above and _says_the_sense(block)):
+            yield block
+            above = _is_meaning(block)
 
 
 def _is_unused_meaning(block: Block, spoken: Mapping[str, int]) -> bool:
     """Does it only say what an angle is of which nothing else speaks, at no state, nor of its rate?"""
-    if not isinstance(block, Paragraph) or len(block.line) != 2:
-        return False
-    match block.line:
-        case (Math(expr), Text(text)) if expr.is_Symbol and text.startswith(MEANS):
+    match block:
+        case Paragraph((Math(expr), Text(text))) if expr.is_Symbol and text.startswith(MEANS):
             family = [n for n in spoken if n == expr.name or n.startswith((f"{expr.name}__", f"{expr.name}_d"))]
             return sum(spoken[n] for n in family) <= 1
+    return False
+
+
+def _is_meaning(block: Block) -> bool:
+    """Does it only say what an angle is?"""
+    match block:
+        case Paragraph((Math(), Text(text))):
+            return text.startswith(MEANS)
+    return False
+
+
+def _says_the_sense(block: Block) -> bool:
+    """Does it only say in which sense a rotation counts?"""
+    match block:
+        case Paragraph((Math(), Text(text))):
+            return text.startswith(CLOCKWISE)
     return False
 
 
@@ -219,10 +262,10 @@ def without_told_values(blocks: Sequence[Block]) -> list[Block]:
         if not isinstance(block, Equation):
             found.append(block)
             continue
-        name = str(said(block)[0])
+        name = str(worded(block)[0])
         last = block.sides[-1]
         value = quantity(last.number, last.unit, last.figures) if isinstance(last, Value) else ""
-        again = block.number is None and len({*map(str, said(block))}) == 2 and not block.note
+        again = block.number is None and len({*map(str, worded(block))}) == 2 and not block.note
         if not again or not value or values.get(name) != value:
             values[name] = value
             found.append(block)

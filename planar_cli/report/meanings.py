@@ -12,7 +12,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
 from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
-from planar_cli.report.counted import clockwise
+from planar_cli.report.counted import clockwise, turning
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import rotation_words
 from planar_cli.report.steps import is_ritual
@@ -35,11 +35,13 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
             letters = _letters(blocks[i + 1 : stop])
             seen = {found.general.get(s, s) for s in letters} | _accelerated(meanings, letters, found)
             new = {s: words for s, words in meanings.items() if s in seen and str(words) not in told}
-            if not new:
-                new = {s: words for s, words in _rotations(found).items() if s in seen and not told}
-            told.update(map(str, new.values()))
+            turns = {s: words for s, words in _rotations(found).items() if s in seen and not told}
+            new, turns = (new, turns) if new and found.problem.turning else (new or turns, {})
+            told.update(map(str, (new | turns).values()))
             if own := list(dict.fromkeys(new.values())):
-                yield Paragraph(line(*(p for k, words in enumerate(own) for p in ("; " if k else "", *words))))
+                yield Paragraph(line(*(p for k, words in enumerate(own) for p in (*(("; ",) if k else ()), *words))))
+            # It is left out again beside an angle of which the page speaks.
+            yield from map(Paragraph, turns.values())
 
 
 def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:
@@ -55,7 +57,8 @@ def _begins(block: Block) -> bool:
 def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
     """The angular velocities that count clockwise, where no angle tells that."""
     edges = (e for regime in found.regimes for e in regime.solution.trial.system.tree.edges if e.turn < 0)
-    return {e.spin: clockwise(Math(e.spin), e) for e in edges if e.spin is not None}
+    told = turning if found.problem.turning else clockwise
+    return {e.spin: told(Math(e.spin), e) for e in edges if e.spin is not None}
 
 
 def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:

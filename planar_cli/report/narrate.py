@@ -136,7 +136,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
             if why is None and not headed:
                 blocks += changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))))
+        own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))), meanings)
         own = by_its_line(without_primes(list(without_ritual(own))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)

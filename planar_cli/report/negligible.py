@@ -33,9 +33,9 @@ class FiniteForces:
     states: tuple[str, ...]
 
     def beside(self, since: str, struck: InstantSolution, nil: Collection[sp.Symbol], rows: Sequence[Forces]) -> Line:
-        """` (the impulse of the weights, the spring and R is negligible)` in the blow after a state; () where no finite
-        force acts then. `nil`: the impulses that are zero, as those of a contact on which nothing presses; `rows`: the
-        diagrams of the blow; where all in them is horizontal, weights are no matter.
+        """` (the impulses of the weights, the spring and R are negligible)` in the blow after a state; () where no
+        finite force acts then. `nil`: the impulses that are zero, as those of a contact on which nothing presses;
+        `rows`: the diagrams of the blow; where all in them is horizontal, weights are no matter.
         """
         scene, bodies = struck.instant.scene, [row.body for row in rows]
         level = not any(arrow in _said(row) for row in rows for arrow in NOT_LEVEL)
@@ -54,14 +54,16 @@ class FiniteForces:
         named = [line(f"the {kind}{'s' if n > 1 and kind not in UNCOUNTED else ''}") for kind, n in counts.items()]
         named += [line(Name(letter)) for letter in dict.fromkeys(letters)]
         named += _contacts(struck, nil, bodies)
-        return line(" (the impulse of ", *_listed(named), " is negligible)") if named else ()
+        one, many = (" (the impulse of ", " is negligible)"), (" (the impulses of ", " are negligible)")
+        begin, end = many if len(named) > 1 else one
+        return line(begin, *_listed(named), end) if named else ()
 
     def _acts(self, during: tuple[str, str] | None, since: str) -> bool:
-        """Does something act at a state, and not only until then?"""
+        """Does something act in the blow after a state, or from that blow on?"""
         if during is None or since not in self.states:
             return True
-        reached = self.states[: self.states.index(since) + 1]
-        return during[0] in reached and during[1] not in reached
+        at = self.states.index(since)
+        return during[0] in self.states[: at + 2] and during[1] not in self.states[: at + 1]
 
     def _friction(self, since: str, bodies: Collection[str]) -> Iterator[str]:
         """The letters of friction of a fixed size: that of a pressure grows with the blow."""

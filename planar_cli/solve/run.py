@@ -126,8 +126,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         strikes_unnamed,
     )
     from planar_cli.solve.steady import with_steady_states
+    from planar_cli.solve.struck_turns import counted_as_struck
 
-    problem = with_steady_states(problem, numbers)
+    problem = counted_as_struck(with_steady_states(problem, numbers), earlier)
     pressed = pressed_by_impacts(problem)
     if strikes_unnamed(problem) or many_bodies(problem) or pressed:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None

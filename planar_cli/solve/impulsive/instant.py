@@ -146,6 +146,7 @@ class Struck(Instant):
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
         made.known, made.mark = self.known, self.mark
+        made.clockwise = frozenset(self.scene.problem.turning)
         made.oblique = oblique_strikes(self.scene)
         return made
 
