@@ -36,6 +36,6 @@ def test_a_contact_on_which_nothing_presses_has_no_impulse() -> None:
 
 def test_a_law_is_told_with_the_solution_of_its_equations() -> None:
     printed = page_of_file("billiard-ball")
-    assert "(5): α = -μ N_C R/I_G = -5 μ g/(2 R)" in printed
+    assert "(5): α = μ N_C R/I_G = 5 μ g/(2 R)" in printed
     assert "For the angle of the ball" not in printed
     assert "For y of P" not in page_of_file("pile-driven-into-soil-of-constant-resistance")

@@ -32,7 +32,7 @@ def test_a_dropped_ball_has_no_sideways_velocity() -> None:
 def test_a_blow_without_a_balance_of_momentum_has_no_diagram() -> None:
     """Of the second bounce restitution alone is used; nobody asks for its impulse."""
     page = page_of_file("ball-bouncing-twice")
-    assert "Just after 4, restitution between ball and floor, along the common normal: (7) v_5 = -e v_4" in page
+    assert "Just after 4, restitution between ball and floor, along the common normal: (9) v_5 = -e v_4" in page
     assert page.count("momentum before + impulses") == 1
     assert "loss = m g (h_0 - y_6)" in page
 
@@ -106,7 +106,7 @@ def test_an_answer_is_not_called_what_another_state_has() -> None:
 
 def test_impulses_that_meet_at_a_point_of_the_file_need_no_other() -> None:
     page = page_of_file("ball-that-grips-a-rough-floor")
-    assert "angular momentum about C, through which J_N and J_F pass: (2) ↺ H_C:" in page
+    assert "angular momentum about C, through which J_N and J_F pass: (2) ↻ H_C:" in page
 
 
 def test_a_check_does_not_use_a_letter_of_the_file() -> None:

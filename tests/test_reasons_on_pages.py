@@ -161,7 +161,7 @@ def test_nobody_asks_after_the_same_root_on_the_other_side(path: str) -> None:
 @pytest.mark.parametrize(
     ("stem", "told"),
     [
-        ("impact/pile-driven-into-soil-of-constant-resistance", "(the impulses of the weights and R are negligible)"),
+        ("impact/pile-driven-into-soil-of-constant-resistance", "(the impulses of the weights and R are"),
         ("impact/dumbbell-dropped-on-a-floor", "(the impulse of the weight is negligible)"),
         ("impact/hinged-bars-struck", "momentum after."),
         ("energy/yo-yo", "T_thread (the point T of yoyo is at rest) does no work"),

@@ -379,8 +379,7 @@ class Problem:
     """Coordinates that the file leaves open, put somewhere, as the answers are the same wherever they are."""
     bounded: tuple[tuple[str, str], ...] = ()
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
-    clockwise: tuple[str, ...] = ()
-    """Of a case: the bodies whose rotation counts clockwise in what was told before of the same file."""
+    clockwise: tuple[str, ...] = ()  # of a case: bodies that count clockwise in what was told before of the same file
     turning: tuple[str, ...] = ()  # bodies whose rotation counts clockwise through a motion, as a blow turns them so
     hidden: frozenset[str] = frozenset()  # names that figures do not show
 

@@ -292,7 +292,7 @@ class BetweenTelling:
         if e.law == "force" and not e.lead and e.along and all(t.could_extract_minus_sign() for t in terms):
             # Counted in the sense in which its terms are positive.
             left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
-        turn = -1 if e.law != "force" and counts_the_other_way(left, right) else 1
+        turn = -1 if e.law != "force" and counts_the_other_way(left, right, e.law == "moment") else 1
         left, right = (left, right) if turn > 0 else (opposite(left), opposite(right))
         if e.together is not None:
             yield Paragraph(together(*e.together))

@@ -139,15 +139,15 @@ def one_way_round(w: Written, turn: int) -> tuple[Written, int]:
     return clockwise_too(w, -1), -turn
 
 
-def counts_the_other_way(left: sp.Expr, right: sp.Expr) -> bool:
-    """Are all terms of a sum of moments negative, or that of what turns and one of the others, or that alone where the
-    others are not negative the other way round?
+def counts_the_other_way(left: sp.Expr, right: sp.Expr, moments: bool = True) -> bool:
+    """Are all terms of an equation negative? Or in a sum of moments that of what turns, and one of the others; or that
+    alone, where the others are not negative the other way round?
     """
     told, gained = ([t.could_extract_minus_sign() for t in sp.Add.make_args(s) if t != 0] for s in (left, right))
     if all(told + gained):
         return True
     turned = (t.could_extract_minus_sign() for t in sp.Add.make_args(opposite(left)))
-    return gained == [True] and (any(told) or not any(turned))
+    return moments and gained == [True] and (any(told) or not any(turned))
 
 
 def opposite(side: sp.Expr) -> sp.Expr:
