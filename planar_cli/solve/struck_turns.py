@@ -17,6 +17,7 @@ from planar_cli.equation.setup import Earlier, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import AtRest, JustAfter, Quantity, Relation
+from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Body, Line, Particle, Problem, Rod, Round
 from planar_cli.solve.principled import at_instants
@@ -65,7 +66,7 @@ def _held_at(scene: Scene, joint: Joint, body: Body) -> Vec | None:
 def _pin(scene: Scene, joint: Joint, body: Body) -> Vec | None:
     """The point of the ground about which a joint lets the body turn, if it does that alone."""
     modes = () if joint.strikes else joint.modes(scene)
-    joinings = modes[0].facts.joinings if len(modes) == 1 else ()
+    joinings: tuple[Joining, ...] = modes[0].facts.joinings if len(modes) == 1 else ()
     if len(joinings) != 1 or not joinings[0].only_turns:
         return None
     return joinings[0].point if {joinings[0].mover, joinings[0].base} == {GROUND, body.name} else None
