@@ -60,7 +60,8 @@ def _held_at(scene: Scene, joint: Joint, body: Body) -> Vec | None:
     along, centre = scene.surface_direction(surface), scene.center(body.name)
     away = along.turned()
     side = scene.sign(away.dot(centre - scene.point(surface.shape.through)))
-    return centre - away * (side * scene.radius(body.name))
+    foot: Vec = centre - away * (side * scene.radius(body.name))
+    return foot
 
 
 def _pin(scene: Scene, joint: Joint, body: Body) -> Vec | None:
