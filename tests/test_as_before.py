@@ -28,7 +28,7 @@ def test_equations_that_had_other_numbers(stem: str, line: str) -> None:
 def test_a_place_that_is_put_in() -> None:
     """At the highest place the line is S = m (g cos θ + l θ̇²), and which place that is."""
     page = page_of_file("simple-pendulum")
-    assert "with θ = 180°, θ̇ = 0: S_top = -m g" in page
+    assert "with θ = 180°, θ̇ = 0: S_top = m g cos 180° = -m g" in page
     assert page.count("↖ ΣF: S_rod - m g cos θ = m l θ̇²") == 1
     assert "eom = " not in page
 

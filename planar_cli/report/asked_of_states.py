@@ -230,7 +230,8 @@ class AskedTelling:
         elif span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))
         elif span is None:
-            yield Equation(tuple(sides), None, place_put_in(asked.find.name, formula, self.found))
+            lead, put = place_put_in(asked.find.name, formula, self.found, self.phrases)
+            yield Equation((name, *put, *sides[1:]), None, lead)
         else:
             yield from self.spans.lines(span, (), tuple(sides))
 

@@ -1,12 +1,12 @@
 """What is asked of a force at an equilibrium, where all is a letter: which place was put in the line above.
 
 (1):   S = m (g cos θ + l θ̇²)
-with θ = 180°, θ̇ = 0:   S_top = -m g
+with θ = 180°, θ̇ = 0:   S_top = m g cos 180° = -m g
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from decimal import Decimal
 
 import sympy as sp
@@ -14,18 +14,20 @@ import sympy as sp
 from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import by_name, identically_zero
 from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 
 NEAR = Decimal("1e-20")
 """A place is a whole number of degrees when it is so near to one."""
 
 
-def place_put_in(name: str, closed: sp.Expr, found: MotionTrace) -> Line:
-    """The words before a find that is an unknown of the equations at an equilibrium; (): it is no such find, or the
-    place is no whole number of degrees, or its formula holds more than what varies there.
+def place_put_in(name: str, closed: sp.Expr, found: MotionTrace, phrases: Phrases) -> tuple[Line, tuple[Math, ...]]:
+    """The words before a find that is an unknown of the equations at an equilibrium, and its formula with the angles
+    of the place put in, where that says more; empty: it is no such find, or the place is no whole number of degrees,
+    or its formula holds more than what varies there.
     """
     if not found.symbolic or closed.free_symbols & set(found.general):
-        return ()
+        return (), ()
     states = {o.state for o in found.oscillations}
     asked = ((r, state, own) for r in found.regimes for state, finds in r.asked.items() for own in [finds.get(name)])
     for regime, state, letters in asked:
@@ -34,8 +36,16 @@ def place_put_in(name: str, closed: sp.Expr, found: MotionTrace) -> Line:
             inside = by_name(formula.free_symbols & found.varying)
             place = _place(inside, state, found)
             if inside and place is not None and identically_zero(formula.xreplace(place) - closed):
-                return _words(inside, place)
-    return ()
+                return _words(inside, place), with_angles(formula, place, phrases)
+    return (), ()
+
+
+def with_angles(formula: sp.Expr, place: Mapping[sp.Symbol, sp.Expr], phrases: Phrases) -> tuple[Math, ...]:
+    """`m g cos 180°`, without the rates that are zero; empty where no sine or cosine holds an angle of the place."""
+    still = formula.xreplace({s: e for s, e in place.items() if s.name.endswith("_dot")})
+    texts = {s: _number(s, e) for s, e in place.items() if s in still.free_symbols}
+    turned = any(f.args[0] in texts and f.args[0].is_Symbol for f in still.atoms(sp.sin, sp.cos))
+    return (Math(phrases.neat(still), texts),) if turned else ()
 
 
 def _formulas(regime: RegimeTrace) -> dict[sp.Symbol, sp.Expr]:

@@ -13,7 +13,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
 from planar_cli.report.formula import is_negative
-from planar_cli.report.linearised import DEVIATION, near_equilibrium
+from planar_cli.report.linearised import DEVIATION, at_rest_there, near_equilibrium
 from planar_cli.report.modes import mode_blocks
 from planar_cli.report.near_rest import SOLVED, differences
 from planar_cli.report.put_in import Writer
@@ -94,6 +94,9 @@ def oscillation_blocks(
         yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
         for rate, law in laws:
             yield Equation((phrases.math(rate), law))
+        if symbolic and (still := at_rest_there(found, value, phrases)) is not None:
+            lead, there, why = still
+            yield Equation((phrases.math(laws[0][0]), there, phrases.math(sp.S.Zero)), None, lead, why)
     if len(found.motion) == 1:
         yield from _single(found, value, phrases, symbolic, period, general, linear)
     else:

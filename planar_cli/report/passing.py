@@ -16,7 +16,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragrap
 from planar_cli.report.origins import calculus, head
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
+from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteTrace
 
 SHORT = 12
 """A law of more operations is not written out once more."""
@@ -31,7 +31,10 @@ def passing_blocks(
         fresh = route not in list(routes.values())[:i]
         yield from _heading(name, found, route, fresh)
         if fresh:
-            yield from _in_general(found, route, phrases, (*way(route), *_root_words(route)))
+            even = _is_even(found, name, route)
+            told = way(route)
+            told = (b for b in told if not _is_root(b, route)) if even else (*told, *_root_words(route))
+            yield from _in_general(found, route, phrases, told)
         yield from _lines(name, found, phrases)
 
 
@@ -99,6 +102,31 @@ def _root_words(route: RouteTrace) -> Iterator[Block]:
     q = Math(e.law.coordinate.symbol)
     kind, way = ("positive", " grows") if grows else ("negative", " decreases")
     yield Paragraph(line(f"the {kind} root: ", q, way))
+
+
+def _is_even(found: MotionTrace, name: str, route: RouteTrace) -> bool:
+    """Is all that rests on a square asked of the square alone, in which the sign of the root drops out?"""
+    names = {n for n, r in found.passing.items() if r == route} | {name}
+    parts = [p for r in found.requests if r.find.name in names for p in r.parts]
+    roots = {r.unknown: r.formula for r in _roots(route) if r.formula is not None}
+    turned = {s: -s for s in roots}
+    held = {a for f in roots.values() for a in f.atoms(sp.Pow) if a.exp == sp.S.Half}
+    return bool(roots) and all(p.xreplace(turned) == p and not p.atoms(sp.Pow) & held for p in parts)
+
+
+def _roots(route: RouteTrace) -> list[Result]:
+    """The speeds that the relation v² = … of a route gives."""
+    e = _squared(route)
+    return [r for leg in route.steps if e in leg.relations for r in leg.results]
+
+
+def _is_root(block: Block, route: RouteTrace) -> bool:
+    """Is it the line of such a speed?"""
+    speeds = {r.unknown for r in _roots(route)}
+    match block:
+        case Equation(sides=(Math(expr=own), *_), number=None):
+            return own in speeds
+    return False
 
 
 def _lines(name: str, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:

@@ -77,8 +77,15 @@ def sense_of_formula(found: Found, acute: Collection[sp.Symbol]) -> str:
     if formula is None or others or formula.free_symbols == set():
         return ""
     sign = _sign(formula, acute)
+    if sign < 0 and _is_tension(found):
+        return ", that is compression"
     words = _words(found, sign > 0) if sign else ""
     return f"{', that is' if sign < 0 else ''} {words}" if words else ""
+
+
+def _is_tension(found: Found) -> bool:
+    what = found.find.found.what if found.find is not None else None
+    return isinstance(what, Quantity) and what.word == "tension"
 
 
 def _sign(formula: sp.Expr, acute: Collection[sp.Symbol]) -> int:
