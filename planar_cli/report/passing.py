@@ -32,8 +32,8 @@ def passing_blocks(
         yield from _heading(name, found, route, fresh)
         if fresh:
             even = _is_even(found, name, route)
-            told = way(route)
-            told = (b for b in told if not _is_root(b, route)) if even else (*told, *_root_words(route))
+            told = [b for b in way(route) if not (even and _is_root(b, route))]
+            told += [] if even else _root_words(route)
             yield from _in_general(found, route, phrases, told)
         yield from _lines(name, found, phrases)
 
