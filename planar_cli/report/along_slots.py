@@ -9,7 +9,7 @@ a_rel = a_P · e + ω² AP                                (An Introduction to Pl
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from typing import Any
 
@@ -21,7 +21,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Equation, Line, Math, Name, line
 from planar_cli.report.component_sums import Power, sum_of_products
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
@@ -186,15 +186,27 @@ def along_unit_vector(told: Told, slot: Slot) -> Line:
     return line("along ", unit_letter(told, slot.frame), ":")
 
 
-def whole_component(told: Told, slot: Slot) -> Line:
-    """a_P · e = a_rel - ω² AP, which tells a_rel; nothing where the pivot moves or nothing turns."""
+def whole_component(told: Told, slot: Slot) -> tuple[Line, ...]:
+    """a_P · e = a_rel - ω² AP, from which a_rel follows; nothing where the pivot moves or nothing turns."""
     spin = told.motion.velocities[slot.frame].angular
     base = told.motion.accelerations[slot.frame].linear
     if told.phrases.value.is_zero(spin) or not all(told.phrases.value.is_zero(p) for p in (base.x, base.y)):
         return ()
     sign = " - " if slot.reach > 0 else " + "
     whole = line(Name(f"a_{_index(slot.point)}"), " · ", unit_letter(told, slot.frame))
-    return line(*whole, " = ", Name("a_rel"), sign, told.phrases.math(spin**2), " ", *slot.arm)
+    return (whole, line(Name("a_rel"), sign, told.phrases.math(spin**2), " ", *slot.arm))
+
+
+def carried_along(told: Told, slot: Slot, alpha: sp.Symbol) -> Iterator[Equation]:
+    """a_P′ · n = α AP and a_P′ · e = -ω² AP of the point of the body itself, with n at 90° to the left of e; nothing
+    where the pivot moves, nothing turns, or the point is on the other side of it.
+    """
+    if slot.reach <= 0 or not whole_component(told, slot):
+        return
+    omega, unit = told.phrases.math(told.motion.velocities[slot.frame].angular ** 2), unit_letter(told, slot.frame)
+    own = line(Name(f"a_{_index(slot.point)}′"), " · ")
+    along = line(*own, unit, " = -", omega, " ", *slot.arm)
+    yield Equation((line(*own, Name("n")), line(told.phrases.math(alpha), " ", *slot.arm)), None, note=along)
 
 
 def component(told: Told, slot: Slot, v: str) -> Line:
@@ -226,6 +238,16 @@ def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line, Line]:
         letters,
         line(_doubled(1, [abs(x) for x in numbers], told.phrases.figures)),
     )
+
+
+def coriolis_way(told: Told, slot: Slot) -> Line:
+    """at -60°: v_rel turned by 90° clockwise, as AB turns"""
+    spin, numbers = _turning(told, slot)
+    turn = 1 if numbers[0] > 0 else -1
+    ahead = turn if numbers[1] > 0 else -turn
+    way = math.degrees(math.atan2(ahead * slot.unit[0], -ahead * slot.unit[1]))
+    turned = line(f"at {way:.1f}".removesuffix(".0"), "°: ", Name("v_rel"), " turned by 90° ")
+    return line(*turned, f"{'counterclockwise' if turn > 0 else 'clockwise'}, as {slot.frame} turns")
 
 
 def _turning(told: Told, slot: Slot) -> tuple[sp.Expr, list[Decimal]]:

@@ -17,7 +17,15 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.along_slots import NEARLY, by_angle, coriolis_across, distance_named, slot_of, unit_told
+from planar_cli.report.along_slots import (
+    NEARLY,
+    by_angle,
+    carried_along,
+    coriolis_across,
+    distance_named,
+    slot_of,
+    unit_told,
+)
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.enough_figures import figures_of
@@ -84,6 +92,8 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
     told.components = _across(lines, reach, unknown, (factor < 0, (factor < 0) != (known[0][0] != name)), told.phrases)
     if told.components.product and len(lines) == 1:
         return
+    if level != "velocity" and reach is not None and reach.sense > 0 and (slot := slot_of(told, j.place, j.base)):
+        yield from carried_along(told, slot, unknown)
     yield from lines
     if told.components.product:
         return

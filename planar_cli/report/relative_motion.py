@@ -17,6 +17,7 @@ from planar_cli.report.along_slots import (
     along_unit_vector,
     component,
     coriolis_size,
+    coriolis_way,
     relative_along,
     slot_of,
     unit_told,
@@ -81,7 +82,7 @@ class RelativeTelling:
             yield from self.absolute(name, level[0])
         sides, value = relative_along(self.vectors, slot, level)
         self._along[key] = value
-        note = whole_component(self.vectors, slot) if level == "acceleration" else ()
+        before = whole_component(self.vectors, slot) if level == "acceleration" else ()
         if f"e {slot.frame}" not in self.vectors.valued:
             self.vectors.valued.add(f"e {slot.frame}")
             unit = Paragraph(line(*unit_told(self.vectors, slot)))
@@ -90,7 +91,9 @@ class RelativeTelling:
             else:
                 self.vectors.preface.append(unit)
         lead = along_unit_vector(self.vectors, slot)
-        yield Equation((*sides, *self._shown(value, slot, level)), None, lead, note)
+        if before:
+            yield Equation(before, None, lead)
+        yield Equation((*sides, *self._shown(value, slot, level)), None, line("so that:") if before else lead)
 
     def _shown(self, value: Decimal, slot: Slot, level: str) -> list[Value]:
         """In the unit of the page; and, where that component is an answer of its own name, in the one that is asked."""
@@ -120,7 +123,8 @@ class RelativeTelling:
         own = [] if plain_name(answer) == plain_name(name) else [line(Name(answer))]
         if q.word == "coriolis":
             told = coriolis_size(self.vectors, slot)
-            return [Equation((*own, line("|", Name(name), "|"), *told, *values))]
+            way = coriolis_way(self.vectors, slot)
+            return [Equation((*own, line("|", Name(name), "|"), *told, *values), None, note=way)]
         if q.parts[-1].kind == "mag":
             size = [Equation((*own, line("|", Name(name), "|"), *values))]
             return [] if not own and along >= 0 else [*size]
