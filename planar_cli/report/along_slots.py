@@ -242,7 +242,7 @@ def coriolis_size(told: Told, slot: Slot) -> tuple[Line, Line, Line]:
 
 def coriolis_way(told: Told, slot: Slot) -> Line:
     """at -60°: v_rel turned by 90° clockwise, as AB turns"""
-    spin, numbers = _turning(told, slot)
+    _, numbers = _turning(told, slot)
     turn = 1 if numbers[0] > 0 else -1
     ahead = turn if numbers[1] > 0 else -turn
     way = math.degrees(math.atan2(ahead * slot.unit[0], -ahead * slot.unit[1]))
