@@ -75,3 +75,15 @@ def test_answers_keep_their_sign(way: str, sign: int) -> None:
     assert ("ω is counted clockwise" in Terminal(400).render(narrate(solution))) == (sign < 0)
     (formula,) = solution.parts[0].found[0].expressions or ()
     assert formula.could_extract_minus_sign() == (sign < 0)
+
+
+def test_that_a_motion_just_succeeds_is_said_where_its_last_state_is_spoken_of() -> None:
+    page = _page("impact/box-that-tips-over")
+    limit = "The limit: the box comes to rest at 3 in equilibrium; with a little more it passes on, with less it never"
+    assert f"{limit} gets there. At 3, x_G = 0." in page
+    assert "the last state is one" not in page
+
+
+def test_a_line_solved_already_is_not_printed_again() -> None:
+    """(7) ω_3 = 5 μ g t_3/(2 R) gives the angular velocity as it stands."""
+    assert _page("impact/billiard-ball").count("ω_3 = 5 μ g t_3/(2 R)") == 1

@@ -20,7 +20,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
-from planar_cli.solve.solution import CAVEATS, Found, InstantSolution
+from planar_cli.solve.solution import AT_A_TOP, CAVEATS, Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import parse_unit
 
@@ -71,7 +71,9 @@ def road_blocks(part: PartSolution) -> list[Check]:
     if part.followed is not None:
         errors = any(a.error is not None and a.values for a in part.followed.answers)
         return [Check(line("a second run with finer steps gives the same"))] if errors else []
-    found = [Check(line(t)) for t in part.motion.checks if t.startswith(CAVEATS)] if part.motion is not None else []
+    caveats = part.motion.checks if part.motion is not None else ()
+    # That the last state is just reached is said where the page first speaks of it.
+    found = [Check(line(t)) for t in caveats if t.startswith(CAVEATS) and t != AT_A_TOP]
     apart = [f.name for f in part.found if unconfirmed(f, part)]
     if not _has_equations(part):
         # A place or a moment of inertia rests on no equation of motion that another solution could check.

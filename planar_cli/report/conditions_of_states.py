@@ -26,6 +26,9 @@ FEW_LETTERS, SAME = 8, Decimal("1e-20")
 FEW, SHORT = 2, 24
 """Letters of a condition that only gives a value, and operations of a side that is printed."""
 
+TIME = "t__"
+"""Begins the letter of the time of a state."""
+
 
 def condition_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """The condition of a state from which a datum is worked out, in the letters of the state; nothing where it gives
@@ -58,6 +61,9 @@ def asked_here(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator
     for x in leg.unknowns:
         if x in found.named:
             made = _difference(x, found) or phrases.math(found.named[x])
+            if ends := _duration(made.expr):
+                yield Paragraph(line(Math(x), f": the time from {ends[0]} to {ends[1]}"))
+                continue
             yield Equation((phrases.math(x), made), None, line("to be found:"))
 
 
@@ -124,3 +130,9 @@ def given_by_another(e: Relation, r: Result, found: MotionTrace, phrases: tuple[
         return
     shown = phrases[1].of_dimension(value, dimension)
     yield Equation((line(*name), phrases[0].math(expr), shown), None, line(at(e.stop)))
+
+
+def _duration(made: sp.Expr) -> tuple[str, ...]:
+    """The two states between which a difference of times lies, the first one first; () of anything else."""
+    times = {c: s.name.removeprefix(TIME) for s, c in made.as_coefficients_dict().items() if str(s).startswith(TIME)}
+    return (times[-1], times[1]) if len(made.args) == 2 and set(times) == {-1, 1} else ()

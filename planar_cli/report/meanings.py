@@ -15,6 +15,7 @@ from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
 from planar_cli.report.counted import clockwise, turning
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import rotation_words
+from planar_cli.report.said_limits import with_limit_said
 from planar_cli.report.steps import is_ritual
 from planar_cli.solve.between.trace import MotionTrace
 
@@ -27,7 +28,7 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
     `told`: what stands on the page before. The solution of a single equation belongs to the step before it.
     """
     meanings = _meanings(found)
-    blocks = list(without_polar_velocities(blocks)) if across_meanings(found) else blocks
+    blocks = with_limit_said(without_polar_velocities(blocks) if across_meanings(found) else blocks, found)
     for i, block in enumerate(blocks):
         yield block
         if isinstance(block, Heading) and block.label.startswith(STEP) and not is_ritual(block):

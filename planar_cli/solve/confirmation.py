@@ -26,11 +26,10 @@ from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.first_stretch import ALONG, CERTAIN, FAINT, FirstStretch, varies
 from planar_cli.solve.followable import closed, end_of, most_steps, not_followed
 from planar_cli.solve.following.departure import DEPARTS
-from planar_cli.solve.following.mode_search import AT_A_TOP
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.only_just import only_just
-from planar_cli.solve.solution import Found
+from planar_cli.solve.solution import AT_A_TOP, Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
 from planar_cli.solve.taken import Taken

@@ -44,6 +44,7 @@ class Found:
 
 BY_ENERGY = "the balance of energy gives the same equation of motion"
 """How a check by energy is told; how well it agrees follows."""
+AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 CAVEATS = (
     "released at rest in an unstable equilibrium",
     "it begins at rest in equilibrium",

@@ -61,9 +61,9 @@ from planar_cli.solve.principled import principle_of
 from planar_cli.solve.regimes.first_modes import first_modes
 from planar_cli.solve.regimes.mode_sequence import ModeSequence
 from planar_cli.solve.regimes.regime_sequence import regime_sequence
+from planar_cli.solve.solution import AT_A_TOP
 
 CHANGES = 40
-AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 
 
 @changing

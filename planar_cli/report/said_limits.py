@@ -1,0 +1,38 @@
+"""What decides a motion that just succeeds, said where its last state is first spoken of: it comes to rest there, in
+equilibrium.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from planar_cli.problem.scene import with_article
+from planar_cli.report.blocks import Block, Heading, Paragraph, Text, line
+from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.solution import AT_A_TOP
+
+STEP = "STEP"
+
+
+def with_limit_said(blocks: Sequence[Block], found: MotionTrace) -> list[Block]:
+    """The blocks of a motion, with that criterion before the first line of its last state."""
+    if AT_A_TOP not in found.checks or not found.states:
+        return list(blocks)
+    last, bodies = found.states[-1], found.problem.bodies
+    begins = (f"At {last}, ", f"At {last}:")
+    first = next(
+        (i for i, b in enumerate(blocks) if _words(b).startswith(begins) or f" to {last}, " in _words(b)), None
+    )
+    at = first if first is not None else next((i + 1 for i, b in enumerate(blocks) if _is_step(b)), 0)
+    what = with_article(bodies[0].name) if len(bodies) == 1 else "all"
+    limit = f"The limit: {what} comes to rest at {last} in equilibrium; with a little more it passes on, with less it "
+    return [*blocks[:at], Paragraph(line(limit + "never gets there.")), *blocks[at:]]
+
+
+def _words(block: Block) -> str:
+    """The words of a sentence."""
+    return "".join(p.text for p in block.line if isinstance(p, Text)) if isinstance(block, Paragraph) else ""
+
+
+def _is_step(block: Block) -> bool:
+    return isinstance(block, Heading) and block.label.startswith(STEP)
