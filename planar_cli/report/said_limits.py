@@ -4,7 +4,7 @@ equilibrium.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Heading, Paragraph, Text, line
@@ -14,10 +14,11 @@ from planar_cli.solve.solution import AT_A_TOP
 STEP = "STEP"
 
 
-def with_limit_said(blocks: Sequence[Block], found: MotionTrace) -> list[Block]:
+def with_limit_said(blocks: Iterable[Block], found: MotionTrace) -> list[Block]:
     """The blocks of a motion, with that criterion before the first line of its last state."""
+    blocks = list(blocks)
     if AT_A_TOP not in found.checks or not found.states:
-        return list(blocks)
+        return blocks
     last, bodies = found.states[-1], found.problem.bodies
     begins = (f"At {last}, ", f"At {last}:")
     first = next(
