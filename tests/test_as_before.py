@@ -91,3 +91,12 @@ def test_named_quantities_by_the_same_formulas() -> None:
     page = page_of_file("toy-on-a-round-end")
     assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
     assert page.count("y_1 = r - 4 r/(3 π)") == 1
+
+
+def test_rows_that_are_solved_together() -> None:
+    """Each equation once with its numbers and once collected; a later case quotes the results."""
+    page = page_of_file("chain-5")
+    assert "collected:" not in page
+    assert "7 unknowns: α_OA, α_AB, α_BC, α_CD, α_DE, O_x, O_y; the accelerations in these by (1) to (10)" in page
+    assert page.count("a_G,CD,x = -3.8494") == 1
+    assert "acceleration of the mass centre" not in page

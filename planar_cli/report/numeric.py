@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.blocks import Equation, Line, Math, line
 from planar_cli.report.by_its_letter import by_another, by_its_letter
 from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.given_components import against
@@ -36,6 +36,8 @@ LONGEST = 30
 DIFFERENTIATED = "coordinate"
 """The source of a relation that comes from a place: it is divided by a sine or cosine of all its terms."""
 
+OF_CENTRE = "acceleration of "
+"""Begins what the letter of an acceleration says by itself."""
 ANGLE_OF = "angle of "
 """What the turning of a body is told of that a coordinate places."""
 UNITS = {"force": FORCE, "moment": ENERGY}
@@ -54,14 +56,6 @@ def vanishing(stage: Stage) -> frozenset[sp.Symbol]:
 
 TURNING = {"1/s": "rad/s", "1/s^2": "rad/s^2"}
 """Units of what turns, as they are said."""
-
-
-def lasts(stages: Collection[Stage], constants: Phrases) -> bool:
-    """Are all symbols in the equations that are told of a motion the same all the time?"""
-    blocks = [b for s in stages for b in s.blocks]
-    told = [w.residual for b in blocks for w in b.equations] + [x.formula for b in blocks for x in b.lines]
-    told += [x.expression for s in stages for x in s.lines]
-    return bool(told) and all(constants.value.known(x) is not None for e in told for x in e.free_symbols)
 
 
 def is_spelled(stages: Collection[Stage], general: Phrases) -> bool:
@@ -103,6 +97,25 @@ class NumericTelling:
         """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
         """Stages whose kinematic relations are all in numbers, because one of them has to be."""
+        self._rows: set[tuple[int, int]] = set()
+        """Equations that are solved together as rows of numbers, and stand all alike before."""
+        for stage in stages if not phrases.symbolic else ():
+            for block in stage.blocks:
+                self._rows |= self._rows_of(block, stage)
+
+    def _rows_of(self, block: SolvedBlock, stage: Stage) -> set[tuple[int, int]]:
+        """The equations of a block, where one of them has to be in numbers and all of them can."""
+        written = block.equations
+        if len(block.letters) < 2 or any(w.law not in UNITS for w in written):
+            return set()
+        if not any(self.put_whole(w, stage) for w in written):
+            return set()
+        told = all(self._opened((w.left, w.right), stage, row=True) for w in written)
+        return {(id(stage.algebra), w.number) for w in written} if told else set()
+
+    def is_row(self, w: Written, stage: Stage) -> bool:
+        """Does an equation stand collected further down, where it is solved together with others?"""
+        return (id(stage.algebra), w.number) in self._rows
 
     def _lettered(self, stage: Stage) -> bool:
         relations = [w for b in stage.blocks for w in b.equations if w.law == "relation" and not w.given]
@@ -112,7 +125,7 @@ class NumericTelling:
         """Is an equation in numbers from the start?"""
         if self.phrases.symbolic:
             return False
-        if w.law == "relation" and id(stage.algebra) in self._whole:
+        if self.is_row(w, stage) or (w.law == "relation" and id(stage.algebra) in self._whole):
             return True
         if w.law in ("force", "moment") and longer(w.left - w.right, MOST):
             return True
@@ -321,12 +334,22 @@ class NumericTelling:
         """The sides of an equation of forces or moments that stands in numbers, before its terms are collected; empty
         where they say nothing more.
         """
-        if not self.put_whole(w, stage):
-            return ()
+        return self._opened(sides, stage, self.is_row(w, stage)) if self.put_whole(w, stage) else ()
+
+    def _opened(self, sides: tuple[sp.Expr, sp.Expr], stage: Stage, row: bool) -> tuple[Any, ...]:
         own = stage.algebra.unknowns
         named = {s for s, e in stage.algebra.explicit.items() if e.free_symbols & own}
         unknowns = {*own, *stage.zero, *named}
-        return opened_sides(sides, unknowns - self._data(stage), self.phrases)
+        return opened_sides(sides, unknowns - self._data(stage), self.phrases, row)
+
+    def collected(self, w: Written, stage: Stage, sides: tuple[Any, ...], note: Line) -> tuple[Equation, ...]:
+        """The line below such an equation, unless it stands collected where it is solved."""
+        return () if self.is_row(w, stage) else (Equation(sides, None, line("collected:"), note),)
+
+    def title(self, x: Explicit, stage: Stage) -> Line:
+        """What stands before a line that names an acceleration; where some are in numbers, its reason alone."""
+        bare = self.put_named(x) or (x.words.startswith(OF_CENTRE) and any(map(self.put_named, stage.lines)))
+        return () if bare else line(x.words + ":")
 
     def _length(self, w: Written) -> sp.Expr:
         """The length of the vector along which a component was taken; the sense in which its terms are positive."""
@@ -373,14 +396,3 @@ def _unit_note(found: Sides, phrases: Phrases) -> Line:
         return ()
     unit = coherent_unit(found.dimension, us=phrases.ledger.us).text
     return line(f"in {pretty_unit(unit)}") if unit != "1" else ()
-
-
-def numeric_telling(phrases: Phrases, constants: Phrases | None, stages: Collection[Stage]) -> NumericTelling:
-    """Where nothing in the equations of a motion varies, and letters would hide units, they have numbers as those of an
-    instant do. `constants`: speaks of what has a number all the time.
-    """
-    if constants is None or not lasts(stages, constants):
-        return NumericTelling(phrases, stages)
-    if is_spelled(stages, phrases):
-        return NumericTelling(phrases, stages, constants)
-    return NumericTelling(constants, stages)

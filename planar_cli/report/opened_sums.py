@@ -23,6 +23,8 @@ from planar_cli.units import LENGTH, PURE
 
 MOST_TERMS, MOST_FACTORS = 12, 28
 """A sum of more terms, or of more numbers in all, says less than its result."""
+ROW_TERMS, ROW_FACTORS = 24, 48
+"""The same of equations that stand collected further down, where they are solved together."""
 
 
 @record
@@ -42,16 +44,19 @@ class Term:
         return (self.numbers[-1], *self.numbers[:-1]) if self.scaled else self.numbers
 
 
-def opened_sides(sides: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> tuple[Math, ...]:
+def opened_sides(
+    sides: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases, row: bool = False
+) -> tuple[Math, ...]:
     """Both sides of an equation of forces or moments as sums of products of numbers and unknowns, the arm behind the
-    force. Empty: no force has an arm or a slope, they would be too long, or their terms cannot be told.
+    force. Empty: no force has an arm or a slope, they would be too long, or their terms cannot be told. `row`: they
+    stand collected further down.
     """
     found = [_terms(side, frozenset(unknowns), phrases) for side in sides]
     # A side may have no other term than the rounding of cos 90°.
     largest = max((t.size for own in found for t in own or ()), default=Decimal(0))
     found = [own and [t for t in own if t.size > SMALL * largest] for own in found]
     terms = [t for own in found for t in own or ()]
-    if any(own is None for own in found) or not _tells(terms):
+    if any(own is None for own in found) or not _tells(terms, row):
         return ()
     return tuple(_written(own or [], phrases) for own in found)
 
@@ -67,10 +72,11 @@ def opened_number(residual: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
     return _written([replace(t, sign=-t.sign if turned else t.sign, numbers=t.turned()) for t in terms], phrases)
 
 
-def _tells(terms: Sequence[Term]) -> bool:
+def _tells(terms: Sequence[Term], row: bool = False) -> bool:
     """Is there a length or a slope beside another number, and are the sums short enough?"""
     counted = sum(len(t.numbers) for t in terms)
-    return any(t.scaled for t in terms) and len(terms) <= MOST_TERMS and counted <= MOST_FACTORS
+    most, factors = (ROW_TERMS, ROW_FACTORS) if row else (MOST_TERMS, MOST_FACTORS)
+    return any(t.scaled for t in terms) and len(terms) <= most and counted <= factors
 
 
 def _written(terms: Sequence[Term], phrases: Phrases) -> Math:

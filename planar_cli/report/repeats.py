@@ -24,8 +24,10 @@ from planar_cli.report.blocks import (
     Result,
     Table,
     Text,
+    Value,
     line,
 )
+from planar_cli.report.steps import SOLVING
 from planar_cli.report.turned_diagrams import is_turned, steps_turned, without_arrows
 
 LONG = 7
@@ -45,7 +47,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     printed = _Printed(before)
     if not printed.said:
         return list(blocks)
-    drawn = [printed.reduced(b) for b in blocks]
+    drawn = _known_first([printed.reduced(b) for b in blocks], printed)
     known = [printed.knows(b) or printed.renews(b) for b in drawn]
     turned = list(steps_turned(drawn, known, printed.knows_turned))
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
@@ -73,6 +75,31 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
             found += drawn[start : max(stop, start + 1)]
             start = max(stop, start + 1)
     return found
+
+
+def _known_first(blocks: Sequence[Block], printed: _Printed) -> list[Block]:
+    """Blocks in which the results of a step that solves equations begin with those that an earlier case had: they rest
+    on nothing new.
+    """
+    found: list[Block] = []
+    start = 0
+    while start < len(blocks):
+        heading = blocks[start]
+        stop = next((k for k in range(start + 1, len(blocks)) if isinstance(blocks[k], Heading)), len(blocks))
+        own = list(blocks[start + 1 : stop])
+        if isinstance(heading, Heading) and heading.text == SOLVING:
+            known = [b for b in own if _is_result(b) and printed.knows(b)]
+            led = [i for i, b in enumerate(own) if i and b not in known and own[i - 1] in known and not _is_result(b)]
+            if len(known) >= LEAST and not led:
+                own = [*known, *(b for b in own if b not in known)]
+        found += [heading, *own]
+        start = stop
+    return found
+
+
+def _is_result(block: Block) -> bool:
+    """Is it a line that ends with the value of a letter?"""
+    return isinstance(block, Equation) and block.number is None and isinstance(block.sides[-1], Value)
 
 
 def _all_define(run: Sequence[Block], printed: _Printed) -> bool:

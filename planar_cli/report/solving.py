@@ -31,6 +31,10 @@ FEW = 3
 """Of so many equations with one unknown each the solution stands at once below them."""
 
 
+MANY = 6
+"""Of more accelerations that stand for others only the numbers of their lines are named."""
+
+
 class SolvingTelling:
     """Tells how the unknowns of a stage follow. `number`: the printed number of an equation or line of a stage;
     `merged`: equations that were told together with their solution, by algebra and number; `constants`: speaks of what
@@ -123,8 +127,13 @@ class SolvingTelling:
         """
         blocks = self._left(stage)
         named = self._named(stage, [w for b in blocks for w in b.equations])
+        many = sorted(self.number(stage, n) for n in named.values()) if len(named) > MANY else []
+        named = {} if many else named
         equations = sum(len(b.equations) for b in blocks) + len(named)
         unknowns = [*named, *(u for b in blocks for u in b.unknowns)]
+        if many:
+            order = self.instant.trial.system.tree.acceleration_unknowns()
+            unknowns.sort(key=lambda u: order.index(u) if u in order else len(order))
         numbers = {*named.values(), *(w.number for b in blocks for w in b.equations)}
         printed = sorted({self.number(stage, n) for n in numbers})
         head = f"{equations} equation{'s' if equations != 1 else ''}, "
@@ -137,7 +146,7 @@ class SolvingTelling:
             parts += [", " if i else "", Math(u)]
         for i, s in enumerate(self._carried(stage, blocks, unknowns)):
             parts += [", " if i else "; in terms of ", Math(s)]
-        return line(*parts)
+        return line(*parts, f"; the accelerations in these by {numbered(many)}" if many else "")
 
     def _left(self, stage: Stage) -> list[SolvedBlock]:
         """What is to be solved: more than what the file gives, and than what is zero at sight."""

@@ -26,7 +26,8 @@ from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
 from planar_cli.report.limits_alike import with_limits_alike
-from planar_cli.report.numeric import level_of, numeric_telling, vanishing
+from planar_cli.report.numeric import level_of, vanishing
+from planar_cli.report.numeric_choice import numeric_telling
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product, with_direction
 from planar_cli.report.raw_moments import with_raw_moments
@@ -209,7 +210,7 @@ class Telling:
         if last is None:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
-        relations = [w for w in relations if not kinetic or not self._of_forces(w)]
+        relations = [w for w in relations if not (kinetic and self._of_forces(w))]
         relations = derivatives_after(sorted(relations, key=lambda w: w.source == "extreme"))
         ends = [found[0] for w in relations if (found := named_end(w, last, self.system)) is not None]
         # The centre of what rolls comes first: the accelerations of other points rest on it.
@@ -217,12 +218,11 @@ class Telling:
         rates = [*(self._explicit(x, last) for x in first), *self._equations(relations, last)]
         rates += self._centres(last) if kinetic else ()
         rates += [self._explicit(x, last) for x in last.lines if x not in first]
-        apart = rates and (blocks or (relations and stages))
-        return [*blocks, *([ACCELERATIONS] if apart else []), *rates]
+        return [*blocks, *([ACCELERATIONS] if rates and (blocks or (relations and stages)) else []), *rates]
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
         sides, note = self.numeric.named(x, stage)
-        return Equation(sides, self.number(stage, x.number), () if note else line(x.words + ":"), note)
+        return Equation(sides, self.number(stage, x.number), self.numeric.title(x, stage), note)
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
@@ -265,7 +265,7 @@ class Telling:
             lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
             sides = self._with_zero(w, stage, sides)
         if parts := self.numeric.opened(w, stage, whole):
-            return [head, Equation(parts, number, lead, note), Equation(sides, None, line("collected:"), note)]
+            return [head, Equation(parts, number, lead, note), *self.numeric.collected(w, stage, sides, note)]
         return [head, Equation(sides, number, lead, note)]
 
     def _with_zero(self, w: Written, stage: Stage, sides: tuple[Any, ...]) -> tuple[Any, ...]:
