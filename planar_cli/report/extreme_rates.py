@@ -3,18 +3,23 @@
 w_min is smallest, so its derivative with respect to β is zero:
   by (3):   w_min = v_stream,y/sin β
   d/dβ:     -v_stream,y cos β / sin² β = 0
+
+Of a formula that has what is free in one sine or cosine alone, its largest value 1 says it without a derivative.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import by_name, identically_zero, longer, simplified
-from planar_cli.report.blocks import Block, Equation, line
+from planar_cli.report.blocks import Block, Equation, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.results import numbered
 from planar_cli.report.words import Phrases
@@ -26,6 +31,8 @@ LONGEST = 26
 """A longer function, or derivative, is not told."""
 SHORT = 2
 """What is extreme is named by its words where it is a longer formula."""
+NEAR = Decimal("1e-9")
+"""A sine or cosine so near to 1 is 1."""
 MOST = 3
 """Of more equations it is no short function."""
 
@@ -62,8 +69,32 @@ def with_rate(
     short = not longer(objective, SHORT)
     own = phrases.math(objective) if short else line(extreme.text.rpartition(" is ")[0])
     first = [] if function == objective else [Equation((own, phrases.math(function)), None, lead)]
+    if (wave := _alone_in(function, free[0], extreme.sense, phrases)) is not None:
+        return _without_calculus(own, extreme.sense, wave, first, blocks[-1], phrases)
     second = Equation((phrases.math(rate), phrases.math(sp.S.Zero)), None, line("d/d", phrases.math(free[0]), ":"))
     return [*blocks[:-1], *first, second, blocks[-1]]
+
+
+def _alone_in(function: sp.Expr, z: sp.Symbol, sense: int, phrases: Phrases) -> sp.Expr | None:
+    """The one sine or cosine with the free letter, which a function grows with (sense 1) or is divided by (-1), and
+    which is 1 where it is extreme; None: the function holds the letter otherwise.
+    """
+    waves = [f for f in function.atoms(sp.sin, sp.cos) if f.has(z)]
+    if len(waves) != 1 or (function / waves[0] ** sense).has(z):
+        return None
+    there = phrases.value.known(waves[0])
+    return waves[0] if there is not None and abs(there - 1) < NEAR else None
+
+
+def _without_calculus(
+    own: Any, sense: int, wave: sp.Expr, first: Sequence[Block], last: Block, phrases: Phrases
+) -> list[Block]:
+    """w_min = u/(2 sin β), smallest where sin β is largest: sin β = 1."""
+    if not isinstance(last, Equation):
+        return [*first, last]
+    extreme = "largest" if sense > 0 else "smallest"
+    words = line("This is ", extreme, " where ", phrases.math(wave), " is largest:")
+    return [*first, Paragraph(words), replace(last, sides=(phrases.math(wave), phrases.math(sp.S.One)))]
 
 
 def _is_told(expr: sp.Expr, phrases: Phrases) -> bool:
