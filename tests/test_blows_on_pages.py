@@ -64,7 +64,7 @@ def test_right_angles_in_a_blow() -> None:
 
 @pytest.mark.parametrize(("stem", "lines"), [
     ("two-balls-in-a-turning-tube", ("Q moves as P does, by symmetry.", ": ω_end = ")),
-    ("spheres-that-slide-out-to-stops", ("other moves as one does, by symmetry.", "ω_rod,3 = ω_rod,2 = 2.080")),
+    ("spheres-that-slide-out-to-stops", ("B moves as A does, by symmetry.", "ω_rod,3 = ω_rod,2 = 2.080")),
 ])  # fmt: skip
 def test_bodies_that_move_alike(stem: str, lines: tuple[str, ...]) -> None:
     """By symmetry, angular momentum and energy, with no step of time; a direction that cancels is no unknown."""

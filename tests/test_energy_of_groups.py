@@ -11,8 +11,8 @@ STEM = "spheres-that-slide-out-to-stops"
 
 
 @pytest.mark.parametrize("said", [
-    "T_2 = 1/2 I_O,2 ω_rod,2² + m_one v_A,rod,2²",
-    "Just after 2, rod, one, other: the impulses between them are internal, and those from outside pass through O, so"
+    "T_2 = 1/2 I_O,2 ω_rod,2² + m_A v_A,rod,2²",
+    "Just after 2, rod, A, B: the impulses between them are internal, and those from outside pass through O, so"
     " that H_O and I_O stay what they are: (3) ω_rod,3 = ω_rod,2 = 2.080 rad/s",
 ])  # fmt: skip
 def test_energy_of_turning_and_of_sliding(said: str) -> None:

@@ -10,7 +10,7 @@ from planar_cli.report.spoken import begun
 
 def test_the_sum_stands_before_its_components() -> None:
     page = page_of_file("boat-with-two-courses")
-    assert "Given: v_stream = u at 30°: (1) along x: v_stream,x = √3 u/2" in page
+    assert "Given: v_stream = u at 30°: (1) along x: v_stream,x = u cos 30° = 8 cos 30° = 6.928 m/s" in page
     total = "v_boat = v_stream + v_boat/stream, where v_boat/stream = w at -β: (3) along y: v_boat,y = "
     assert f"{total}v_stream,y - w sin β = 0 (4) along x: v_boat,x = v_stream,x + w cos β" in page
     assert "the size of the velocity" not in page

@@ -14,11 +14,12 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, line
 from planar_cli.solve.instant.written import Written
 
 THING = r"([va])\((\w+)(?:/(\w+))?\)"
 SIZE, ANGLE = re.compile(rf"{THING}\.mag = (.+)"), re.compile(rf"{THING}\.angle = (.+)")
+DEGREES = re.compile(r"(-?\d+(?:\.\d+)?) deg")
 AXIS = re.compile(r", along ([xy])$")
 
 
@@ -70,11 +71,34 @@ def with_sum(w: Written, blocks: list[Block], named: Callable[[str], Line]) -> l
     whole = line(Name(f"{v}_{thing}"), " = ", Name(f"{v}_{base}"), " + ", own, ", where ") if base else line("Given: ")
     lead, own_part = line(f"along {found.axis}:"), line(Name(f"{v}_{thing},{found.axis}"))
     head = Paragraph(line(*whole, *given))
-    return [head, *(_along(b, lead, own_part) if isinstance(b, Equation) else b for b in blocks[1:])]
+    return [
+        head,
+        *(
+            _along(b, lead, own_part, found.angle if base is None else "", found.axis) if isinstance(b, Equation) else b
+            for b in blocks[1:]
+        ),
+    ]
 
 
-def _along(equation: Equation, lead: Line, own: Line) -> Equation:
+def _along(equation: Equation, lead: Line, own: Line, angle: str, axis: str) -> Equation:
     """v_boat,y = v_stream,y + w sin β = 0, of a component that is zero."""
     first, *others = equation.sides
-    sides = (own, *others, first) if first == Math(sp.S.Zero) else equation.sides
+    sides = (own, *others, first) if first == Math(sp.S.Zero) else _with_angle(equation.sides, angle, axis)
     return replace(equation, sides=sides, lead=lead)
+
+
+def _with_angle(sides: tuple[Inline | Line, ...], angle: str, axis: str) -> tuple[Inline | Line, ...]:
+    """u cos 30° = 8 cos 30° in place of √3 u/2 = √3 · 8 / 2, where the file gives the angle as a number."""
+    degrees = DEGREES.fullmatch(angle)
+    if degrees is None:
+        return sides
+    turn = sp.Symbol("given angle", real=True)
+    wave, at = (sp.cos if axis == "x" else sp.sin)(turn), sp.Rational(degrees[1]) * sp.pi / 180
+    told: list[Inline | Line] = []
+    for side in sides:
+        size = side.expr / wave.subs(turn, at) if isinstance(side, Math) and wave.subs(turn, at) != 0 else sp.S.Zero
+        size = sp.simplify(size)
+        held = size.is_Symbol and isinstance(side, Math) and side is not sides[0] and side.expr != size
+        values = {**(side.values or {}), turn: f"{degrees[1]}°"} if isinstance(side, Math) else {}
+        told.append(Math(size * wave, values) if held else side)
+    return tuple(told)
