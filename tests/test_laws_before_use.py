@@ -7,10 +7,11 @@ from worked import page_of_file
 
 def test_constant_acceleration_has_its_formula_once() -> None:
     page = page_of_file("ex-1-06")
-    assert "constant acceleration of the ball along y: v² = v_0² + 2 a (y - y_0)" in page
+    assert "constant acceleration of the ball along y: v² = v0² + 2 a (y - y_0)" in page
     assert page.count("2 a (y - y_0)") == 1
     assert "0 = v0² - 2 g (y_top - h)" in page
     assert "v_half² = v0² - 2 g (y_half - h)" in page
+    assert "the negative root: h/2 < h is passed only on the way down" in page
 
 
 def test_an_equation_that_shows_every_term_needs_no_formula_before() -> None:

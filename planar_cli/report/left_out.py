@@ -17,6 +17,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import GROUND, Polar
 from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.stated_bounds import stated_bound
+from planar_cli.report.turning_back import only_on_the_way_back
 from planar_cli.report.turning_values import beyond_the_end, of_the_same_kind, other_kind
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
@@ -197,7 +198,7 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
     if kind is Kind.TIME:
         return _later(found, r, others, earlier, told)
     if kind is Kind.SPEED and all(v * r.value < 0 for v in others):
-        return _sense(found, r, general, stop)
+        return only_on_the_way_back(found, r.unknown) or _sense(found, r, general, stop)
     if kind is Kind.COORDINATE and r.value > 0 and all(v < 0 for v in others) and _is_radius(found, general):
         return line("a distance is not negative")
     if kind is Kind.COORDINATE and earlier is not None:

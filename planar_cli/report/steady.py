@@ -52,7 +52,8 @@ def _law_in_letters(e: trace.Relation, shown: tuple[Any, ...], given: Collection
     if {speed, rate} & set(given) or (place in given and place != law.coordinate.symbol.name):
         return None
     q, v, a, t = (sp.Symbol(n, real=True) for n in (place, speed, rate, "t"))
-    first, start = (sp.Symbol(f"{n}_0", real=True) for n in (place, speed))
+    # As the file writes it, which may call a speed v0.
+    first, start = (sp.Symbol(f"{n}0" if f"{n}0" in given else f"{n}_0", real=True) for n in (place, speed))
     sums: dict[str, tuple[sp.Expr, tuple[sp.Expr, ...]]] = {
         "v(q)": (v**2, (start**2, 2 * a * (q - first))),
         "v(t)": (v, (start, a * t)),

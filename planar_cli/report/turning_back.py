@@ -1,0 +1,47 @@
+"""A place below that from which something was thrown upward: it is passed only on the way down."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.report.blocks import Line, Math, line
+from planar_cli.solve.between.trace import MotionTrace
+
+HEIGHT = "y_"
+
+
+def only_on_the_way_back(found: MotionTrace, speed: sp.Symbol) -> Line:
+    """`h/2 < h is passed only on the way down`, of the speed of a state before which it was upward at a higher place;
+    nothing of other speeds, and where the letters do not tell which place is lower.
+    """
+    stop = found.ledger.roles[speed].at
+    before = found.states[: found.states.index(stop)] if stop in found.states else ()
+    same = [s for s, g in found.general.items() if g == found.general[speed] and found.ledger.roles[s].at in before]
+    upward = [s for s in same if (v := found.value.known(s)) is not None and v > 0]
+    if not upward or len(found.regimes) > 1 or found.value(speed) >= 0:
+        return ()
+    earlier = upward[-1]
+    now, then = (_height(found, s) for s in (speed, earlier))
+    if now is None or then is None or not found.value(then - now) > 0:
+        return ()
+    if found.symbolic and not sp.simplify(then - now).is_positive:
+        return ()
+    return line(Math(now), " < ", Math(then), " is passed only on the way down")
+
+
+def _height(found: MotionTrace, speed: sp.Symbol) -> sp.Expr | None:
+    """How high what has a speed is in the state of that speed, by what the file says of it."""
+    state = found.ledger.roles[speed].at
+    for regime in found.regimes:
+        displacement = regime.solution.instant.scene.displacement
+        coordinates = displacement.coordinates if displacement is not None else ()
+        own = next((c.symbol for c in coordinates if c.speed == found.general[speed]), None)
+        if own is None or not own.name.startswith(HEIGHT):
+            continue
+        here = (s for s, general in found.general.items() if general == own and found.ledger.roles[s].at == state)
+        letter = next(here, None)
+        if letter is None:
+            return None
+        told = found.route.plain.get(letter, found.route.formulas.get(letter, letter))
+        return told if told.is_number or not told.free_symbols & set(found.general) else letter
+    return None
