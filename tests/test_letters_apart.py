@@ -74,7 +74,7 @@ def test_arrows_in_mathematics() -> None:
 def test_letters_of_vectors_without_a_product() -> None:
     """a_P = -ω² r_P/G is a line of vectors as well."""
     page = _page(ROLLING)
-    assert "a⃗_P = -ω_wheel² r⃗_P/G G moves along a straight line at constant speed" in page
+    assert "a⃗_P = -ω_wheel² r⃗_P/G" in page
     assert "a⃗_B = a⃗_P + α_PB × r⃗_B/P - ω_PB² r⃗_B/P" in page
     assert "-R ω_wheel = v_G" in page
 

@@ -77,7 +77,8 @@ def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Itera
     ground = carrier.joining if carrier is not None and carrier.parent == GROUND else None
     straight = ground is not None and ground.rolling is not None and vectors.phrases.value.is_zero(ground.rolling.base)
     if straight and j.rolling is not None and ground is not None:
-        turned = vectors.phrases.math(motion.accelerations[edge.parent].angular)
+        omega, alpha = (vectors.phrases.math(t[edge.parent].angular) for t in (motion.velocities, motion.accelerations))
         arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
-        why = f" and does not slip at {j.place}, so that along the contact "
-        yield Paragraph(line(*note, why, Name(f"a_{own}"), " = ", turned, " × ", arm, ":"))
+        whole = (f" and never slips at {j.place}: ", Name(f"v_{own}"), " = ", omega, " × ", arm)
+        along = (", differentiated along the contact: ", Name(f"a_{own}"), " = ", alpha, " × ", arm)
+        yield Paragraph(line(*note, *whole, *along))

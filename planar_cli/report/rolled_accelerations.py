@@ -25,6 +25,7 @@ from planar_cli.report.on_path import Once, vector_of
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.units import ACCELERATION, LENGTH, PURE, Dimension
 
+STRAIGHT = " moves along a straight line"
 STILL = Vec(sp.S.Zero, sp.S.Zero)
 Velocity = Callable[[str], Iterator[Block]]
 """Tells the velocity of a body's centre, where nothing has told it."""
@@ -49,6 +50,8 @@ class RolledTelling:
     def __init__(self, vectors: VectorTelling, once: Once, velocity: Velocity) -> None:
         self.vectors, self.phrases, self.once, self.velocity = vectors, vectors.phrases, once, velocity
         self.scene = vectors.system.scene
+        self._still: set[str] = set()
+        """Wheels of which it was said that their centre has no acceleration."""
 
     def acceleration(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The acceleration of a point of a wheel with its value, after that of the centre."""
@@ -88,15 +91,22 @@ class RolledTelling:
         if place in (wheel.joining.place, name):
             return
         omega, alpha = self.vectors.motion.velocities[body].angular, self._alpha(body)
-        why = f" moves along a straight line{'' if alpha else ' at constant speed'}"
         parts = self._product(alpha, name, wheel.joining.place)
         if parts:
-            yield Equation((line(Name(f"a_{index_of(name)}")), line(*parts)), None, note=line(Name(name), why))
+            yield Equation((line(Name(f"a_{index_of(name)}")), line(*parts)), None, note=line(Name(name), STRAIGHT))
             parts = [Name(f"a_{index_of(name)}"), " + ", *self._product(alpha, place, name)]
+        elif not alpha and body not in self._still:
+            self._still.add(body)
+            yield self._nought(name)
         if omega != 0:
             parts += [" - " if parts else "-", self.phrases.math(omega**2), " ", _arm(place, name)]
-        note = () if alpha else line(Name(name), why)
-        yield Equation((line(Name(f"a_{index_of(place)}")), line(*parts or ["0"])), None, note=note)
+        yield Equation((line(Name(f"a_{index_of(place)}")), line(*parts or ["0"])))
+
+    @staticmethod
+    def _nought(name: str) -> Equation:
+        """The centre of a wheel that rolls steadily on a straight line has no acceleration."""
+        why = line(Name(name), STRAIGHT, " at constant speed")
+        return Equation((line(Name(f"a_{index_of(name)}")), line("0")), None, note=why)
 
     def _is_zero(self, vector: Vec) -> bool:
         return all(self.phrases.value.is_zero(p) for p in (vector.x, vector.y))
@@ -109,7 +119,7 @@ class RolledTelling:
         if wheel.radius is None or self.vectors.motion.velocities[body].angular == 0:
             note = self.vectors.arm_told(name, j.place, arm) if parts else ()
             if parts and wheel.radius is None:
-                why = line(Name(name), " moves along a straight line")
+                why = line(Name(name), STRAIGHT)
                 note = line(*note, ", ", *why) if note else why
         else:
             yield from self.velocity(body)
@@ -118,9 +128,8 @@ class RolledTelling:
             v = self.vectors.motion.velocity(wheel.centre, body)
             inward, note = wheel.normal * ((v.x**2 + v.y**2) / wheel.radius), self._radius(wheel)
         if not parts:
-            yield Equation(
-                (line(Name(f"a_{index_of(name)}")), line("0")), None, note=line("straight, at constant speed")
-            )
+            # Where it stands above, it is not said again.
+            yield self._nought(name)
             return
         told = self._told(inward, alpha, arm, sp.S.Zero)
         yield from self._once(body, wheel.centre, name, line(*parts), told, note)

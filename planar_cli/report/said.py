@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text
+from planar_cli.report.blocks import Answer, Block, Equation, Inline, Line, Math, Name, Text
 from planar_cli.report.names import plain_name
 
 
@@ -18,7 +18,11 @@ def says_nothing(block: Block) -> bool:
 
 
 def said_once(block: Block) -> Block:
-    """An equation without a side that only repeats the one before it."""
+    """An equation without a side that only repeats the one before it; an answer without its own name before it."""
+    if isinstance(block, Answer):
+        first, *rest = block.line or (Text(""),)
+        again = letter_of(first) == plain_name(block.name) and rest[:1] == [Text(" = ")]
+        return replace(block, line=tuple(rest[1:])) if again else block
     if not isinstance(block, Equation):
         return block
     told = said(block)
