@@ -27,3 +27,8 @@ def test_a_time_that_goes_when_two_equations_are_solved_is_not_needed() -> None:
     page = page_of_file("ball-on-a-rough-slope")
     assert "v_n,2 Δt = 1/2 g Δt² cos β" in page
     assert "t_3 =" not in page
+
+
+def test_that_bodies_stay_in_contact_is_checked() -> None:
+    page = page_of_file("pile-driven-into-soil-of-constant-resistance")
+    assert "Check N_ram = m_1 (g + a_P) = 48000 N > 0" in page

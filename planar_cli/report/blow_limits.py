@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Block, Equation, Line, Math, line
+from planar_cli.report.lasting_presses import lasting_presses
 from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
@@ -17,6 +18,13 @@ from planar_cli.units import IMPULSE
 
 SHORT = 16
 """An impulse of more operations decides nothing that a reader sees."""
+
+
+def limits_of_motion(
+    motion: MotionTrace, instants: Sequence[InstantSolution], phrases: Phrases, settled: Phrases
+) -> tuple[Line, ...]:
+    """What the assumptions of blows and of contacts that last ask for. `settled`: constants have values there."""
+    return (*blow_limits(motion, phrases), *lasting_presses(instants, settled))
 
 
 def blow_limits(motion: MotionTrace, phrases: Phrases) -> Iterator[Line]:

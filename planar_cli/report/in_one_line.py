@@ -34,7 +34,7 @@ def under_one_heading(blocks: Iterable[Block]) -> Iterator[Block]:
         if isinstance(block, Paragraph) and (heading := _heading(block)):
             if heading == over and STRETCH.match(_words(block)):
                 formula = tuple(p for p in block.line[len(heading) :] if p != Text(" "))
-                yield from (Paragraph(formula),) if formula else ()
+                yield from (Paragraph(line("By ", *formula, ":")),) if formula else ()
                 continue
             over = heading
         elif not isinstance(block, Paragraph | Equation):

@@ -20,7 +20,7 @@ from planar_cli.report.at_one_state import where_asked, where_told
 from planar_cli.report.axes_of_frames import with_axes_of_frames
 from planar_cli.report.bars import with_bars
 from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, Note
-from planar_cli.report.blow_limits import blow_limits, grips_in_letters
+from planar_cli.report.blow_limits import grips_in_letters, limits_of_motion
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
 from planar_cli.report.by_its_line import by_its_line
 from planar_cli.report.carried_out import carried_out
@@ -256,7 +256,7 @@ def _student_checks(
     for b in (*(b for one in checks for b in one.tests), *(b for one in checks for b in one.own)):
         blocks += [b] if b not in blocks else []
     by_motion = chosen_check(OF_MOTIONS, part.motion, settled) if part.motion is not None and why is None else ()
-    limits = blow_limits(part.motion, phrases) if part.motion is not None and why is None else ()
+    limits = limits_of_motion(part.motion, heard, phrases, settled) if part.motion is not None and why is None else ()
     own = by_motion or any(one.own for one in checks)
     derived = () if why is not None or own else chosen_check(OF_PARTS, part, phrases)
     return [*blocks, *(Check(x) for x in (*limits, by_motion, derived) if x)], bool(own or derived)
