@@ -11,13 +11,13 @@ from worked import page_of_file
 @pytest.mark.parametrize(
     "words",
     [
-        "Accelerations at 2, θ = 0: By (1), (2), ω_BC = -ω_AB at all times",
+        "Accelerations at 2, θ = 0: By (2), (3), ω_BC = -ω_AB at all times",
         "a⃗_B = α_AB × r⃗_B/A - ω_AB² r⃗_B/A r⃗_B/A = [l, 0]",
-        "(3) α_AB = -α_BC",
+        "(4) α_AB = -α_BC",
         "free-body diagram = kinetic diagram At 2, θ = 0: AB: m g ↓ at G_AB",
         "1/2 m l α_AB ↑ at G_AB, 1/2 m l ω_AB² ← at G_AB",
-        "(5) ↺ ΣM_A: 2 N_C l - 2 m g l = I_AB α_AB + 1/2 m l α_AB · l/2 + I_BC α_BC",
-        "(3), (4) in (5): α_AB = -3 g/(2 l)",
+        "(6) ↺ ΣM_A: 2 N_C l - 2 m g l = 1/2 m l α_AB · l/2 + 1/2 m l α_AB · 3 l/2",
+        "(4), (5) in (6): α_AB = -3 g/(2 l)",
     ],
 )
 def test_two_rods_that_fall_flat(words: str) -> None:

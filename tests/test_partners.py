@@ -21,4 +21,4 @@ def test_a_chain_from_its_free_end(line: str) -> None:
 
 def test_a_pin_of_two_rods() -> None:
     page = page_of_file("two-rods-falling-flat")
-    assert "AB, BC: (6) → ΣF_x: A_x = -2 m l ω_AB² (7) ↑ ΣF_y: N_C + A_y - 2 m g = m l α_AB" in page
+    assert "AB, BC: (7) → ΣF_x: A_x = -2 m l ω_AB² (8) ↑ ΣF_y: N_C + A_y - 2 m g = m l α_AB" in page

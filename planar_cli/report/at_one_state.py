@@ -13,6 +13,8 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
+from planar_cli.report.gathered import gathered
+from planar_cli.report.known_put_in import rates_alike
 from planar_cli.report.raw_moments import without_nothing
 from planar_cli.report.shown import place_at, place_drawn, place_of_rest
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
@@ -95,7 +97,7 @@ def where_asked(
         found.append(put)
         if _is(block, KINETICS):
             found.append(Paragraph(line(*_capital(where))))
-    return found
+    return gathered(found, rates_alike(instant), phrases)
 
 
 def _capital(words: Line) -> Line:

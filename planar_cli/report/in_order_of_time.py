@@ -3,13 +3,16 @@ the blow itself, or the whole way up of a ball in air, come before the forces th
 
     STEP 1  Impulse and momentum        the cue strikes
     STEP 2  Kinetic analysis            then the ball slides
+
+So does the speed at the one state at which forces are asked: first the energy, then what the forces are there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RegimeTrace, RouteStep
+from planar_cli.report.at_one_state import state_of
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, RegimeTrace, RouteStep
 
 
 def steps_before(
@@ -20,14 +23,17 @@ def steps_before(
     """
     if found.turnings or not regime.stretches:
         return []
-    start = min(_place(since, found) for since, _ in regime.stretches)
+    alone = state_of(found, regime)
+    start = _place(alone, found) if alone else min(_place(since, found) for since, _ in regime.stretches)
     known = {x for leg in early for x in leg.unknowns} | found.route.plain.keys()
     led: list[RouteStep] = []
     for leg in legs:
         if leg not in early and _last(leg, found) <= start and (leg.needs & found.unknowns) <= known:
             led.append(leg)
             known |= set(leg.unknowns)
-    if not any(isinstance(e.source, ImpactEquation) or e.law is not None for leg in led for e in leg.relations):
+    sources = [(e.source, e.law) for leg in led for e in leg.relations]
+    balanced = alone and any(isinstance(source, BalanceTrace) for source, _ in sources)
+    if not balanced and not any(isinstance(source, ImpactEquation) or law is not None for source, law in sources):
         return []
     needed = {s for leg in led if not leg.is_datum for s in leg.needs}
     kept = [leg for leg in led if not leg.is_datum or needed & set(leg.unknowns)]

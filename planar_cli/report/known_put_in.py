@@ -68,6 +68,15 @@ def _known(stage: Stage, instant: InstantSolution) -> Known:
     return {**_speeds(instant), **rates, **{s: f for s, f in own if ledger.units[s].dimension == INERTIA}}
 
 
+def rates_alike(instant: InstantSolution) -> Known:
+    """α_BC = -α_AB and ω_BC = -ω_AB alone, for what is drawn."""
+    if not instant.stages or not instant.stages[-1].algebra.symbolic:
+        return {}
+    units = instant.instant.scene.ledger.units
+    known = _known(instant.stages[-1], instant)
+    return {s: f for s, f in known.items() if units[s].dimension != INERTIA}
+
+
 def _speeds(instant: InstantSolution) -> Known:
     """ω_BC = -ω_AB, where both are one rate but for the sign."""
     first: dict[sp.Expr, tuple[sp.Symbol, int]] = {}

@@ -40,8 +40,8 @@ from planar_cli.report.laws import LawTelling
 from planar_cli.report.left_out import rejected
 from planar_cli.report.logarithms import of_ratios
 from planar_cli.report.motion_phrases import settled_phrases
-from planar_cli.report.motion_title import OVER_TIME, title_of
-from planar_cli.report.nil_impulses import in_blow, nil_impulses
+from planar_cli.report.motion_title import last_title
+from planar_cli.report.nil_impulses import nil_impulses
 from planar_cli.report.one_in_another import one_in_another, told_inserted
 from planar_cli.report.origins import (
     balanced,
@@ -121,9 +121,8 @@ class MotionTelling:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
         if not (body := list(told_once(self._body()))):
             return []
-        spans = [s for s in self.found.spans if not in_blow(s)]
-        rest = [leg for leg in self.found.route.steps if leg not in self.early]
-        title = OVER_TIME if spans or self.found.passing else title_of(rest, self.found)
+        if not (title := last_title(self.found, self.early)):
+            return body
         states = states_told(self.found.states, states_of(self.early, self.found))
         return [Heading(f"STEP {step}", title, states), *(body[1:] if body[0] == HENCE else body)]
 

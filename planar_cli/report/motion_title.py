@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
+from planar_cli.report.nil_impulses import in_blow
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, RouteStep
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
@@ -22,3 +23,11 @@ def title_of(legs: Sequence[RouteStep], found: MotionTrace) -> str:
     if not words and found.oscillations:
         return "Small oscillations"
     return ", ".join(words).capitalize() if words else "Motion"
+
+
+def last_title(found: MotionTrace, early: Collection[RouteStep]) -> str:
+    """Of what comes after the forces; empty: all steps were told before them. `early`: the steps that were."""
+    rest = [leg for leg in found.route.steps if leg not in early]
+    if found.passing or any(not in_blow(s) for s in found.spans):
+        return OVER_TIME
+    return "" if early and all(leg.is_datum for leg in rest) else title_of(rest, found)
