@@ -225,7 +225,7 @@ class Decided:
 
     def not_always_positive(self, exprs: Iterable[Any]) -> tuple[Any, ...]:
         """Those of the expressions that are negative for some letters with which `assume` holds."""
-        told = list(dict.fromkeys(exprs))
+        told = [e for e in dict.fromkeys(exprs) if not e.is_nonnegative]
         draws = self.ledger.far_draws(self._assumed) if told and self.ledger.letters else ()
         return tuple(e for e in told if any(_negative(e, d) for d in draws))
 

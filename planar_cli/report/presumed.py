@@ -91,10 +91,12 @@ def _under_roots(part: PartSolution) -> Iterator[sp.Expr]:
     """What stands under a root in an answer in letters, and is negative for some of them: there is no such motion."""
     scene = part.instants[0].instant.scene
     letters = scene.ledger.known_letters()
+    told: list[sp.Expr] = []
     for answer in (e for f in part.found if f.values is None and f.curve is None for e in f.expressions or ()):
         roots = sorted((p for p in answer.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2), key=sp.default_sort_key)
-        told = [p.base for p in roots if p.base.free_symbols <= letters and not longer(p.base, LONGEST)]
-        yield from (e for b in scene.not_always_positive(told) if (e := without_factors(scene, b)).free_symbols)
+        told += [p.base for p in roots if p.base.free_symbols <= letters and not longer(p.base, LONGEST)]
+    # Letters are drawn once for all of them.
+    yield from (e for b in scene.not_always_positive(told) if (e := without_factors(scene, b)).free_symbols)
 
 
 def assumed_in_file(part: PartSolution) -> Iterator[sp.Expr]:

@@ -74,10 +74,11 @@ def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float], sought: C
 
 
 def _divisors(exprs: Iterable[sp.Expr], letters: Collection[sp.Symbol]) -> list[sp.Expr]:
-    """What the expressions divide by and what may be negative, as far as these letters stand in it."""
+    """What the expressions divide by, as far as these letters stand in it and its sign may change."""
     powers = {p for x in exprs for p in x.atoms(sp.Pow) if p.exp.is_Integer and p.exp.is_negative}
     found = {p.base for p in powers if p.base.free_symbols.intersection(letters)}
-    return sorted(found, key=sp.default_sort_key)
+    # A distance has no other sign anywhere, so that the whole stretch need not be looked at for it.
+    return sorted((d for d in found if not (d.is_nonnegative or d.is_nonpositive)), key=sp.default_sort_key)
 
 
 def _between_poles(
