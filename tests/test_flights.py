@@ -22,8 +22,8 @@ def test_functions_once_then_the_states_in_the_order_asked() -> None:
     page = _page("textbook/ex-1-11")
     assert FUNCTIONS in page
     assert page.count("constant acceleration:") == 1
-    assert "(2), (4) in (6): v_y,launch t_B - 1/2 g t_B² = -3/4 v_x,launch t_B" in page
-    assert page.index("At parallel, v_y = -3/4 v_x:") < page.index("At B, y = -3/4 x:")
+    assert "(2), (4) in (5): v_y,launch t_B - 1/2 g t_B² = -3/4 v_x,launch t_B" in page
+    assert page.index("At B, y = -3/4 x:") < page.index("At parallel, v_y = -3/4 v_x:")
     # The time is known there: no second law of the same motion.
     assert "(4): y_parallel = v_y,launch t_parallel - 1/2 g t_parallel²" in page
     assert "v_y,parallel²" not in page

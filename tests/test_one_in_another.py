@@ -18,7 +18,7 @@ def page(stem: str) -> str:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-1-11", "(2), (4) in (6): v_y,launch t_B - 1/2 g t_B² = -3/4 v_x,launch t_B divided by t_B ≠ 0: t_B = "),
+    ("ex-1-11", "(2), (4) in (5): v_y,launch t_B - 1/2 g t_B² = -3/4 v_x,launch t_B divided by t_B ≠ 0: t_B = "),
     ("ex-1-11", "(2): x_B = v_x,launch t_B = "),
     ("thrown-and-dropped", "(3): t_meet = H/v0"),
     ("bolt-that-drops-in-a-lift", "(2), (3) in (1): H + v_0 t_2 - 1/2 g t_2² = v_0 t_2 + 1/2 a t_2² t_2 = √(2 H"),

@@ -146,10 +146,14 @@ def _told(met: Met, found: MotionTrace, phrases: Phrases, number: int) -> Iterat
     sides = (_product(one, sp.sin, open_angle), _product(two, sp.sin, given))
     lead, note = line(f"across {between}:"), line("equal components")
     yield Equation(tuple(Math(side, texts) for side in sides), number, lead, note)
-    ratio = _product(sp.S.One if met.sizes[0] == met.sizes[1] else two / one, sp.sin, across)
+    ratio = _product(two / one, sp.sin, across)
     sine = phrases.value(met.sizes[1] / met.sizes[0] * sp.sin(met.way - met.known))
-    shown = (Math(_call(sp.sin, open_angle), texts), Math(ratio, texts), Value(sine, "", phrases.figures))
-    yield Equation(shown, None, (), _same(met, phrases))
+    if met.sizes[0] == met.sizes[1]:
+        both = f"{_degrees(turned)} or {_degrees(sp.pi - turned)}"
+        yield Equation((Math(open_angle, texts), line(both)), None, (), line("as ", *_same(met, phrases)))
+    else:
+        shown = (Math(_call(sp.sin, open_angle), texts), Math(ratio, texts), Value(sine, "", phrases.figures))
+        yield Equation(shown)
     difference = Math(sp.Add(way, -own, evaluate=False), texts)
     yield Equation((Math(angle), difference, phrases.shown(angle, met.angle.value)), None, (), met.excluded)
     sides = (_product(one, sp.cos, open_angle), _product(two, sp.cos, given))
@@ -164,9 +168,7 @@ def _told(met: Met, found: MotionTrace, phrases: Phrases, number: int) -> Iterat
 
 
 def _same(met: Met, phrases: Phrases) -> Line:
-    """`v_B = v_A = 50 m/s`, where both are of one size."""
-    if met.sizes[0] != met.sizes[1]:
-        return ()
+    """`v_B = v_A = 50 m/s`, of velocities of one size."""
     names = [piece for name in met.names for piece in (Name(f"v_{name}"), " = ")]
     return line(*names, phrases.of_dimension(phrases.certain(met.sizes[0]), VELOCITY))
 

@@ -168,7 +168,9 @@ class PathTelling:
                 per_length = "" if in_metres else value.unit[1:]
                 shown = value if dimension == PURE else line(replace(value, unit="1"), per_length)
                 sides += [*(phrases.substituted(expr, value) if clean else ()), shown]
-            yield Equation(tuple(sides), None, (), line("lengths in m") if bare and symbol == SLOPE else ())
+            yield Equation(
+                tuple(sides), None, (), line("lengths in m" if symbol == SLOPE else "in 1/m") if in_metres else ()
+            )
         size = -BEND if phrases.value(bend) < 0 else BEND
         formula, radius = (1 + SLOPE**2) ** sp.Rational(3, 2) / size, (1 + slope**2) ** sp.Rational(3, 2) / abs(bend)
         if len(sizes) < 2:

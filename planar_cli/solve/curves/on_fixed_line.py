@@ -14,6 +14,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.jets import Jet
+from planar_cli.greek import GREEK
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.passages import RADIAL, Passage, Row
@@ -84,8 +85,10 @@ def components(g: Guided, level: int, length: tuple[sp.Expr, ...]) -> Iterator[P
         whole = size.value * alpha + 2 * size.rate * omega
         along = size.second - size.value * omega**2
         way = {"x": "vertically", "y": "horizontally"}[g.keeps]
+        theta = GREEK.get(g.angle[0].name, g.angle[0].name)
         yield Passage(
-            f"{g.point} moves {way}, so that its acceleration has no {g.keeps} component, and r̈ need not be found:",
+            f"{g.point} moves {way}: a_r e_r + a_θ e_θ, with e_r = [cos {theta}, sin {theta}] and e_θ = [-sin {theta}, "
+            f"cos {theta}], has no {g.keeps} component, and r̈ need not be found:",
             tuple(_pair(g, "a", r * alpha + 2 * speed * omega, whole, along, told)),
             RADIAL,
         )
