@@ -27,3 +27,8 @@ def test_an_answer_is_not_its_own_name() -> None:
     """v_A of the only particle is called v_A on the page, as the file calls what it asks."""
     page = page_of_file("satellite-perigee-apogee")
     assert "Answer v_A = 8110 m/s v_B = 6308 m/s" in page
+
+
+def test_a_denominator_that_is_made_of_given_lengths_is_positive() -> None:
+    page = page_of_file("wheel-that-pushes-a-rod")
+    assert "α_rod = -R ω_rod² / (x_B - R) = -0.4 · 1.3258² / (1.53137 - 0.4) = -0.6215 rad/s²" in page

@@ -150,7 +150,11 @@ class Neat:
         return certain_sign(total)
 
     def _is_fixed(self, symbol: sp.Symbol) -> bool:
-        """Has a symbol one number: a given of the file, or the value at a state where no letter is drawn?"""
+        """Has a symbol one number: a given of the file, what is made of such ones, or the value at a state where no
+        letter is drawn?
+        """
+        if (made := self.ledger.definitions.get(symbol)) is not None:
+            return all(map(self._is_fixed, made.free_symbols))
         role = self.ledger.roles.get(symbol)
         given = self.ledger.values.get(symbol)
         fixed = role is not None and role.kind is Kind.STATE and not self.value.drawn
