@@ -24,6 +24,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragrap
 from planar_cli.report.by_ends import by_ends
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
+from planar_cli.report.energy_after import energy_after
 from planar_cli.report.equilibrium_places import by_places, equilibrium_places
 from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.missing_couples import missing_couple
@@ -35,6 +36,7 @@ from planar_cli.report.rate_first import ToldRate, by_told_rate
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.state_words import at, place
 from planar_cli.report.turning_axes import TurningAxes
+from planar_cli.report.turning_groups import Turning
 from planar_cli.report.values_of_states import closed_value, untold
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.span_trace import SpanIntegral
@@ -61,7 +63,7 @@ class Part:
 class AskedTelling:
     """Tells the finds of one motion that are more than a letter. `numeric`: in which is told what rests on no letter
     without a number; `wanted`: names of letters whose derivation is told (None: all); `rates`: constant accelerations
-    that were told.
+    that were told; `groups`: what turns together, by the state.
     """
 
     found: MotionTrace
@@ -70,6 +72,7 @@ class AskedTelling:
     wanted: frozenset[str] | None
     spans: SpanTelling
     rates: Sequence[ToldRate]
+    groups: Mapping[str, Turning]
 
     def blocks(self) -> Iterator[Block]:
         """A heading, and a line for each component; a quantity over a span by its integral."""
@@ -102,7 +105,8 @@ class AskedTelling:
             for request, part, whole in asked:
                 if request is find:
                     yield from missing_couple(request, part.expr, self.found, self.phrases)
-                    yield from self._line(request, part, whole)
+                    by_energies = energy_after(request, self.found, self.groups, self.numeric)
+                    yield from by_energies or self._line(request, part, whole)
         for find, block in vectors:
             if last and _at(find) not in ("", last):
                 last = _at(find)

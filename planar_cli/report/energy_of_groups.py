@@ -21,6 +21,8 @@ from planar_cli.report.turning_groups import CLOSE, HALF, Turning
 from planar_cli.report.words import Phrases
 
 MOST_LETTERS = 44
+SLIDES = Equation((line("v²"), line("(d ω)² + v_rel²")), None, (), line("of what slides"))
+"""What slides through the point about which all turns has both velocities at right angles."""
 
 
 def by_turning_and_sliding(
@@ -43,6 +45,7 @@ def by_turning_and_sliding(
         if whole is None or not since:
             yield block
         elif side == last and isinstance(block, Equation):
+            yield SLIDES
             yield replace(block, sides=(side, Math(whole), block.sides[-1]))
             held, since = [], False
         else:

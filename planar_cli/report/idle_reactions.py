@@ -10,7 +10,8 @@ from planar_cli.principles.base import Idle
 from planar_cli.report.blocks import Math
 
 MOST_NAMED = 8
-"""More forces are not listed by name."""
+MOST_INTERNAL = 3
+"""More forces are not listed by name; so many internal ones are."""
 
 
 def idle_reactions(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
@@ -27,7 +28,7 @@ def idle_reactions(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...])
     several = len(internal) > 1
     together = [
         f"the internal force{'s' if several else ''} ",
-        *_listed(internal),
+        *(_listed(internal) if len(internal) <= MOST_INTERNAL else ["between the bodies"]),
         "" if alone else " do" if several else " does",
         " no net work",
     ]

@@ -133,9 +133,9 @@ class MotionTelling:
         yield from functions if is_by_functions(self.found) else ()
         way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
-        asked = AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans, self.rates).blocks()
-        yield from first_state_first(way, list(as_told(asked, way, self.numeric)), self.found)
-        yield from functions  # where they did not come first
+        made = self.found, self.phrases, self.numeric, self.wanted, spans, self.rates, self.between.groups
+        asked = as_told(AskedTelling(*made).blocks(), way, self.numeric)
+        yield from (*first_state_first(way, list(asked), self.found), *functions)
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
