@@ -120,8 +120,8 @@ def test_the_root_of_a_time_by_the_start() -> None:
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("ex-4-17", "O_x, O_y (O is fixed), N_slider (normal to the motion) do no work, the internal forces between the bodies no net work"),
-    ("ex-4-17", "A_n, A_t, B_x, B_y no net work:"),
+    ("ex-4-17", "O_x, O_y (O is fixed), N_slider (normal to the motion) do no work, the internal forces"),
+    ("ex-4-17", "the internal forces between the bodies no net work:"),
     ("ex-4-08", "N_C, F_C (the point of contact is at rest) do no work:"),
     ("ex-4-13", "A_x, A_y (A is fixed) do no work:"),
 ])  # fmt: skip

@@ -31,7 +31,7 @@ def vibration_blocks(own: Vibration, law: Law, phrases: Phrases) -> Iterator[Blo
         if letter in own.rest:
             closed = simplified(formula.xreplace(dict(own.free)))
             shorter = closed if operations(closed) < operations(formula) else formula
-            yield Equation(_chain(letter, shorter, phrases), None, line("place of rest:"))
+            yield Equation(_chain(letter, shorter, phrases), None, line("midpoint:"))
     if not driven:
         return
     kept = line(Name(f"{q.name}_p"), " = ", phrases.math(own.steady))
