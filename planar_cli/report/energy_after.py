@@ -14,7 +14,7 @@ import sympy as sp
 
 from planar_cli.problem.expression import Binary, Quantity, Side
 from planar_cli.problem.scene import ALL
-from planar_cli.report.blocks import Block, Equation, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, line
 from planar_cli.report.turning_groups import CLOSE, HALF, Turning
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Request
@@ -46,7 +46,7 @@ def energy_after(asked: Request, found: MotionTrace, groups: Mapping[str, Turnin
     put = phrases.numbers(energy, dict([group.inertia]))
     told = line(Name(f"{LETTER}__{until}"))
     difference = line(Name(f"{LETTER}__{since}"), " - ", Name(f"{LETTER}__{until}"))
-    less = (*_numbers(first, last, phrases), phrases.of_dimension(lost, ENERGY))
+    less: list[Inline | Line] = [*_numbers(first, last, phrases), phrases.of_dimension(lost, ENERGY)]
     return [
         Equation((told, phrases.math(energy), *([] if put is None else [put]), shown)),
         Equation((line(Name(asked.find.name)), difference, *less)),
