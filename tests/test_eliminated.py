@@ -27,12 +27,10 @@ def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
 
 def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_letter() -> None:
     page = page_of_file("two-sliders-on-a-link")
-    assert (
-        "(3): a_A = 30 - 0.3 S_rod in m/s² (4): a_B = -9.81 - 0.2667 S_rod in m/s² (3), (4) in (2): 0.3933 S_rod"
-        in page
-    )
+    assert "(3): a_A = 30 - 0.3 T in m/s² (4): a_B = -9.81 - 0.2667 T in m/s² (3), (4) in (2): 0.3933 T" in page
 
 
 def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> None:
     page = page_of_file("two-rods-falling-flat")
-    assert "N_C = 1/2 m g + 1/6 m l α_AB = 1/4 m g" in page
+    assert "(5): N_C = 1/2 m g + 1/6 m l α_AB" in page
+    assert "(5): N_C = 1/4 m g" in page

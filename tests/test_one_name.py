@@ -99,3 +99,10 @@ def test_letters_of_one_kind_follow_one_scheme() -> None:
     told = [Equation((Math(one), Math(MASS))), Equation((Math(other), Math(MASS))), _answer("T_D", other)]
     assert with_one_name(told) == told
     assert _letters(with_one_name(told[1:])) == {"T_D", "m"}
+
+
+def test_the_force_in_a_link_has_the_name_that_is_asked() -> None:
+    """It counts as tension, whatever the letter of the solution."""
+    page = page_of_file("plate-on-parallel-links")
+    assert "T_AC ↗ at C, T_BD ↗ at D" in page
+    assert "S_link" not in page

@@ -29,6 +29,8 @@ OF_POINTS = ("x", "y", "v", "a")
 """Stems of what a point has: its letter says whose it is."""
 POLAR = ("r", "theta")
 """Components about a pole, of which a page has one, so that they need no point."""
+OF_TIES = ("S", "T")
+"""Stems of the force in a link, which counts as tension: that of its letter, and the usual one."""
 _POINT = re.compile(r"[A-Z]\d*")
 _COMPONENT = re.compile(r"([A-Z]\d*)([xytnr])")
 
@@ -127,13 +129,13 @@ def _shortens(name: str, letter: str) -> bool:
     rest = iter(left)
     if state and kept[-len(state) :] != state:
         return False
-    return stem == own and all(piece in rest for piece in kept)
+    return (stem == own or (own, stem) == OF_TIES) and all(piece in rest for piece in kept)
 
 
 def _left_out(name: str, letter: str) -> list[str]:
     """What of a letter its shorter name leaves out."""
     kept = pieces_of_name(name)
-    return [p for p in pieces_of_name(letter) if p not in kept]
+    return [p for i, p in enumerate(pieces_of_name(letter)) if p not in kept and (i > 0 or p != OF_TIES[0])]
 
 
 def _tells_the_point(name: str, letter: str) -> bool:
