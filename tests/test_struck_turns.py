@@ -87,3 +87,13 @@ def test_that_a_motion_just_succeeds_is_said_where_its_last_state_is_spoken_of()
 def test_a_line_solved_already_is_not_printed_again() -> None:
     """(7) ω_3 = 5 μ g t_3/(2 R) gives the angular velocity as it stands."""
     assert _page("impact/billiard-ball").count("ω_3 = 5 μ g t_3/(2 R)") == 1
+
+
+def test_why_friction_is_at_its_limit_in_a_blow_is_said() -> None:
+    said = "Ball and slope slide throughout the blow: friction acts against the sliding, and is at its limit."
+    assert f"{said} ball: m v ↓, J_N ↗, μ J_N ↖" in _page("impact/ball-on-a-rough-slope")
+
+
+def test_what_is_put_into_a_moment_counts_in_its_sense() -> None:
+    page = _page("impact/ball-that-grips-a-rough-floor")
+    assert "(1) in (2): m v_x r = m v_Gx,2 r + I_G v_Gx,2/r" in page

@@ -24,6 +24,7 @@ from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, together, unchanged
 from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
+from planar_cli.report.modes_of_blows import said_of_modes
 from planar_cli.report.momenta import MomentumTelling
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
@@ -259,10 +260,7 @@ class BetweenTelling:
         yield Paragraph(line(f"Just after {impact.since}: momentum before + impulses = momentum after", *finite, "."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
-        for mode in solution.trial.system.modes.values():
-            if mode.name == "slack":
-                words = f"{mode.words[:1].upper()}{mode.words[1:]} in the blow"
-                yield Paragraph(line(f"{words}: its ends do not move apart, and it exerts no impulse."))
+        yield from said_of_modes(solution)
         for letter, side in impulse_letters(scene.problem).values():
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
                 symbol = scene.ledger.symbols[letter]

@@ -17,6 +17,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Equation, Line, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.counted import counts_the_other_way, opposite
 from planar_cli.report.notation import plain
 from planar_cli.report.origins import sides_of
 from planar_cli.report.reciprocals import with_reciprocals
@@ -69,12 +70,19 @@ def with_others_put_in(
     found = min(_ways(written, first, others), key=lambda p: _effort(p, ranks), default=None)
     if found is None or any(longer(side, LONGEST) for side in found.sides):
         return ()
-    left, right = (phrases.math(with_reciprocals(side)) for side in found.sides)
+    sides = tuple(map(opposite, found.sides)) if _is_turned(leg.relations[found.into], route) else found.sides
+    left, right = (phrases.math(with_reciprocals(side)) for side in sides)
     known = phrases.value.vanishes(found.sides[0] - found.sides[1])
     if not known or len(plain(left.expr) + plain(right.expr)) > WIDE or not is_clean(phrases.ledger, *found.sides):
         return ()
     put = numbered([numbers[i] for i in found.used])
     return (Equation((left, right), None, line(f"{put} in ({numbers[found.into]}):")),)
+
+
+def _is_turned(e: Relation, route: RouteTrace) -> bool:
+    """Is it an angular momentum that the page counts the other way round?"""
+    moment = isinstance(e.source, ImpactEquation) and e.source.law == "moment"
+    return moment and counts_the_other_way(*sides_of(e, route))
 
 
 def _rank(e: Relation) -> int:
