@@ -40,7 +40,10 @@ def test_a_collar_on_a_level_rod() -> None:
         "v_r = r\u0307 = -y_P θ\u0307 cos θ / sin² θ = -0.5 · 0.27225 cos(2.0619 rad) / sin²(2.0619 rad) = 0.08256 m/s"
         in page
     )
-    assert "= [-sin θ, cos θ], has no y component, and r̈ need not be found:" in page
+    assert (
+        "[-sin θ, cos θ]; P moves horizontally, so that its acceleration has no y component, and r̈ need not be found"
+        in page
+    )
     assert "a_r sin θ + a_θ cos θ = 0 so that: a_r = -a_θ/tan θ" in page
     assert "r̈ =" not in page
 
@@ -52,7 +55,7 @@ def test_a_collar_on_an_upright_rod(tmp_path: Path) -> None:
     solution, _ = solve_and_compare(read(str(file)), None)
     page = re.sub(r"\s+", " ", Terminal(200).render(narrate(solution)))
     assert "v_r = r\u0307_P = x_P θ\u0307 sin θ / cos² θ" in page
-    assert "cos θ], has no x component, and r̈ need not be found:" in page
+    assert "P moves vertically, so that its acceleration has no x component, and r̈ need not be found:" in page
     assert "a_r cos θ - a_θ sin θ = 0 so that: a_r = a_θ tan θ" in page
     found = {a.name: float(a.values[0]) for a in solution.parts[0].found if a.values is not None}
     assert found == pytest.approx(_by_r(), rel=1e-9)

@@ -87,8 +87,8 @@ def components(g: Guided, level: int, length: tuple[sp.Expr, ...]) -> Iterator[P
         way = {"x": "vertically", "y": "horizontally"}[g.keeps]
         theta = GREEK.get(g.angle[0].name, g.angle[0].name)
         yield Passage(
-            f"{g.point} moves {way}: a_r e_r + a_θ e_θ, with e_r = [cos {theta}, sin {theta}] and e_θ = [-sin {theta}, "
-            f"cos {theta}], has no {g.keeps} component, and r̈ need not be found:",
+            f"Along r is [cos {theta}, sin {theta}], across it [-sin {theta}, cos {theta}]; {g.point} moves {way}, so "
+            f"that its acceleration has no {g.keeps} component, and r̈ need not be found:",
             tuple(_pair(g, "a", r * alpha + 2 * speed * omega, whole, along, told)),
             RADIAL,
         )
