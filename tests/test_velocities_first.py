@@ -54,7 +54,9 @@ def test_a_place_and_its_one_open_coordinate_are_one_line() -> None:
 def test_where_velocities_alone_are_sought_the_instantaneous_centre_is_the_road() -> None:
     page = page_of_file("ex-4-07")
     assert "Principle The instantaneous centre I of a body: v_P = IP ω" in page
-    assert "E moves along the wall; the normals at O and E cross at I, the instantaneous centre of rod:" in page
+    assert (
+        "E moves along the wall; the perpendiculars to v_O and v_E cross at I, the instantaneous centre of rod:" in page
+    )
     assert "IO = √2 l/2 = √2 · 0.3 / 2 = 0.2121 m above O, at the height of E; I = [0, 0.3121] m" in page
     assert "ω_rod = v_O/IO = 1/0.21213 = 4.714 rad/s" in page
     assert "IG = l/2 = 0.3/2 = 0.15 m G is the midpoint of OE, angle OIE is 90°" in page

@@ -1,6 +1,6 @@
 """Where velocities alone are sought, and two points of a body have known directions: its instantaneous centre.
 
-    E moves along the wall; the normals at O and E cross at I, the instantaneous centre of rod:
+    E moves along the wall; the perpendiculars to v_O and v_E cross at I, the instantaneous centre of rod:
     IO = √2/2 l = 0.2121 m
     ω_rod = v_O/IO = 1/0.2121 = 4.714 rad/s
     v_G,rod = IG ω_rod = 0.15 · 4.714 = 0.7071 m/s
@@ -160,9 +160,9 @@ def centre_told(w: Written, stages: Sequence[Stage], told: Told, number: int) ->
         return []
     c, phrases = found.centre, told.phrases
     told.centres[c.body] = c
-    way = f"{c.to} {way_along(found.joining, told.system, phrases)}; the normals at "
-    both = f"{c.from_place} and {c.to}"
-    head = Paragraph(line(f"{way}{both} {ABOUT_CENTRE} {c.body}:"))
+    way = f"{c.to} {way_along(found.joining, told.system, phrases)}; the perpendiculars to "
+    both = line(Name(f"v_{c.from_place}"), " and ", Name(f"v_{c.to}"))
+    head = Paragraph(line(way, *both, f" {ABOUT_CENTRE} {c.body}:"))
     return [head, *_arm(found, told), _rate(found, phrases, number)]
 
 
