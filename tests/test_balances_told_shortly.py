@@ -53,7 +53,7 @@ def test_the_difference_of_two_reciprocals() -> None:
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("cylinder-that-rolls-off-a-cylinder", "roller rolls without slipping: v_G = r ω, v_G²/(R + r) = r² ω² / (R + r)"),
+    ("cylinder-that-rolls-off-a-cylinder", "r² ω² / (R + r) a_n: G moves on a circle of radius R + r"),
     ("weight-on-a-cord-held-by-a-spring", "midpoint: x_eq = m_2 g/k = 2 · 9.81 / 250 = 0.07848 m"),
     ("weight-on-a-cord-held-by-a-spring", "At 1, v_block,x is largest, where its derivative is zero: x_1 = x_eq (3)"),
 ])  # fmt: skip

@@ -64,7 +64,9 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
     if around := _on_a_circle(system, j, centre, phrases):
-        return (yield Equation(around, None, line(f"{body} rolls without slipping:")))
+        speed, inward, why = around
+        yield Equation(speed, None, line(f"{body} rolls without slipping:"))
+        return (yield Equation(inward, None, note=why))
     if round_centre := _centre_on_a_line(system, j, phrases):
         return (yield from _from_the_centre(system, body, round_centre, phrases))
     normal = motion.accelerations[body].linear
@@ -78,9 +80,11 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     yield Equation((line(Name(f"a_{centre}")), line(own, " + ", *turned)), None, note=note)
 
 
-def _on_a_circle(system: System, j: Joining, centre: str, phrases: Phrases) -> tuple[Line, Line] | None:
-    """v_G = r ω, and v_G²/(R + r) by that, of a round body whose centre goes round that of what it rolls on; None: it
-    is another one.
+def _on_a_circle(
+    system: System, j: Joining, centre: str, phrases: Phrases
+) -> tuple[tuple[Line, ...], tuple[Line, ...], Line] | None:
+    """v_G = r ω, and v_G²/(R + r) by that, with the path on which that is the acceleration towards its middle, of a
+    round body whose centre goes round that of what it rolls on; None: it is another one.
     """
     assert j.rolling is not None
     own, base, value = j.rolling.mover, j.rolling.base, phrases.value
@@ -95,8 +99,9 @@ def _on_a_circle(system: System, j: Joining, centre: str, phrases: Phrases) -> t
     v = sp.Symbol(f"v_{centre}", real=True)
     if not omega.is_Symbol or v.name in system.scene.ledger.symbols:
         return None
-    turned = line(phrases.math(radius * omega), ",  ", phrases.math(v**2 / path), " = ")
-    return line(Name(v.name)), line(*turned, phrases.math(radius**2 * omega**2 / path))
+    speed = (line(Name(v.name)), line(phrases.math(radius * omega)))
+    inward = (line(phrases.math(v**2 / path)), line(phrases.math(radius**2 * omega**2 / path)))
+    return speed, inward, line("a_n: ", Name(centre), " moves on a circle of radius ", phrases.math(path))
 
 
 def _sized(length: sp.Expr, phrases: Phrases) -> sp.Expr | None:
