@@ -22,7 +22,7 @@ def test_energies_of_several_bodies_are_told_in_the_order_of_their_states() -> N
 def test_what_is_sought_has_one_name() -> None:
     """v_0, which the file seeks, not the velocity of G at state 1."""
     page = page_of_file("box-that-tips-over")
-    assert "↺ H_C: -1/2 m v_0 h = I_C ω_2" in page
+    assert "↻ H_C: 1/2 m v_0 h = I_C ω_2" in page
     assert "v_Gx,1" not in page
 
 

@@ -292,6 +292,7 @@ class BetweenTelling:
             left, right, e = -left, -right, replace(e, along=(-e.along[0], -e.along[1]))
         turn = -1 if e.law != "force" and counts_the_other_way(left, right, e.law == "moment") else 1
         left, right = (left, right) if turn > 0 else (opposite(left), opposite(right))
+        self.named = None if self.named is None else replace(self.named, left=left, right=right)
         if e.together is not None:
             yield Paragraph(together(*e.together))
         yield Paragraph(self._at_blow(e))

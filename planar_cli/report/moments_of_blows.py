@@ -30,7 +30,9 @@ class Named:
         rate = sp.diff(residual, unknown)
         if rate == 0 or unknown in rate.free_symbols:
             return None
-        return sp.Mul(-residual.subs(unknown, 0), 1 / sp.factor_terms(rate))
+        rest, rate = residual.subs(unknown, 0), sp.factor_terms(rate)
+        # By what counts as positive: (m v_0 (R - h) + I_G ω_1)/I_K, without a minus before a difference.
+        return sp.Mul(rest, 1 / -rate) if rate.could_extract_minus_sign() else sp.Mul(-rest, 1 / rate)
 
 
 def with_letters(e: ImpactEquation, left: sp.Expr, right: sp.Expr, phrases: Phrases) -> Named | None:

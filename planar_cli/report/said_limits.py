@@ -1,4 +1,4 @@
-"""What decides a motion that just succeeds, said where its last state is first spoken of: it comes to rest there, in
+"""What decides a motion that just succeeds, said before what leads to its last state: it comes to rest there, in
 equilibrium.
 """
 
@@ -15,15 +15,12 @@ STEP = "STEP"
 
 
 def with_limit_said(blocks: Iterable[Block], found: MotionTrace) -> list[Block]:
-    """The blocks of a motion, with that criterion before the first line of its last state."""
+    """The blocks of a motion, with that criterion before what leads to its last state."""
     blocks = list(blocks)
     if AT_A_TOP not in found.checks or not found.states:
         return blocks
     last, bodies = found.states[-1], found.problem.bodies
-    begins = (f"At {last}, ", f"At {last}:")
-    first = next(
-        (i for i, b in enumerate(blocks) if _words(b).startswith(begins) or f" to {last}, " in _words(b)), None
-    )
+    first = next((i for i, b in enumerate(blocks) if f" to {last}, " in _words(b)), None)
     at = first if first is not None else next((i + 1 for i, b in enumerate(blocks) if _is_step(b)), 0)
     what = with_article(bodies[0].name) if len(bodies) == 1 else "all"
     limit = f"The limit: {what} comes to rest at {last} in equilibrium; with a little more it passes on, with less it "
