@@ -153,7 +153,8 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         # A letter of a state may have the name of a datum in print.
         return False
     more = formula.free_symbols - closed.free_symbols
-    if len(more) == 1 and formula.is_Mul and operations(closed) > operations(formula):
+    product = formula.is_Mul and not formula.has(sp.Add)
+    if len(more) == 1 and product and operations(closed) > operations(formula):
         # R α, with the α just found: what α is made of would only be told again.
         return False
     if operations(closed) > TWICE * operations(formula) and len(closed.atoms(sp.Add)) > 1:
