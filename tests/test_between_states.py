@@ -90,8 +90,8 @@ SAID = [
     ("4-13", "T_2 + U = T_3: m g AG (cos φ_max - 1) + 1/2 I_A ω_2² = 0"),
     ("4-13", "in numbers: 117.7 cos φ_max - 54.44 = 0"),
     ("4-17", "let go by itself it does not reach state 2; the balance of energy relates the two states all the same"),
-    ("4-18", "From 1 to 2, rear: angular impulse and momentum about A"),
-    ("4-18", "From 1 to 2, frame: impulse and momentum"),
+    ("4-18", "From 1 to 2, rear: angular impulse and momentum about O_A"),
+    ("4-18", "From 1 to 2, frame, rear, front: impulse and momentum"),
 ]
 
 

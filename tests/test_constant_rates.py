@@ -77,9 +77,9 @@ def test_a_name_of_the_file_stays() -> None:
 def test_what_varies_has_its_letter_at_the_state() -> None:
     """The tension after one second by the acceleration then, and not by the law of the drum in numbers."""
     text = page("motion/body-hoist-starting-softly")
-    assert "a_Ly,one = R α_one = 0.4 · 0.8330 = 0.3332 m/s²" in text
-    assert "T_rope,one = m (g + a_Ly,one) = 300 (9.81 + 0.3332) = 3043 N" in text
-    assert "T_1 = T_rope,one = 3043 N" in text
+    assert "a_Ly,1 = R α_1 = 0.4 · 0.8330 = 0.3332 m/s²" in text
+    assert "T_rope,1 = m (g + a_Ly,1) = 300 (9.81 + 0.3332) = 3043 N" in text
+    assert "T_1 = T_rope,1 = 3043 N" in text
 
 
 def test_what_follows_is_told_in_it() -> None:

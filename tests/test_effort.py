@@ -27,7 +27,7 @@ def test_a_way_between_given_places_is_in_letters() -> None:
     page = page_of_file("ex-4-09")
     assert "(2) θ_2 = h/R = 0.6/0.2 = 3 rad" in page
     assert "y_A,1" not in page, "the way alone counts, not the places"
-    assert "U of the weight of A = -m_A g h = -40 · 9.81 · 0.6 = -235.4 J" in page
+    assert "F r θ_2 - M θ_2 - m_A g h = 1/2 m k_O² ω_2² + 1/2 m_A v²" in page
 
 
 def test_a_constant_acceleration_that_is_needed_anyway_serves_for_speeds_and_heights_too() -> None:

@@ -43,11 +43,11 @@ def test_where_the_motion_starts_it_is_so() -> None:
 def test_what_lies_after_the_last_state_needs_no_word() -> None:
     """The tension is smallest after 6 s; the drum was followed for 4 s."""
     page = page_of_file("body-hoist-starting-softly")
-    assert "t_pull = 2 s" in page
+    assert "t_max = 2 s" in page
     assert "6 s" not in page
     # An angle is no time, however large it is.
     assert "not π - arctan(b/h): there it would be largest" in page_of_file("plate-let-go-at-a-corner")
 
 
 def test_an_integral_told_with_numbers_has_its_function_of_time() -> None:
-    assert "y_L,one = 0.6 (t_one - 1.273 sin(π t_one/4)) in m" in page_of_file("body-hoist-starting-softly")
+    assert "y_L,1 = 0.6 (t_1 - 1.273 sin(π t_1/4)) in m" in page_of_file("body-hoist-starting-softly")

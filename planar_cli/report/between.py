@@ -19,6 +19,7 @@ from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import counts_the_other_way, opposite
 from planar_cli.report.energies import EnergyTelling
+from planar_cli.report.energy_lines import Told, needed_lines
 from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
@@ -71,28 +72,25 @@ class BetweenTelling:
     """Stretches of springs, heights and kinetic energies that were told."""
     made: set[sp.Symbol] = field(default_factory=set)
     """What momenta are made of, and impulses, that were told."""
+    energies: list[Told] = field(default_factory=list)
     groups: dict[str, Turning] = field(default_factory=dict)
     """By the state, bodies that turn together, whose moment of inertia was told."""
     counted: set[int] = field(default_factory=set)
     """The numbers of equations in which numbers were put in at once."""
-
     used: Collection[sp.Symbol] = ()
     """The letters in all equations of blows, and in what is asked."""
     nil: Collection[tuple[sp.Symbol, str]] = ()
     """Impulses that the file says are zero, each with the state before its blow."""
     axes: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Moments of inertia about the points at which blows hold bodies."""
-
     drawn: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Letters of states in the given position, with what they are in letters of the file."""
     springs: Mapping[str, tuple[str, sp.Symbol]] = field(default_factory=dict)
     """By their words those that have a natural length: their length by their ends, and the letter of that."""
     alone: Collection[str] = ()
     """The states before blows of which one equation tells all, which changes nothing."""
-
     by_rule: Collection[str] = ()
     """The states before blows of which only the law of restitution is used: they need no diagram."""
-
     finite: FiniteForces | None = None
     """The finite forces whose impulses are negligible."""
 
@@ -172,14 +170,16 @@ class BetweenTelling:
         # What is the same in all works is not taken out of their sum: each of them was told.
         apart = bool(self.geometry) or (gain.is_Mul and bool(gain.free_symbols & set(self.unknowns)))
         whole = self._put(b.before) + (sp.Add(*gains) if apart else gain)
-        told = self._equation(whole, each_half(self._put(b.after)), number, lead, dimension_of_balance(b), parts)
+        ending = tuple(self._put(e) for _, e in b.amounts)
+        told = self._equation(whole, each_half(self._put(b.after)), number, lead, ENERGY, parts, ending)
         bare = self.lettered and number not in self.counted
         made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)
         lines = by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
-        ending = self._put(b.after), self.unknowns, b.law.moving
-        yield from by_turning_and_sliding(lines, (first, last), ending, self.groups.get(b.stop), self.numeric)
+        at_end = self._put(b.after), self.unknowns, b.law.moving
+        listed = list(by_turning_and_sliding(lines, (first, last), at_end, self.groups.get(b.stop), self.numeric))
         sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
+        yield from needed_lines(listed, b, () if self._put(b.before) else sides, told, self.energies)
         if sides:
             yield Equation(sides, number, lead)
             told = replace(told, number=None, lead=line(f"({number}) in numbers:"))
@@ -193,14 +193,15 @@ class BetweenTelling:
         lead: Line,
         dimension: Dimension | None = None,
         parts: Sequence[sp.Expr] = (),
+        ending: Sequence[sp.Expr] = (),
     ) -> Equation:
-        """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`: of its
-        left side, which were told one by one.
+        """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`,
+        `ending`: of both sides, which were told one by one.
         """
         plain = bool(parts) and self._is_plain(left - right)
         most = (0 if self.long else FEW) if plain else SOME if parts else SHORT
         short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
-        found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
+        found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension, ending)
         if found is None:
             return Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
         self.counted.add(number)

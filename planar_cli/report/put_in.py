@@ -73,34 +73,51 @@ def put_in(
     unknowns: Collection[sp.Symbol],
     phrases: Phrases,
     dimension: Dimension | None = None,
+    after: Sequence[sp.Expr] = (),
 ) -> PutIn | None:
     """An equation with numbers for all but its unknowns; None: something known has no number, or no unit can be told.
     `left`: in parts that are told before and are numbers by now, each of which has its number. `dimension`: of its
-    sides, where it is known; a number among them may hide a unit.
+    sides, where it is known; a number among them may hide a unit. `after`: parts of the right side that were told.
     """
+    ending = _told_apart(after, right, unknowns, phrases)
     parts = [left] if isinstance(left, sp.Expr) else list(left)
     *parts, right = _without_rounding([*parts, right], unknowns, phrases)
     left = sp.Add(*parts)
     if left.free_symbols & set(unknowns) or not parts:
-        parts = _alike(parts, unknowns) or [left]
+        parts = _positive_first(_alike(parts, unknowns), unknowns, phrases) or [left]
     elif phrases.has_numbers(left):
         parts = [e for e in parts if not phrases.value.is_zero(e)] or [sp.S.Zero]
     writer = Writer(unknowns, phrases)
     found = [writer.written(e) for e in parts]
-    after = writer.written(right)
-    if after is None or any(e is None for e in found):
+    written = [writer.written(e) for e in ending or [right]]
+    if any(e is None for e in written) or any(e is None for e in found):
         return None
-    if len(found) > 1 and left.free_symbols & set(unknowns):
+    if len(found) > 1 and left.free_symbols & set(unknowns) and not _each_one_term(found):
         whole = writer.written(left)
         found = writer.one_number(found) if whole is None or len(sp.Add.make_args(whole)) > PLAIN else [whole]
     before = sp.Add(*found, evaluate=False) if len(found) > 1 else found[0]
-    shown = (Math(before, writer.texts), Math(after, writer.texts))
+    last = sp.Add(*written, evaluate=False) if len(written) > 1 else written[0]
+    shown = (Math(before, writer.texts), Math(last, writer.texts))
     sums = len(parts) > 1 and not left.free_symbols & set(unknowns) and bool(right.free_symbols & set(unknowns))
     summed = writer.written(left) if sums else None
     total = None if summed is None or summed.is_Add else Math(summed, writer.texts)
     if total is not None:
         shown = (_added_up(parts, phrases), shown[1])
-    return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after), total)
+    return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(last), total)
+
+
+def _told_apart(
+    parts: Sequence[sp.Expr], whole: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases
+) -> list[sp.Expr]:
+    """Several numbers that make the right side; none where an unknown stands in it."""
+    kept = [e for e in parts if e != 0]
+    known = all(phrases.has_numbers(s) and s not in unknowns for e in (*kept, whole) for s in e.free_symbols)
+    return kept if 1 < len(kept) <= FEW_PARTS and known else []
+
+
+def _each_one_term(parts: Sequence[sp.Expr | None]) -> bool:
+    """Is every part one number, or one with an unknown, so that a student finds each of them above?"""
+    return len(parts) <= FEW_PARTS and not any(e is None or e.is_Add or e.has(sp.Add) for e in parts)
 
 
 def _added_up(parts: Sequence[sp.Expr], phrases: Phrases) -> Math:
@@ -132,11 +149,20 @@ def _alike(parts: Sequence[sp.Expr], unknowns: Collection[sp.Symbol]) -> list[sp
     found: dict[sp.Expr, list[tuple[sp.Expr, sp.Expr]]] = {}
     for part in parts:
         known, rest = factor_terms(part).as_independent(*unknowns, as_Add=False)
-        found.setdefault(rest, []).append((part, known))
+        # Each number was told by itself, and is found again in the sum.
+        found.setdefault(part if rest == 1 else rest, []).append((part, known))
     if len(parts) < 2 or len(found) > FEW_PARTS:
         return []
     own = [(rest, *group) for rest, group in found.items()]
     return [first[0] if not more else sp.Add(first[1], *(k for _, k in more)) * rest for rest, first, *more in own]
+
+
+def _positive_first(parts: list[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> list[sp.Expr]:
+    """Parts as they were told, but no negative number leads: 0.225 F - 235.4 - 150."""
+    if not parts or parts[0].free_symbols & set(unknowns) or phrases.value(parts[0]) >= 0:
+        return parts
+    lead = next((e for e in parts if phrases.has_numbers(e) and phrases.value(e) > 0), parts[0])
+    return [lead, *(e for e in parts if e is not lead)]
 
 
 def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, constant: bool = False) -> Math | None:
