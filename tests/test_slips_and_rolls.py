@@ -8,10 +8,10 @@ from worked import page_of_file
 
 @pytest.mark.parametrize(("stem", "said"), [
     # After a blow, by the velocity that it makes; from the start by what is given.
-    ("billiard-ball", "Motion the ball slips at C: at 2, v_C = v_G,2 + R ω_2 = J/m to the right"),
+    ("billiard-ball", "Motion the ball slips at C: at 2, v_C = v_G,2 - R ω_2 = J/m to the right"),
     ("spinning-wheel-set-down", "Motion the wheel slips at C: at 1, v_C = -R w to the left"),
     ("ball-with-backspin", "Motion the ball slips at C: at 1, v_C = v_0 + r w = 4 + 0.1 · 120 = 16 m/s to the right"),
-    ("billiard-ball", "At 2, the ball rolls without slipping: (2) v_G,2 = -R ω_2"),
+    ("billiard-ball", "At 2, the ball rolls without slipping: (2) v_G,2 = R ω_2"),
     ("spinning-wheel-set-down", "At 2, the wheel rolls without slipping: (4) v_G,2 = -R ω_2"),
 ])  # fmt: skip
 def test_the_velocity_at_the_contact_is_told(stem: str, said: str) -> None:
