@@ -53,7 +53,7 @@ def test_a_spring_at_its_own_length_needs_no_stretches() -> None:
 
 @pytest.mark.parametrize(("stem", "lines"), [
     ("ex-4-13", "117.7 cos φ_max - 54.44 = 0 in J (2): cos φ_max = 54.4"),
-    ("swing-from-which-the-cord-just-holds", "cos φ_0 = 1 - l φ̇_1²/(2 g) = 1 - 2 (-1.85"),
+    ("swing-from-which-the-cord-just-holds", "cos φ_0 = 1 - l φ̇_1²/(2 g) = 1 - 2 · 1.85"),
 ])  # fmt: skip
 def test_an_angle_comes_from_its_sine(stem: str, lines: str) -> None:
     assert lines in page(stem)
