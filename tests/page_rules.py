@@ -240,7 +240,8 @@ def answers(page: Page) -> list[Told]:
             signed = turned if turned and value_of(head) else rest
             if value_of(SENSE.sub("", signed)) is None and symbols(SENSE.sub("", signed)):
                 signed = SENSE.sub("", signed)
-            found.append(Told(name, letter.lstrip("-"), signed, part, value_of(signed)))
+            # |ṡ_2|, and -ṡ_2, are told by the line of ṡ_2.
+            found.append(Told(name, letter.lstrip("-").strip("|"), signed, part, value_of(signed)))
     return found
 
 
@@ -308,7 +309,7 @@ def _grade(r: Row, answer: Told, solved: bool) -> str:
     """`solved`: its formula stands on a line before."""
     left = r.left
     own = left in (answer.name, answer.letter, f"{answer.name}, x", f"{answer.name}, y") or base(left) == answer.name
-    own = own or answer.letter in _vectors_of(left)
+    own = own or any(answer.letter == v or answer.name == base(v) for v in _vectors_of(left))
     if along := re.fullmatch(r"(\S+) · [eu]′?", left):
         left, own = along[1], along[1] == answer.letter
     if answer.value is None:
@@ -324,8 +325,8 @@ def _grade(r: Row, answer: Told, solved: bool) -> str:
         return "none"
     formula = solved or any(symbols(side) and value_of(side) is None for side in r.sides[1:])
     numbers = any(is_numbers(side) for side in r.sides[1:])
-    single = len(r.sides) == 3 and formula and len(r.sides[1].split()) == 1
-    if formula and (numbers or single):
+    # A line that only gives another name to what was found, v_max = v_2 = 3 m/s, does not derive it.
+    if formula and numbers:
         return "full" if own else "other"
     return "short" if formula or numbers else "bare"
 

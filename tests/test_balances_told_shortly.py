@@ -67,5 +67,4 @@ def test_a_slack_cord_has_no_length_that_is_natural() -> None:
 
 def test_a_speed_by_numbers_has_its_unit() -> None:
     """Beside the letter that is sought."""
-    page = page_of_file("bar-that-swings-down-from-a-rolling-disk")
-    assert "v_G,bar,2 = 3.388 - 0.3 ω_disk,2 in m/s; bar moves with disk, which rolls" in page
+    assert "v_G,leaves = 0.2 ω_leaves in m/s; rod turns about O" in page_of_file("exercise-4-35")

@@ -37,7 +37,7 @@ def test_momenta_after_a_blow_have_letters(stem: str, row: str) -> None:
 
 @pytest.mark.parametrize(("stem", "row"), [
     ("rod-and-disk-pendulum", "= m OG α ↗ at G, m OG ω² ↖ at G, I α ↺"),
-    ("five-bar-chain", "= m l α_AB ↗ at G_BC, m l α_OA ↑ at G_BC, 1/2 m l α_BC ↑ at G_BC"),
+    ("bar-that-swings-down-from-a-rolling-disk", "= m_bar R α_disk → at G_bar, 1/2 m_bar l α_bar ↗ at G_bar"),
 ])  # fmt: skip
 def test_distances_in_a_kinetic_diagram(stem: str, row: str) -> None:
     """A distance that is a number of the file is told by the points between which it lies, else by its length."""

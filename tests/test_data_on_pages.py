@@ -15,7 +15,7 @@ from worked import page_of_file
         ("slider-crank-offset", "ω_crank = 240 rpm = 25.13 rad/s given"),
         ("ships-passing", "v_Bx = 24 km/h · cos 110° = -2.280 m/s given"),
         ("ship-interception", "(1) v_Bx = 5 cos 120° = -2.5 m/s"),
-        ("ladder-leaving-the-wall", "At 3, y_B = 0: l sin θ_3 = 0 θ_3 = 180° not 0°: θ_3 > θ_2"),
+        ("ladder-leaving-the-wall", "At 3, y_B = 0: l sin θ_3 = 0 not 0°: θ_3 > θ_2 θ_3 = 180°"),
         ("load-on-four-strands", "|v_Ay,2|/4 = 1.5 m/s v_Ay,2 = 6 m/s"),
         ("pucks-at-an-angle", "At 1, as given: v_Ax,1 = 5 m/s"),
     ],

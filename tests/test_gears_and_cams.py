@@ -98,9 +98,9 @@ def test_a_flat_follower_is_fastest(extreme: str, asked: str, power: int, place:
 
 def test_a_quantity_at_the_beginning_of_a_line_keeps_its_small_letter(tmp_path: Path) -> None:
     file = tmp_path / "cam.yaml"
-    file.write_text(CAM.format(extreme="v(P).y is largest", asked="v(P)"), encoding="utf-8")
+    file.write_text(CAM.format(extreme="a(P).y is smallest", asked="a(P)"), encoding="utf-8")
     shown = CliRunner().invoke(cli, ["solve", str(file)])
-    assert "\n  v_Py is largest, so its derivative" in shown.output
+    assert "\n  a_Py is smallest, so its derivative" in shown.output
 
 
 SHAPER = """

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from conftest import ROOT
 from worked import page_of_file
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def test_no_closed_form_beside_the_same_formula() -> None:
@@ -33,7 +39,11 @@ def test_a_case_tells_only_what_differs() -> None:
 
 def test_before_is_the_last_diagram() -> None:
     """The case before has another mass, and nothing that enters: its diagram is not the one without F."""
-    case = page_of_file("sand-wagon").partition("CASE coasting")[2]
+    text = (ROOT / "problems" / "momentum" / "sand-wagon.yaml").read_text(encoding="utf-8")
+    problem, wrong = load_text(f"method: newton\n{text}")
+    assert problem is not None, wrong
+    page = " ".join(Terminal(400).render(narrate(solve_problem(problem))).split())
+    case = page.partition("CASE coasting")[2]
     assert "wagon: g (M + q t) ↓, v q ←, N_rails ↑ = (M + q t) a →" in case
 
 

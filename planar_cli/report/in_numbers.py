@@ -73,9 +73,11 @@ def solved_for(
     sides: tuple[sp.Expr, sp.Expr],
     unknowns: Collection[sp.Symbol],
     phrases: Phrases,
+    balance: bool = False,
 ) -> Math | None:
     """The numbers that give an unknown, from an equation that is linear in it (or in its square) and in the other
     unknowns, which are known by now: (1.732 - 0.3965 · 2.916)/0.2233. None: it is not, or is a number alone.
+    `balance`: of energies, whose sides were told one by one.
     """
     left, right = sides
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
@@ -94,7 +96,9 @@ def solved_for(
     sizes, parts = dict[sp.Symbol, Decimal](), list[sp.Expr]()
     own = terms.pop(power)
     largest = max(map(abs, terms.values()), default=Decimal(0))
-    for monomial, coefficient in ((m, c) for m, c in terms.items() if abs(c) > SMALL * largest):
+    apart = _of_both(sides, unknowns, phrases) if balance and sp.S.One in terms else ()
+    rest = [(m, c) for m, c in terms.items() if abs(c) > SMALL * largest and not (apart and m == 1)]
+    for monomial, coefficient in [*((sp.S.One, c) for c in apart), *rest]:
         number = sp.Symbol(f"{NUMBER}{len(sizes)}", positive=True)
         sizes[number] = abs(coefficient)
         one = monomial != 1 and significant(sizes[number], phrases.figures) == "1"
@@ -112,6 +116,15 @@ def solved_for(
     if power == symbol**2:
         whole = sp.sqrt(whole) if phrases.value(symbol) > 0 else -sp.sqrt(whole)
     return phrases.numbers(whole, sizes, turns=False)
+
+
+def _of_both(sides: tuple[sp.Expr, sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases) -> tuple[Decimal, ...]:
+    """The numbers without an unknown of both sides, counted on the left: 4.944 and -1.714 of 4.944 = 1.714 + 0.0621 v²,
+    whose difference stands nowhere; none where one side has no such number.
+    """
+    collected = Collected(frozenset(unknowns), phrases)
+    left, right = ((collected.terms(side) or {}).get(sp.S.One, Decimal(0)) for side in sides)
+    return (left, -right) if left and right else ()
 
 
 def _apart(

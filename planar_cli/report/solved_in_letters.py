@@ -13,7 +13,7 @@ from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.one_in_another import one_in_another
 from planar_cli.report.origins import sides_of
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep, RouteTrace
+from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Result, RouteStep, RouteTrace
 
 
 def solved_in_letters(
@@ -30,5 +30,6 @@ def solved_in_numbers(leg: RouteStep, r: Result, route: RouteTrace, shown: Any, 
     (e, *more) = leg.relations
     if more or len(leg.unknowns) > 1 or not isinstance(shown, Value) or shown.unit == "deg":
         return []
-    found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, phrases)
+    balance = isinstance(e.source, BalanceTrace) and bool(e.source.law.letter)
+    found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, phrases, balance)
     return [] if found is None else [found]

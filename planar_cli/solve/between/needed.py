@@ -97,7 +97,8 @@ def _laws(e: Equation) -> tuple[Law, ...]:
 
 def _told_by_balance(course: StatedMotion, e: Equation, way: Route) -> bool:
     """Is it a way whose speed at any time a balance of momentum to the same state tells, so that it needs no law?"""
-    if e.kind != "q(t)" or e.law is None or e.span is None or e.span.explicit is None:
+    # A function of time, as of a damped vibration, leads to no state.
+    if e.kind != "q(t)" or e.law is None or e.span is None or e.span.explicit is None or e.stop not in course.stops:
         return False
     stop = course.stops[e.stop]
     speed = next((own for letter, own in stop.letters.items() if letter in (e.law.v, e.law.speed)), None)
