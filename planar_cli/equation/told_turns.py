@@ -105,7 +105,9 @@ def _asked_ways(scene: Scene, wheel: str) -> Iterable[Vec]:
 def _direction(scene: Scene, part: Part) -> Vec | None:
     axes = {"x": Vec(1, 0), "y": Vec(0, 1)}
     if part.kind == "along" and part.direction is not None and not isinstance(part.direction, PointPair):
-        return scene.direction(part.direction)
+        # Along a curve it changes with the place.
+        changes = any(isinstance(q, Quantity) for q in walk(part.direction))
+        return None if changes else scene.direction(part.direction)
     return axes.get(part.kind)
 
 
