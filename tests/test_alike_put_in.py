@@ -11,7 +11,7 @@ from worked import page_of_file
     "I_O,1 = 2 m_A d_A,1² + I_0 + 2 I_A = 2 · 0.06211 · 0.4167² + 0.25 + 2 · 0.001553 = 0.2747 slug·ft²",
     "(1) ↺ H_O: I_O,1 w_0 = I_O,2 ω_rod,2 (1) in numbers:",
     "T_2 = 1/2 I_O,2 ω_rod,2² + m_A v_A,rod,2²",
-    "(2): v_A,rod,2 = √(3.230/0.06211) = 7.211 ft/s",
+    "(2): v_A,rod,2 = √((4.944 - 1.714)/0.06211) = 7.211 ft/s",
     "v² = (d ω)² + v_rel² of what slides T_2 = 1/2 I_O,2 ω_rod,2² +",
     "T_3 = 1/2 I_O,2 ω_rod,3² = 1/2 · 0.7923 · 2.080² = 1.714 lbf·ft lost = T_2 - T_3 = 4.944 - 1.714 = 3.230 lbf·ft",
     "the internal forces between the bodies no net work",

@@ -22,7 +22,6 @@ def _page(name: str) -> str:
         ("friction/heaviest-weight-before-a-box-slips", "a_A = μ_s g"),
         ("friction/heaviest-weight-before-a-box-slips", "W = μ_s (W_A + W_B) / (1 - μ_s)"),
         ("rigid-bodies/beam-on-two-ropes", "T_A = 1/4 m g"),
-        ("friction/plate-sliding-on-table", "α = -6 F b / (m (b² + h²))"),
         ("impact/where-a-bat-meets-the-ball", "d = k²/b + b"),
     ],
 )

@@ -22,15 +22,17 @@ def only_on_the_way_back(found: MotionTrace, speed: sp.Symbol) -> Line:
         return ()
     earlier = upward[-1]
     now, then = (_height(found, s) for s in (speed, earlier))
-    if now is None or then is None or not found.value(then - now) > 0:
+    if now is None or then is None or not found.value(then[0] - now[0]) > 0:
         return ()
-    if found.symbolic and not sp.simplify(then - now).is_positive:
+    if found.symbolic and not sp.simplify(then[0] - now[0]).is_positive:
         return ()
-    return line(Math(now), " < ", Math(then), " is passed only on the way down")
+    # A number other than 0 would hide its unit.
+    below, above = (letter if height.is_number and height != 0 else height for height, letter in (now, then))
+    return line(Math(below), " < ", Math(above), " is passed only on the way down")
 
 
-def _height(found: MotionTrace, speed: sp.Symbol) -> sp.Expr | None:
-    """How high what has a speed is in the state of that speed, by what the file says of it."""
+def _height(found: MotionTrace, speed: sp.Symbol) -> tuple[sp.Expr, sp.Symbol] | None:
+    """How high what has a speed is in the state of that speed, by what the file says of it, and the letter of it."""
     state = found.ledger.roles[speed].at
     for regime in found.regimes:
         displacement = regime.solution.instant.scene.displacement
@@ -43,5 +45,5 @@ def _height(found: MotionTrace, speed: sp.Symbol) -> sp.Expr | None:
         if letter is None:
             return None
         told = found.route.plain.get(letter, found.route.formulas.get(letter, letter))
-        return told if told.is_number or not told.free_symbols & set(found.general) else letter
+        return told if told.is_number or not told.free_symbols & set(found.general) else letter, letter
     return None
