@@ -55,13 +55,7 @@ def test_a_motion_between_states_needs_the_whole_force() -> None:
 @pytest.mark.parametrize(
     ("stem", "check"),
     [
-        (
-            "inverted-pendulum",
-            [
-                "F_W = -k a δ",
-                "ΣM_O: (m_B g l + 1/2 m_b g l - k a²) δ = I_bar α + 1/2 m_b l α · l/2 + m_B l α · l",
-            ],
-        ),
+        ("inverted-pendulum", "E_k = 1/2 · 1.813 δ̇², V = 1/2 · 13.96 δ² in J; ω_0 = √(13.96/1.813) = 2.774 rad/s"),
         ("hinged-beam-critical-damping", "E_k = 1/6 m L² δ̇², V = 1/2 k L² δ²; ω_0² = 3 k/m"),
         ("half-disk-rocking", "V = 2 m g R δ²/(3 π); ω_0² = 8 g / ((9 π - 16) R)"),
     ],
@@ -109,4 +103,4 @@ def test_a_number_that_nothing_needs_is_not_worked_out_again() -> None:
     page = _page("toy-on-a-round-end")
     assert page.count("I = m_1 (y_G - y_1)² + m_2 (y_2 - y_G)² + I_1 + I_2") == 1
     assert page.count("I_2 = m_2") == 1
-    assert "y_G = (m_1 y_1 + m_2 y_2)/m = (0.7854 · 0.05756 + 0.9 · 0.145)/1.685 = 0.1043 m" in page
+    assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page

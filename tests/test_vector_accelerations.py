@@ -126,7 +126,7 @@ def test_a_particle_that_has_another_name_than_its_point() -> None:
     page = Terminal(width=110).render(narrate(solve_problem(problem)))
     assert page.count("ρ = (1 + y′²)^(3/2)/y″ = (1 + 1²)^(3/2)/0.1 = 20 √2 m = 28.28 m") == 1
     flat = " ".join(page.split())
-    assert "a_A = a_At e_t + v_A²/ρ e_n = [-0.7071 · 2 - 0.7071 · 6² / 28.28, " in flat
+    assert "a_A = a_At e_t + v_A²/ρ e_n = [-0.70711 · 2 - 0.70711 · 6² / 28.284, " in flat
     assert "28.284] = [-2.314, -0.5142] m/s²" in flat
     assert "a_n = v_A²/ρ = 1.273 m/s²" in page
     assert "tan φ = 1\n" in page
