@@ -81,7 +81,7 @@ class _StandIn(ModuleType):
             raise AttributeError(name)
         if self.__name__ in SELDOM and not name.islower():
             # A class or a constant cannot wait.
-            return getattr(_loaded(self.__name__), name)
+            return getattr(loaded(self.__name__), name)
         # As the import system does: `from sympy import *` takes the module from its parent.
         parent, _, own = self.__name__.rpartition(".")
         if parent in sys.modules:
@@ -99,7 +99,7 @@ class _Offered:
 
     def _real(self) -> Any:
         if self._found is None:
-            self._found = getattr(_loaded(self._module), self._name)
+            self._found = getattr(loaded(self._module), self._name)
         return self._found
 
     def __call__(self, *values: Any, **options: Any) -> Any:
@@ -112,7 +112,7 @@ class _Offered:
         return isinstance(thing, self._real())
 
 
-def _loaded(module: str) -> ModuleType:
+def loaded(module: str) -> ModuleType:
     """The module itself, after those in which it is."""
     for name in (*DEFERRED, module):
         if f"{module}.".startswith(f"{name}.") and isinstance(sys.modules.get(name), _StandIn):

@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 from answered import solve
 
-from planar_cli.equation import driving
 from planar_cli.equation.system import System
 from planar_cli.errors import Undecided
+from planar_cli.later import loaded
 from planar_cli.problem.facts import Action
 from planar_cli.problem.geometry import Vec
 
@@ -69,6 +69,7 @@ def test_a_drive_at_another_place_is_found_out(text: str, monkeypatch: pytest.Mo
     def elsewhere(system: System, q: sp.Symbol) -> tuple[Action, ...]:
         return (Action("rod", system.scene.center("rod"), Vec(sp.S.One, sp.S.Zero), sp.S.Zero),)
 
-    monkeypatch.setattr(driving, "_working_on", elsewhere)
+    # The module itself, which is loaded late.
+    monkeypatch.setattr(loaded("planar_cli.equation.driving"), "_working_on", elsewhere)
     with pytest.raises(Undecided):
         solve(text)
