@@ -6,7 +6,7 @@ from worked import page_of_file
 
 
 def test_each_point_has_the_name_of_its_body() -> None:
-    page = page_of_file("planetary-gear")
+    page = page_of_file("planetary-gear").partition("STEP 1")[2]
     assert "a_C,sun = -ω_sun² r_C/O =" in page
     assert "a_C,planet = a_P + α_planet × r_C/P" in page
     assert "a_C = " not in page

@@ -33,7 +33,7 @@ def test_a_part_has_letters_for_its_place_and_its_inertia() -> None:
     page = page_of_file("toy-on-a-round-end")
     assert "y of the mass centre of the half disk: y_1 = r - 4 r/(3 π)" in page
     assert "y_G = (m_1 y_1 + m_2 y_2)/m" in page
-    assert "I = m_1 (y_1 - y_G)² + m_2 (y_2 - y_G)² + I_1 + I_2" in page
+    assert "I = m_1 (y_G - y_1)² + m_2 (y_2 - y_G)² + I_1 + I_2" in page
     assert "part 1" not in page
 
 
