@@ -12,7 +12,7 @@ from worked import page_of_file
         (
             "spheres-that-slide-out-to-stops",
             [
-                "I_O,1 = 2 m_one d_A,1² + I_0 + 2 I_one = 2 · 0.06211 · 0.4167² + 0.25 + 2 · 0.001553 = 0.2747",
+                "I_O,1 = 2 m_A d_A,1² + I_0 + 2 I_A = 2 · 0.06211 · 0.4167² + 0.25 + 2 · 0.001553 = 0.2747",
                 "T_1 = 1/2 I_O,1 w_0² = 1/2 · 0.27467 · 6² = 4.944 lbf·ft",
                 "(1) ↺ H_O: I_O,1 w_0 = I_O,2 ω_rod,2 (1) in numbers: 1.648 = 0.7923 ω_rod,2",
             ],
