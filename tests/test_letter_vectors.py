@@ -37,10 +37,10 @@ def test_what_is_shifted_parallel_to_itself_is_not_worked_out_again() -> None:
     assert (
         "AB keeps its length and direction (translation): r_B = r_A + [l, 0], r_B2 = r_A2 + [l, 0], subtracted:" in page
     )
-    assert "r_B2/B = r_A2/A\n" in page
+    assert "r_B2_from_B = r_A2_from_A\n" in page
     assert "x_B2" not in page
     # Its size and direction stand where it was found.
-    assert page.index("direction of r_A2/A") < page.index("AB keeps its length")
+    assert page.index("direction of r_A2_from_A") < page.index("AB keeps its length")
 
 
 def test_special_positions_check_a_rolling_wheel() -> None:
