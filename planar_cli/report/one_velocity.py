@@ -49,7 +49,9 @@ def _together(step: RouteStep, motion: MotionTrace) -> _Together | None:
         words = RESTITUTION.fullmatch(one.lead or one.words)
         if words is None or not no_rebound(one) or same.residual.free_symbols != pair or not same.residual.is_Add:
             continue
-        if any(abs(sp.diff(same.residual, s)) != 1 for s in pair):
+        # Where they count in opposite senses, v_P = -v_Q, one letter would be false of one of them.
+        slopes = [sp.diff(same.residual, s) for s in pair]
+        if any(abs(slope) != 1 for slope in slopes) or sum(slopes) != 0:
             continue
         needed = _needed(step, motion) & pair
         if len(needed) < 2:
