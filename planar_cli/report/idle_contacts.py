@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from planar_cli.report.blocks import Block, Forces, Math, Name, Note, Text
-from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.blocks import Block, Forces, Note, Text
+from planar_cli.report.mentioned import names_in
 
 STAYS = re.compile(r"\w+ at (\w+) stays in contact")
 
 
 def without_idle_contacts(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    drawn = {name for b in blocks if isinstance(b, Forces) for name in _names(b)}
-    spoken = {name for b in blocks if not isinstance(b, Forces) for name in _names(b)}
+    drawn = {name for b in blocks if isinstance(b, Forces) for name in names_in(b)}
+    spoken = {name for b in blocks if not isinstance(b, Forces) for name in names_in(b)}
     idle = drawn - spoken
     return [b for b in blocks if not ((point := _stays(b)) and idle & {f"N_{point}", "N"})]
 
@@ -25,11 +25,3 @@ def _stays(block: Block) -> str:
         case Note("Assume", (Text(text),)) if (found := STAYS.fullmatch(text)) is not None:
             return found[1]
     return ""
-
-
-def _names(block: Block) -> Iterator[str]:
-    for piece in pieces_of(block):
-        if isinstance(piece, Name):
-            yield piece.name
-        elif isinstance(piece, Math):
-            yield from (s.name for s in piece.expr.free_symbols)

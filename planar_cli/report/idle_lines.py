@@ -15,7 +15,7 @@ from planar_cli.report.heads_of_states import with_states_headed_once
 from planar_cli.report.idle_contacts import without_idle_contacts
 from planar_cli.report.idle_symmetry import without_idle_symmetry
 from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the_root
-from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.mentioned import names_in
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
 from planar_cli.report.said import said as worded
@@ -242,14 +242,7 @@ def _is_put_in(block: Block, own: str, spoken: Mapping[str, int]) -> bool:
 
 def _letters(block: Block) -> set[str]:
     """The letters of which a block speaks."""
-    found: set[str] = set()
-    for piece in pieces_of(block):
-        match piece:
-            case Name(name):
-                found.add(name)
-            case Math(expr):
-                found |= {s.name for s in expr.free_symbols}
-    return found
+    return set(names_in(block))
 
 
 def without_told_values(blocks: Sequence[Block]) -> list[Block]:

@@ -129,3 +129,12 @@ def pieces_of(value: object) -> Iterator[Inline]:
         case _:
             for slot in getattr(value, "__slots__", ()):
                 yield from pieces_of(getattr(value, slot))
+
+
+def names_in(value: object) -> Iterator[str]:
+    """The names of a block or a part of it, as its formulas have them; one that stands twice, twice."""
+    for piece in pieces_of(value):
+        if isinstance(piece, blocks.Name):
+            yield piece.name
+        elif isinstance(piece, Math):
+            yield from (s.name for s in piece.expr.free_symbols)

@@ -14,7 +14,7 @@ from itertools import takewhile
 
 from planar_cli.records import record
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Line, Math, Name, Result, Text, Value
-from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.mentioned import names_in, pieces_of
 from planar_cli.report.names import plain_name
 
 WORK = "U"
@@ -133,7 +133,7 @@ def _row(at: int, block: Equation) -> Row:
         energies=frozenset(plain_name(h) for h in heads if block.number is not None and ENERGIES.fullmatch(h)),
         leads_on=not letter and (" · " in _words(left) or integral),
         integral=integral,
-        law=any(SECOND_RATE in n for n in (_letters_in(left) if letter else _letters_in(block.sides))),
+        law=any(SECOND_RATE in n for n in (names_in(left) if letter else names_in(block.sides))),
     )
 
 
@@ -151,15 +151,6 @@ def _letter(side: Inline | Line) -> str:
     if isinstance(piece, Name):
         return plain_name(piece.name)
     return plain_name(piece.expr.name) if isinstance(piece, Math) and piece.expr.is_Symbol else ""
-
-
-def _letters_in(sides: object) -> Iterator[str]:
-    """The names of a page, as its formulas have them."""
-    for piece in pieces_of(sides):
-        if isinstance(piece, Name):
-            yield piece.name
-        elif isinstance(piece, Math):
-            yield from (s.name for s in piece.expr.free_symbols)
 
 
 def _names(side: Inline | Line) -> Iterator[str]:

@@ -9,8 +9,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.report.blocks import Answer, Block, Equation, Math, Name, Note, Paragraph, Result, Text, Value
-from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.blocks import Answer, Block, Equation, Math, Note, Paragraph, Result, Text, Value
+from planar_cli.report.mentioned import names_in, pieces_of
 
 MADE = ("mass of ", "moment of inertia of ", "x of the mass centre", "y of the mass centre", "from the mass centre to")
 """Begins the line of what a body is made up of."""
@@ -54,8 +54,4 @@ def _letters(block: Block) -> Iterator[str]:
     """All letters of which a block speaks."""
     parts: Any = block.sides if isinstance(block, Equation) else getattr(block, "line", ())
     if isinstance(block, Answer | Note | Paragraph | Result | Equation):
-        for piece in pieces_of(parts):
-            if isinstance(piece, Math) and isinstance(piece.expr, sp.Basic):
-                yield from (s.name for s in piece.expr.free_symbols if isinstance(s, sp.Symbol))
-            elif isinstance(piece, Name):
-                yield piece.name
+        yield from names_in(parts)
