@@ -25,13 +25,17 @@ def test_curves_follow_what_they_rest_on() -> None:
 def test_a_velocity_is_a_quarter_turn_ahead_on_a_circle_alone() -> None:
     r, w, t = sp.symbols("r w t", positive=True)
 
-    def rows(x: sp.Expr, y: sp.Expr) -> list[Row]:
-        return [Row("", sp.Eq(sp.Symbol(name), e)) for name, e in (("x", x), ("y", y))]
+    def rows(x: sp.Expr, y: sp.Expr, names: str = "x y") -> list[Row]:
+        return [Row("", sp.Eq(sp.Symbol(name), e)) for name, e in zip(names.split(), (x, y), strict=True)]
 
     circle = r * sp.cos(w * t), r * sp.sin(w * t)
     ellipse = 2 * r * sp.cos(w * t), r * sp.sin(w * t)
     for place, turned in ((circle, True), (circle[::-1], True), (ellipse, False)):
-        assert is_quarter_turn(rows(*place), rows(*(sp.diff(e, t) for e in place))) == turned
+        rates = rows(*(sp.diff(e, t) for e in place))
+        assert is_quarter_turn(rows(*place), rates) == turned
+        assert is_quarter_turn(rows(*place, names="x_P y_P"), rates) == turned
+        # The sliders of a trammel, each on its own axis.
+        assert not is_quarter_turn(rows(*place, names="x_P y_Q"), rates)
 
 
 def test_a_circle_in_its_order() -> None:

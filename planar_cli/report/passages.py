@@ -47,7 +47,9 @@ def is_quarter_turn(places: Sequence[Row], rates: Sequence[Row]) -> bool:
     if len(places) != 2 or len(rates) != 2:
         return False
     (x, y), (v_x, v_y) = ([sides_of(row)[-1] for row in rows] for rows in (places, rates))
-    if 0 in (x, y, v_x, v_y):
+    # x of one point and y of another are no vector.
+    things = {str(sides_of(row)[0]).partition("_")[2] for row in places}
+    if len(things) > 1 or 0 in (x, y, v_x, v_y):
         return False
     along, across = simplified(v_y / x), simplified(v_x / y)
     return bool(simplified(along + across) == 0)
