@@ -1,4 +1,6 @@
-"""Bodies that do not rebound, of which one counts downward and the other upward: one letter would be false of one."""
+"""Bodies that do not rebound: where one counts downward and the other upward one letter would be false of one, and what
+moves across the common normal has one velocity along it alone.
+"""
 
 from __future__ import annotations
 
@@ -19,3 +21,23 @@ def test_one_velocity_in_opposite_senses_keeps_two_letters() -> None:
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert "(3) v_P,3 = -v_Qy,3" in page
     assert "(m_1 - m_2)" not in page
+
+
+OBLIQUE = """
+plane: horizontal
+given: {m_A: 0.3 kg, m_B: 0.5 kg}
+bodies: {A: {particle: [0, 0], mass: m_A}, B: {particle: [0, 0], mass: m_B}}
+joints:
+  - impact: {between: [A, B], normal: 0 deg, restitution: 0, mu: 0}
+states:
+  1: [v(A).x = 5 m/s, v(A).y = 1 m/s, v(B).x = -2 m/s, v(B).y = 3 m/s]
+  2: [just after 1]
+find: {lost: KE(all) @ 1 - KE(all) @ 2}
+"""
+
+
+def test_what_moves_across_the_normal_has_one_velocity_along_it() -> None:
+    problem, wrong = load_text(OBLIQUE)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "after the blow A and B have the same velocity v_Ax,2 along the common normal. A, B:" in page

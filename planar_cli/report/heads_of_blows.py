@@ -35,9 +35,10 @@ def no_rebound(e: ImpactEquation) -> str:
     return f"No rebound (e = 0): {found[1]} have one velocity along the common normal"
 
 
-def together(bodies: str, velocity: sp.Symbol) -> Line:
-    """The velocity of what does not rebound."""
-    return line(f"No rebound (e = 0): after the blow {bodies} have the same velocity ", Math(velocity), ".")
+def together(bodies: str, velocity: sp.Symbol, whole: bool) -> Line:
+    """The velocity of what does not rebound. `whole`: it has no part across the common normal."""
+    along = "" if whole else " along the common normal"
+    return line(f"No rebound (e = 0): after the blow {bodies} have the same velocity ", Math(velocity), f"{along}.")
 
 
 def keeps(e: Relation, r: Result) -> bool:

@@ -87,11 +87,22 @@ def _step(step: RouteStep, found: _Together, put: Mapping[sp.Symbol, sp.Expr]) -
         return replace(step, results=results, needs=needs)
     source = found.balance.source
     assert isinstance(source, ImpactEquation)
-    told = replace(
-        source, left=source.left.xreplace(put), right=source.right.xreplace(put), together=(found.bodies, found.kept)
-    )
+    said = (found.bodies, found.kept, _is_whole(source))
+    told = replace(source, left=source.left.xreplace(put), right=source.right.xreplace(put), together=said)
     relation = replace(found.balance, residual=found.balance.residual.xreplace(put), source=told)
     return replace(step, relations=(relation,), unknowns=(found.kept,), results=(_result(step, found),))
+
+
+def _is_whole(balance: ImpactEquation) -> bool:
+    """Has each of these bodies one component of velocity, so that none moves across the common normal?"""
+    solution = balance.impact.solution
+    motion = None if solution is None else solution.trial.system.motion
+    if solution is None or motion is None:
+        return False
+    # In a blow the velocities after it stand where an instant has accelerations.
+    ways = [motion.accelerations[body].linear for body in balance.bodies]
+    moving = [{s for part in (w.x, w.y) for s in part.free_symbols if not solution.value.is_zero(s)} for w in ways]
+    return all(len(symbols) <= 1 for symbols in moving)
 
 
 def _result(step: RouteStep, found: _Together) -> Result:

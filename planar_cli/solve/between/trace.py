@@ -104,8 +104,10 @@ class ImpactEquation:
     """The moment centre, where it has no name."""
     along: tuple[sp.Expr, sp.Expr] | None
     """Of linear momenta, the direction in which they count as positive."""
-    together: tuple[str, sp.Symbol] | None = None
-    """The bodies that do not rebound in it, and the letter of the velocity that they then have."""
+    together: tuple[str, sp.Symbol, bool] | None = None
+    """The bodies that do not rebound in it, the letter of the velocity that they then have, and whether that is their
+    whole velocity, not its part along the common normal alone.
+    """
 
 
 @record
