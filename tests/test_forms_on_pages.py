@@ -76,6 +76,30 @@ def test_a_root_is_left_out_by_what_rules_it_out() -> None:
     assert "not -" not in page
 
 
+ON_A_SPRING = """
+title: Down past a place that is passed again on the way up
+plane: vertical
+given: {m: 2 kg, k: 200 N/m, L: 0.5 m}
+points: {P: [0, 0.5 m], O: [0, 0]}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 90 deg}
+loads:
+  - spring: {between: [O, P], stiffness: k, natural_length: L}
+states:
+  1: [v(P).y = 3 m/s]
+  2: [y(P) = 0.4 m]
+find: {v: v(P).y @ 2}
+"""
+
+
+@pytest.mark.parametrize("plane", ["vertical", "horizontal"])
+def test_what_comes_back_passes_a_place_more_than_once(plane: str) -> None:
+    page = page_of(ON_A_SPRING.replace("plane: vertical", f"plane: {plane}"))
+    assert "the negative root: it moves downward" in page
+    assert "passed only" not in page
+
+
 def test_what_others_are_divided_by_least_is_carried() -> None:
     a, alpha, length = sp.symbols("a alpha l")
     relation, moments = a - length * alpha * sp.sin(phi), m * a * length * sp.sin(phi) + m * alpha - g

@@ -5,12 +5,13 @@ At 3 the ball rolls without slipping:   v_G,3 = -R ω_3
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.scene import Scene
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import with_article
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation
@@ -66,14 +67,20 @@ def _of(solution: InstantSolution, blow: bool) -> Iterator[tuple[str, sp.Expr]]:
     scene, motion = solution.instant.scene, solution.trial.system.motion
     for joint in scene.problem.joints if motion is not None else ():
         at = getattr(joint, "at", None)
-        if motion is None or joint.kind not in KINDS or at not in scene.points:
+        partners = getattr(joint, "between", ())
+        if motion is None or joint.kind not in KINDS or at not in scene.points or on_a_belt(scene, partners):
             continue
-        bodies = [b for p in getattr(joint, "between", ()) if (b := scene.carrier(p)) in scene.bodies]
+        bodies = [b for p in partners if (b := scene.carrier(p)) in scene.bodies]
         if len(bodies) != 1 or not scene.rigid(bodies[0]):
             continue
         # In a blow velocities after it stand where an instant has accelerations.
         of = motion.acceleration if blow else motion.velocity
         yield from ((bodies[0], v) for v in _along(of(scene.points[at], bodies[0])))
+
+
+def on_a_belt(scene: Scene, partners: Iterable[str]) -> bool:
+    """Is one of the partners of a joint a surface that runs by itself, on which rolling is not what it is on rest?"""
+    return any(p in scene.surfaces and scene.surfaces[p].speed is not None for p in partners)
 
 
 def _along(v: Vec) -> Iterator[sp.Expr]:

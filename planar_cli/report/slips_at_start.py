@@ -16,6 +16,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Line, Name, Note, Text, line
 from planar_cli.report.motion_phrases import motion_phrases
+from planar_cli.report.rolls_at_state import on_a_belt
 from planar_cli.report.state_words import place
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
@@ -58,10 +59,13 @@ def _slips(motion: MotionTrace, instant: InstantSolution, figures: int) -> Itera
 
 
 def _velocity(motion: MotionTrace, instant: InstantSolution, key: str, state: str, figures: int) -> Line:
-    """How fast the point of contact of a body that turns slips on the level ground; (): otherwise."""
+    """How fast the point of contact of a body that turns slips on the level ground, which is at rest; (): otherwise."""
     scene, moving = instant.instant.scene, instant.trial.system.motion
-    bodies = [b for p in _partners(instant, key) if (b := scene.carrier(p)) in scene.bodies]
+    partners = _partners(instant, key)
+    bodies = [b for p in partners if (b := scene.carrier(p)) in scene.bodies]
     if moving is None or len(bodies) != 1 or key not in scene.points or not scene.rigid(bodies[0]):
+        return ()
+    if on_a_belt(scene, partners):
         return ()
     v = moving.velocity(scene.points[key], bodies[0])
     omega = moving.velocities[bodies[0]].angular
