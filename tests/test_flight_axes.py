@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from worked import page_of_file
+from conftest import ROOT
+from worked import page_of_file, page_of_text
 
 
 @pytest.mark.parametrize("said", [
@@ -18,3 +21,11 @@ from worked import page_of_file
 ])  # fmt: skip
 def test_a_flight_in_the_axes_of_the_slope(said: str) -> None:
     assert said in page_of_file("ball-on-a-rough-slope")
+
+
+def test_a_distance_is_positive_where_the_speed_along_the_slope_is_not(tmp_path: Path) -> None:
+    """The slope rises to the right, up which the speed counts, and the ball goes down."""
+    text = (ROOT / "problems/impact/ball-on-a-rough-slope.yaml").read_text(encoding="utf-8").replace("-beta", "beta")
+    text = text.replace("d: r(ball/O).along(beta) @ 3", "d: r(ball/O).mag @ 3").partition("note:")[0]
+    page = page_of_text(tmp_path, text)
+    assert "d = 1/2 g Δt² sin β - v_t,2 Δt = 1/2 · 9.81 · 0.6925² sin 25° - (-0.5555) · 0.6925 = 1.379 m" in page

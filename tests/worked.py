@@ -52,6 +52,13 @@ def page_of_file(stem: str) -> str:
     return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(path)[0])))
 
 
+def page_of_text(folder: Path, text: str) -> str:
+    """The printed solution of a file with this text, in one line."""
+    path = folder / "problem.yaml"
+    path.write_text(text, encoding="utf-8")
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0])))
+
+
 def name_of(path: Path) -> str:
     """folder-file, as golden files and test ids are called."""
     return f"{path.parent.name}-{path.stem}"

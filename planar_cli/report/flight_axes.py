@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from decimal import Decimal
 
 import sympy as sp
 
@@ -50,7 +51,8 @@ def with_flight_axes(part: PartSolution) -> PartSolution:
     if motion is None or motion.symbolic or TIME in motion.ledger.symbols:
         return part
     found = next((f for f in _flights(motion) if _is_alone(f, motion)), None)
-    told = None if found is None else _told(motion, found)
+    # What is asked may count the other way than the components after the blow.
+    told = None if found is None else next(filter(None, (_told(motion, found, sense) for sense in (1, -1))), None)
     return part if told is None else replace(part, motion=told)
 
 
@@ -107,7 +109,8 @@ def _is_alone(found: _Flight, motion: MotionTrace) -> bool:
     return not any(own & s.needs for s in others) and not clock & asked
 
 
-def _told(motion: MotionTrace, found: _Flight) -> MotionTrace | None:
+def _told(motion: MotionTrace, found: _Flight, sense: int) -> MotionTrace | None:
+    """The motion with the flight; None: what is asked along the slope is not its distance in this sense."""
     asked = [r for r in motion.requests if any(p.has(*found.places) for p in r.parts)]
     name = asked[0].find.name if len(asked) == 1 else ""
     if not name or name in motion.ledger.symbols:
@@ -115,12 +118,12 @@ def _told(motion: MotionTrace, found: _Flight) -> MotionTrace | None:
     time, way = sp.Symbol(TIME, positive=True), sp.Symbol(name, real=True)
     (v_t, v_n), (a_t, a_n) = found.speeds, found.accelerations
     flown = -2 * v_n / a_n
-    gone = v_t * time + a_t * time**2 / 2
+    gone = sense * (v_t * time + a_t * time**2 / 2)
     duration = motion.value(flown)
     value = motion.value.extended({time: duration})
     distance = value(gone)
     components = {r.unknown: r.formula for s in found.resolved for r in s.results}
-    places = {p: way * t for p, t in zip(found.places, found.tangent, strict=True)}
+    places = {p: sense * way * t for p, t in zip(found.places, found.tangent, strict=True)}
     requests = tuple(_request(r, {**components, **places}, way, distance) for r in motion.requests)
     if any(r.parts != (way,) for r, old in zip(requests, motion.requests, strict=True) if old is asked[0]):
         return None
@@ -160,13 +163,13 @@ def _told(motion: MotionTrace, found: _Flight) -> MotionTrace | None:
     )
 
 
-def _request(request: Request, put: Mapping[sp.Symbol, sp.Expr], way: sp.Symbol, distance: object) -> Request:
-    """What is asked in the letters along the slope and perpendicular to it."""
+def _request(request: Request, put: Mapping[sp.Symbol, sp.Expr], way: sp.Symbol, distance: Decimal) -> Request:
+    """What is asked in the letters along the slope and perpendicular to it, with a distance of its own sign."""
     if not any(p.has(*put) for p in request.parts):
         return request
-    length = sp.Dummy(positive=True)
-    parts = (trigonometric(expanded(p.xreplace(put)).xreplace({way: length})) for p in request.parts)
-    return replace(request, parts=tuple(simplified(p).xreplace({length: way}) for p in parts))
+    length, sign = sp.Dummy(positive=True), 1 if distance > 0 else -1
+    parts = (trigonometric(expanded(p.xreplace(put)).xreplace({way: sign * length})) for p in request.parts)
+    return replace(request, parts=tuple(simplified(p).xreplace({length: sign * way}) for p in parts))
 
 
 def _slope(motion: MotionTrace) -> str:
