@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import sympy as sp
-from worked import page_of_file
+from worked import page_of_file, page_of_text
 
 from planar_cli.report.blocks import Equation, Math, Paragraph, line
 from planar_cli.report.heads_of_states import with_states_headed_once
@@ -11,6 +13,19 @@ from planar_cli.report.put_into import by_shorter, put_into
 from planar_cli.solve.between.trace import Result
 
 X, Y, T, U, V, G = sp.symbols("x y t u v g", real=True)
+
+PUCK = """\
+title: Puck that is held back
+plane: horizontal
+given: {k: 2 m/s^2, v_0: 5 m/s}
+bodies: {puck: {particle: [0, 0], mass: any}}
+loads:
+  - force: {body: puck, magnitude: k*mass(puck), angle: -90 deg}
+states:
+  1: [t = 0, v(puck).x = v_0, v(puck).y = v_0]
+  2: [v(puck).y = 0]
+find: {x: x(puck) @ 2}
+"""
 
 
 def test_a_throw_is_a_free_flight() -> None:
@@ -21,6 +36,12 @@ def test_a_throw_is_a_free_flight() -> None:
 
 def test_a_body_whose_mass_is_given_has_its_diagram() -> None:
     assert "ball: m g ↓ = m a" in page_of_file("ball-bouncing-twice")
+
+
+def test_a_force_that_grows_with_the_mass_is_no_weight(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, PUCK)
+    assert "puck: m k ↓ = m a_x →, m a_y ↑" in page
+    assert "Free flight" not in page
 
 
 def test_a_distance_along_a_given_line_is_a_multiple_of_one_coordinate() -> None:

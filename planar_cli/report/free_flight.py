@@ -28,7 +28,9 @@ def in_free_flight(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     step, heading = blocks[start + 1 :], blocks[start]
     drawn = [b for b in step if isinstance(b, Forces)]
     open_masses = {b.name for b in problem.bodies if b.any_mass}
-    if len(drawn) != 1 or drawn[0].body not in open_masses or not _is_weight(drawn[0].left):
+    if problem.plane != "vertical" or len(drawn) != 1 or drawn[0].body not in open_masses:
+        return list(blocks)
+    if not _is_weight(drawn[0].left):
         return list(blocks)
     found = [e for b in step if (e := _acceleration(b)) is not None]
     if not found or not all(_is_of_form(b) for b in step) or {b.number for b in found} != {None}:
