@@ -2,7 +2,38 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from worked import page_of_file, page_of_text
+
+CART = """\
+title: Cart up a slope
+plane: vertical
+method: momentum
+given: {m: 7 kg, r: 0.35 m, M: 100 N*m, b: 1 m, beta: 10 deg}
+points:
+  A: [0, 0]
+  B: {from: A, distance: b, angle: beta}
+  O_A: {from: A, distance: r, angle: beta + 90 deg}
+  O_B: {from: B, distance: r, angle: beta + 90 deg}
+  G: {from: A, distance: b/2, angle: beta}
+surfaces: {road: {through: A, angle: beta}}
+bodies:
+  frame: {points: [O_A, O_B], center: G, mass: m}
+  rear: {disk: O_A, radius: r, mass: m}
+  front: {disk: O_B, radius: r, mass: m}
+joints:
+  - pin: {at: O_A, between: [frame, rear]}
+  - pin: {at: O_B, between: [frame, front]}
+  - rolling: {between: [rear, road], at: A}
+  - rolling: {between: [front, road], at: B}
+loads:
+  - torque: {name: chain, between: [rear, frame], moment: -M}
+states:
+  1: [t = 0, at rest]
+  2: [t = 10 s]
+find: {v: v(frame).along(beta) @ 2}
+"""
 
 
 def test_impulses_over_a_time_are_drawn_before_their_equations() -> None:
@@ -35,6 +66,15 @@ def test_an_impulse_counts_as_it_acts_and_inner_ones_cancel() -> None:
     assert "(1) ↻ H_O,A: M t_2 - J_F,A r = I_r v/r" in page
     assert "(2) → J_F,A - J_F,B = m v" in page
     assert "↻ H_O,B: J_F,B r = I_f v/r" in page
+
+
+def test_equal_weights_of_several_bodies_do_not_cancel(tmp_path: Path) -> None:
+    """Nor does the chain's torque stay, which acts on the frame and back on the wheel."""
+    page = page_of_text(tmp_path, CART)
+    assert (
+        "frame, rear, front: m g t_2 ↓ at G, m g t_2 ↓ at O_A, J_N,A ↖ at A, J_F,A ↙ at A, m g t_2 ↓ at O_B, "
+        "J_N,B ↖ at B, J_F,B ↗ at B = m v ↗ at G" in page
+    )
 
 
 def test_balances_without_such_impulses_need_no_diagram() -> None:

@@ -80,7 +80,12 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
             return
         if row.body in bodies and left is not None and right is not None:
             rows.append(Forces(row.body, left, right, IMPULSES, row.scene))
-    rows = [row for group in sorted(groups, key=len) for row in _of_group(group, rows, shares)]
+    ends_of = {letters[system.symbols[p.name]]: {a.body for a in p.actions} for p in system.pushes}
+    drawn = rows
+    rows = []
+    for group in sorted(groups, key=len):
+        inner = {letter for letter, both in ends_of.items() if both <= {*group}}
+        rows += _of_group(group, drawn, shares, inner)
     level = [_level(row) for row in rows]
     kept = {s for row in level for s in _letters(row)}
     upright = {s.name for row in rows for s in _letters(row) - kept}
@@ -106,19 +111,25 @@ def _shares(
     return own_momenta(solution, groups, speed)
 
 
-def _of_group(group: tuple[str, ...], rows: list[Forces], shares: Mapping[str, Line]) -> Iterator[Forces]:
-    """The diagram of a group: what acts between its bodies cancels; that of a body alone is its own, with the momentum
-    that the other ones leave to it.
+def _of_group(
+    group: tuple[str, ...], rows: list[Forces], shares: Mapping[str, Line], inner: set[sp.Symbol]
+) -> Iterator[Forces]:
+    """The diagram of a group without the impulses `inner`, which act between its bodies, and without couples that are
+    opposite; that of a body alone is its own, with the momentum that the other ones leave to it.
     """
     own = [row for row in rows if row.body in group]
     if len(own) < 2:
         yield from (replace(row, right=_joined([*_share(row, shares), *_entries(row.right)])) for row in own)
         return
     acting = [entry for row in own for entry in _entries(row.left)]
-    sizes = [next((p for p in entry if isinstance(p, Math)), None) for entry in acting]
-    outer = [entry for entry, size in zip(acting, sizes, strict=True) if size is None or sizes.count(size) == 1]
+    outer = [entry for entry in acting if not any(isinstance(p, Math) and p.expr.free_symbols & inner for p in entry)]
+    outer = [entry for entry in outer if not _turns(entry) or outer.count(_opposite(entry)) != outer.count(entry)]
     left, right = outer or [line("0")], [entry for row in own for entry in _entries(row.right)]
     yield replace(own[0], body=", ".join(row.body for row in own), left=_joined(left), right=_joined(right))
+
+
+def _opposite(entry: Line) -> Line:
+    return tuple(_sense(p, turned=True) if isinstance(p, Text) else p for p in entry)
 
 
 def _share(row: Forces, shares: Mapping[str, Line]) -> list[Line]:
