@@ -98,6 +98,8 @@ def test_what_comes_back_passes_a_place_more_than_once(plane: str) -> None:
     page = page_of(ON_A_SPRING.replace("plane: vertical", f"plane: {plane}"))
     assert "the negative root: it moves downward" in page
     assert "passed only" not in page
+    # Nor does the size of its speed, which is that letter, have a line of its own.
+    assert "v_2" not in [row.strip() for row in page.splitlines()]
 
 
 def test_what_others_are_divided_by_least_is_carried() -> None:

@@ -116,6 +116,8 @@ class EnergyTelling(WeightTelling):
             yield self._line(lead, *self._chain(put))
             return
         told = [(Math(own), *self._speed(expr, kind, made)) for kind, own, expr in speeds if own != expr]
+        # The size of a letter may be told by that letter.
+        told = [(own, *others) for own, *others in told if others != [own]]
         why = line(made.why) if speeds[0][0] == "v" and made.why else ()
         # A ball's mass centre goes round a trough whether it rolls or not; that it rolls says how it turns.
         reason = 1 if len(told) > 1 and made.rolls else 0
