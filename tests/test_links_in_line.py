@@ -7,7 +7,9 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -40,3 +42,17 @@ def test_no_velocities(page: str) -> None:
     assert "ω_AB" not in page
     assert "θ_AB" not in page
     assert "B_2" not in page
+
+
+@pytest.mark.parametrize(
+    ("own", "other", "told"),
+    [
+        ("first_way: t @ 2 - t @ 1", "first_way: t @ 2", "first_way = t_2 = 0.6082 s"),
+        ("= 10 rad/s", "= -10 rad/s", "first_way = t_2 - t_1 = 0.3553 - 0.02014 = 0.3352 s"),
+    ],
+)
+def test_a_time_from_the_start_and_a_crank_that_turns_clockwise(own: str, other: str, told: str) -> None:
+    """The first dead position has a time of its own where more than times between such positions are asked."""
+    text = FILES["body-offset-slider-crank-strokes"].read_text().partition("note:")[0]
+    page = Terminal(300).render(narrate(solve_problem(load_text(text.replace(own, other))[0])))
+    assert told in " ".join(page.split())

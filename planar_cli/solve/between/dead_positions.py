@@ -29,9 +29,10 @@ def by_triangles(motion: MotionTrace) -> MotionTrace | None:
     positions = _positions(motion, steps) if len(clock) == len(steps) and _one_rate(clock) else []
     if len(positions) < len(steps):
         return None
-    put = {**_times(positions, clock), **_angles(positions)}
+    origin = sp.Dummy(real=True)
+    put = {**_times(positions, clock, origin), **_angles(positions)}
     requests = tuple(replace(r, parts=tuple(_told(p, put) for p in r.parts)) for r in motion.requests)
-    gone = {s for own in positions for s in (own.first, own.other)} | set(clock)
+    gone = {s for own in positions for s in (own.first, own.other)} | {*clock, origin}
     kept = [s for s in motion.route.steps if s.in_line is None and not set(s.unknowns) <= set(clock)]
     rests = {x for s in kept for x in (*s.needs, *(y for e in s.relations for y in e.residual.free_symbols))}
     asked = {x for r in requests for e in (*r.parts, *(f for _, f in r.beside)) for x in e.free_symbols}
@@ -84,10 +85,10 @@ def _one_rate(clock: Clock) -> bool:
     return len({rate for _, rate in clock.values()}) == 1
 
 
-def _times(positions: Sequence[LinksInLine], clock: Clock) -> dict[sp.Symbol, sp.Expr]:
-    """Every time by the first one and the angles turned since; the first one is a letter that nothing else has."""
+def _times(positions: Sequence[LinksInLine], clock: Clock, origin: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
+    """Every time by the first one, here the letter `origin`, and the angles turned since."""
     of = {angle: (t, rate) for t, (angle, rate) in clock.items()}
-    since: sp.Expr = sp.Dummy(real=True)
+    since: sp.Expr = origin
     found = {}
     for own in positions:
         t, rate = of[own.first]
