@@ -93,11 +93,13 @@ class WorkEnergy(Principle):
         yield from _of(position, whole, [s for s, _ in sources], ())
 
     def of_part(self, position: Position, body: str, words: str, pull: sp.Expr) -> Balance | None:
-        """T_1 + U_1-2 = T_2 of one body, with the work of the reaction that works on it."""
-        if not _closed(position):
+        """T_1 + U_1-2 = T_2 of one body, with the work of the reaction that works on it; None: a load acts on another
+        body too, as a moment between both does.
+        """
+        acting = [(s, bodies - {GROUND}) for s, bodies in _sources(position) if body in bodies]
+        if not _closed(position) or any(bodies != {body} for _, bodies in acting):
             return None
-        own = [s for s, bodies in _sources(position) if body in bodies]
-        balance = next(_of(position, (body,), [*own, Source(words, pull)], (body,)), None)
+        balance = next(_of(position, (body,), [*(s for s, _ in acting), Source(words, pull)], (body,)), None)
         return None if balance is None else replace(balance, internal=())
 
 

@@ -80,7 +80,8 @@ def _named(balance: BalanceTrace, found: Collection[sp.Symbol], motion: MotionTr
     if on_page and not any(longer(e, SHORT) for e in letters) and sum(sp.count_ops(e) for e in letters) <= MOST_LETTERS:
         sides = line(*_sum(letters, phrases), " = ", *numbers)
     else:
-        sides = line(*numbers, f" ({', '.join(terms[k][0] for k in kept if k)})")
+        works = ", ".join(terms[k][0] for k in kept if k)
+        sides = line(*numbers, f" ({works})" if works else "")
     return line(f"{BALANCE}: ", *left, *sides, "; ", end, " = ", *_at_end(balance, motion, phrases))
 
 

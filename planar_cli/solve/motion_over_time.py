@@ -24,7 +24,8 @@ from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
 from planar_cli.solve.between.methods import by_method, not_reached_by
 from planar_cli.solve.between.motion_trace import motion_trace
-from planar_cli.solve.between.part_equations import part_equations
+from planar_cli.solve.between.needed import laws_of
+from planar_cli.solve.between.part_equations import NO_PARTS, PartEquations, part_equations
 from planar_cli.solve.between.provisos import course_provisos
 from planar_cli.solve.between.reached import reaching
 from planar_cli.solve.between.route import Router
@@ -146,14 +147,27 @@ def _answers(answering: Answering, finds: tuple[AskedFind, ...]) -> tuple[Answer
 
 
 def _route(found: SolvedMotion) -> tuple[Router, Route]:
-    """The way to what is asked, by the method of the file, and who plans it."""
+    """The way to what is asked, by the method of the file, and who plans it. Where it rests on a law of motion anyway,
+    the equations of kinetics are there to tell a tension too, and the work on a part would tell it again.
+    """
+    parts = part_equations(found.course, found.value)
+    router, route = _route_with(found, parts)
+    if parts.numbers and any(
+        law.f != 0 for step in route.steps for e in step.derivation.equations for law in laws_of(e)
+    ):
+        parts = NO_PARTS
+        router, route = _route_with(found, parts)
+    found.course.between.tensions = dict(parts.tensions)
+    return router, route
+
+
+def _route_with(found: SolvedMotion, parts: PartEquations) -> tuple[Router, Route]:
+    """The way with the balances of these parts."""
     course, method = found.course, found.course.problem.method
     unknowns, equations = course.chain().unknowns, course.equations
     balanced, placed = course.equilibria, set(course.equilibria.branch.values)
     if placed & set(course.sought()) or any(placed & e.residual.free_symbols for e in equations):
         unknowns, equations = unknowns | placed, (*balanced.equations, *equations)
-    parts = part_equations(course, found.value)
-    course.between.tensions = dict(parts.tensions)
     unknowns, equations = unknowns | set(parts.numbers), (*equations, *parts.equations)
     value = found.value.extended(parts.numbers)
     allowed = by_method(equations, method)

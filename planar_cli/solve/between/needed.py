@@ -60,7 +60,7 @@ def wanted_of(
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
-        for law in () if _told_by_balance(course, e, way) else _laws(e):
+        for law in () if _told_by_balance(course, e, way) else laws_of(e):
             if law.v in own and (law.f != 0 or _has_other(law, laws)):
                 names |= _rates(regime, regime.free if law.speed is None else (law.speed,))
                 names |= set() if law.constant is None else {law.constant[0].name}
@@ -88,7 +88,7 @@ def _of_places(routes: Sequence[Route]) -> bool:
     return bool(used) and all(e.kind in ("drawn", "given") for e in used)
 
 
-def _laws(e: Equation) -> tuple[Law, ...]:
+def laws_of(e: Equation) -> tuple[Law, ...]:
     """The laws that an equation rests on and that balances of forces have to tell."""
     if isinstance(e.source, Together):
         return () if e.source.falling else e.source.laws

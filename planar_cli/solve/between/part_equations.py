@@ -38,7 +38,7 @@ def part_equations(course: MotionEquations, value: Valuation) -> PartEquations:
         return NO_PARTS
     regime = course.regimes[0]
     parts = works_of_parts(regime)
-    equations = [e for part in parts if (e := _equation(course, regime, part)) is not None]
+    equations = [e for part in parts if (e := _equation(course, regime, part, value)) is not None]
     if len(equations) < len(parts):
         return NO_PARTS
     numbers = {part.tension: value(regime.closed(part.tension)) for part in parts}
@@ -48,8 +48,10 @@ def part_equations(course: MotionEquations, value: Valuation) -> PartEquations:
     return PartEquations(tuple(equations), {part.find: part.tension for part in parts}, numbers)
 
 
-def _equation(course: MotionEquations, regime: Regime, part: PartWork) -> Equation | None:
-    """The balance between the two states; None: what works on the part is no function of place."""
+def _equation(course: MotionEquations, regime: Regime, part: PartWork, value: Valuation) -> Equation | None:
+    """The balance between the two states; None: what works on the part is no function of place, or the tension does
+    no work, as where the body has come back.
+    """
     general = regime.general
     position = position_of(general.trial.system, general.value, general.coordinates)
     rope = next(j for j in general.instant.scene.problem.joints if j.name == part.push.joint)
@@ -66,7 +68,10 @@ def _equation(course: MotionEquations, regime: Regime, part: PartWork) -> Equati
             if function is None or function.has(sp.Integral):
                 return None
             closed = regime.closed(function)
-            if (gain := simplified(size * (stop.at(closed) - since.at(closed)))) != 0:
+            change = stop.at(closed) - since.at(closed)
+            if source.words == words and value.is_zero(change):
+                return None
+            if (gain := simplified(size * change)) != 0:
                 brought.append((source.words, gain))
         amounts = tuple((name, simplified(regime.closed(e))) for name, e in law.amounts)
         total = sp.Add(*(e for _, e in amounts))
