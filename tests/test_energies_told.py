@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from conftest import PROBLEMS
 from worked import page_of_file
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def test_a_share_of_an_energy_is_told_by_the_energies() -> None:
@@ -11,6 +17,14 @@ def test_a_share_of_an_energy_is_told_by_the_energies() -> None:
     # As it stands in the balance of energies.
     assert "T_2 = 1/2 I_C ω_2² = 9.067 · 1.8964² = 32.61 J" in page
     assert "share = 1 - T_2/T_1 = 1 - 32.61/59.13 = 0.4485" in page
+
+
+def test_an_energy_of_a_share_has_the_letter_of_its_page() -> None:
+    """T is a time of the file, so that kinetic energies are E_k."""
+    (text,) = (p.read_text() for p in PROBLEMS if p.stem == "box-that-tips-over")
+    page = Terminal(200).render(narrate(solve_problem(load_text(text.replace("given: {", "given: {T: 4 s, "))[0])))
+    assert "share = 1 - E_k,2/E_k,1" in page
+    assert "T_1" not in page
 
 
 def test_energies_of_several_bodies_are_told_in_the_order_of_their_states() -> None:

@@ -18,14 +18,14 @@ from planar_cli.problem.walk import walk
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.roads import is_curve
 
-WORD, LETTER = "KE", "T"
+WORD = "KE"
 MOST = 40
 """A longer energy is no help, also without what is zero in it."""
 
 
-def energies_inside(asked: AskedFind) -> Iterator[tuple[sp.Symbol, str, str]]:
-    """The stand-ins of kinetic energies in a find that divides by one, each with the name of its letter and its state;
-    none where energies of several bodies are meant.
+def energies_inside(asked: AskedFind, letter: str) -> Iterator[tuple[sp.Symbol, str, str]]:
+    """The stand-ins of kinetic energies in a find that divides by one, each with its letter, which is `letter`, and its
+    state; none where energies of several bodies are meant.
     """
     what = asked.find.found.what
     if isinstance(what, Quantity | Relation) or is_curve(what) or len(asked.raw) != 1 or not _is_share(what):
@@ -36,7 +36,7 @@ def energies_inside(asked: AskedFind) -> Iterator[tuple[sp.Symbol, str, str]]:
     for state, q in {str(q.at): q for q in energies}.items():
         same = asked.reader.pending.get(asked.reader.number(q))
         found = (s for s in by_name(asked.raw[0].free_symbols) if asked.reader.pending.get(s) == same)
-        yield from ((s, LETTER, state) for s in found)
+        yield from ((s, letter, state) for s in found)
 
 
 def energy_is_worth_a_letter(formula: sp.Expr) -> bool:

@@ -90,8 +90,9 @@ class FindTeller:
         """
         lines: dict[sp.Symbol, sp.Expr] = {}
         put: dict[sp.Symbol, sp.Expr] = {}
+        letter = self.course.problem.kinetic_energy
         inside = [("m/s", is_worth_a_letter, *found) for found in velocities_inside(asked)]
-        inside += [("J", energy_is_worth_a_letter, *found) for found in energies_inside(asked)]
+        inside += [("J", energy_is_worth_a_letter, *found) for found in energies_inside(asked, letter)]
         order = [s.name for s in self.course.states]
         for unit, is_worth, symbol, name, state in sorted(inside, key=lambda one: order.index(one[-1])):
             (formula,) = self._parts(replace(asked, raw=(symbol,)), kept)
