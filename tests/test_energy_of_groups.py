@@ -5,7 +5,13 @@ changes nothing.
 from __future__ import annotations
 
 import pytest
+from conftest import PROBLEMS
 from worked import page_of_file
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 STEM = "spheres-that-slide-out-to-stops"
 
@@ -23,3 +29,12 @@ def test_what_is_told_of_an_equal_body_is_not_told_again() -> None:
     printed = page_of_file(STEM)
     assert "momentum before + impulses" not in printed
     assert "mass of other" not in printed
+
+
+def test_what_slides_is_told_by_its_own_mass() -> None:
+    """The tube is as heavy as both balls together."""
+    (path,) = (p for p in PROBLEMS if p.stem == "two-balls-in-a-turning-tube")
+    problem, wrong = load_text(path.read_text(encoding="utf-8").replace("mass: 4 kg", "mass: 1 kg"))
+    assert problem is not None, wrong
+    page = " ".join(Terminal(300).render(narrate(solve_problem(problem))).split())
+    assert "T_end = 1/2 I_O,end ω_end² + m_P v_P,tube,end²" in page

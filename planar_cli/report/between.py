@@ -176,7 +176,9 @@ class BetweenTelling:
         made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
         telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)
         lines = by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
-        at_end = self._put(b.after), self.unknowns, b.law.moving
+        masses = (m.mass for m in b.law.moving)
+        moving = () if b.parts is None else tuple(zip(b.parts.moving, masses, strict=True))
+        at_end = self._put(b.after), self.unknowns, moving
         listed = list(by_turning_and_sliding(lines, (first, last), at_end, self.groups.get(b.stop), self.numeric))
         sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
         yield from needed_lines(listed, b, () if self._put(b.before) else sides, told, self.energies)

@@ -6,7 +6,7 @@ T_2 = 1/2 I_O,2 ω_2² + 1/2 m (v_A,rod,2² + v_B,rod,2²)
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -28,12 +28,13 @@ SLIDES = Equation((line("v²"), line("(d ω)² + v_rel²")), None, (), line("of 
 def by_turning_and_sliding(
     blocks: Iterable[Block],
     names: tuple[str, str],
-    parts: tuple[sp.Expr, Collection[sp.Symbol], Collection[Moving]],
+    parts: tuple[sp.Expr, Collection[sp.Symbol], Sequence[tuple[Moving, sp.Expr]]],
     group: Turning | None,
     phrases: Phrases,
 ) -> Iterator[Block]:
     """The lines of a balance of energies. `names`: of the kinetic energies at the beginning and at the end; `parts`:
-    the last, the unknowns, and the bodies; `group`: what turns together at the end.
+    the last, the unknowns, and the bodies in letters of the end, each with the letter of its mass; `group`: what turns
+    together at the end.
     """
     energy, unknowns, moving = parts
     whole = None if group is None else _whole(energy, unknowns, moving, group, phrases)
@@ -70,9 +71,13 @@ def balance_in_letters(telling: EnergyTelling, most: int) -> tuple[Math, ...]:
 
 
 def _whole(
-    energy: sp.Expr, unknowns: Collection[sp.Symbol], moving: Collection[Moving], group: Turning, phrases: Phrases
+    energy: sp.Expr,
+    unknowns: Collection[sp.Symbol],
+    moving: Sequence[tuple[Moving, sp.Expr]],
+    group: Turning,
+    phrases: Phrases,
 ) -> sp.Expr | None:
-    """The energy in letters; None: it has other parts, or bodies of other masses slide."""
+    """The energy in letters; None: it has other parts, or a mass that slides has no letter."""
     speeds = sorted(energy.free_symbols & set(unknowns), key=lambda s: s.name)
     if not speeds or group.spin.free_symbols & set(speeds) or not energy.is_polynomial(*speeds):
         return None
@@ -84,13 +89,15 @@ def _whole(
     if terms.keys() - squares.keys() or told is None or known is None or abs(told - known) > CLOSE * abs(known):
         return None
     by_mass: dict[sp.Expr, list[sp.Symbol]] = {}
-    counts = range(1, len(moving) + 1)  # so many bodies of one mass have one speed
     for powers, coefficient in sorted(terms.items(), reverse=True):
-        masses = ((n, m.mass) for n in counts for m in moving if _same(n * m.mass, 2 * coefficient, phrases))
-        count, mass = next(masses, (0, sp.S.Zero))
-        if not mass.is_Symbol:
+        speed = squares[powers]
+        masses = [mass for m, mass in moving if speed in (m.vx**2 + m.vy**2).free_symbols]
+        # Bodies of one mass are told by the first of them.
+        alike = [next(one for one in masses if _same(one, mass, phrases)) for mass in masses]
+        slides = sp.Add(*alike)
+        if not all(mass.is_Symbol for mass in masses) or not _same(slides, 2 * coefficient, phrases):
             return None
-        by_mass.setdefault(count * mass, []).append(squares[powers])
+        by_mass.setdefault(next((m for m in by_mass if _same(m, slides, phrases)), slides), []).append(speed)
     sliding = (HALF * mass * sp.Add(*(s**2 for s in own)) for mass, own in by_mass.items())
     return sp.Add(HALF * group.inertia[0] * group.spin**2, *sliding, evaluate=False)
 
