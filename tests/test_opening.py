@@ -10,8 +10,10 @@ from conftest import PROBLEMS, ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Heading, Name, Note
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -28,6 +30,21 @@ def test_numbers_as_they_were_written() -> None:
     notes = _notes("ex-4-10")
     assert "m = 10 kg, l = 0.4 m, k = 800 N/m, l_0 = (0.2 √2) m = 0.2828 m" in notes["Given"]
     assert notes["Find"].endswith(" ω")
+
+
+def test_a_negative_number_stands_once() -> None:
+    problem, wrong = load_text("""
+title: Arm
+given: {d: 400 mm, w: -2 rad/s}
+points: {C: [0, 0], B: [0, d]}
+bodies: {arm: {rod: [C, B]}}
+joints: [pin: {at: C, between: [ground, arm]}]
+instant: [omega(arm) = w]
+find: {v: v(B).mag}
+""")
+    assert problem is not None, wrong
+    page = Terminal(200).render(narrate(solve_problem(problem)))
+    assert "d = 400 mm, w = -2 rad/s; C(0, 0)" in page
 
 
 def test_letters_of_a_problem_in_letters() -> None:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Text, Value, line
@@ -18,7 +16,7 @@ from planar_cli.report.lettered import lettered
 from planar_cli.report.mentioned import Mentioned, mentioned
 from planar_cli.report.points_by_bodies import points_by_bodies
 from planar_cli.report.principles import principles
-from planar_cli.report.sides import AS_WRITTEN, said
+from planar_cli.report.sides import AS_WRITTEN, number_of, said
 from planar_cli.report.uses import Uses
 from planar_cli.report.words import Phrases
 
@@ -130,10 +128,9 @@ def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:
 
 def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
     """A number of the file with its unit as its author wrote it; of a formula its value."""
-    if isinstance(symbol.value, Number):
-        number = symbol.value
-        value = Decimal(number.value.numerator) / Decimal(number.value.denominator) * number.sense
-        return line(Name(symbol.name), " = ", Value(value, number.unit or "1", max(figures, AS_WRITTEN)))
+    number = number_of(symbol.value) if symbol.value is not None else None
+    if number is not None:
+        return line(Name(symbol.name), " = ", Value(*number, max(figures, AS_WRITTEN)))
     own = phrases.ledger.symbols.get(symbol.name) if phrases is not None else None
     written = said(symbol.value, figures) if symbol.value is not None else None
     # What a find of the same name found has only its number.
