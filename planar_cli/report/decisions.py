@@ -91,7 +91,7 @@ def needed(trial: Trial, test: Test) -> Needed | None:
     force = None if normal is None else values.get(normal.name)
     press = None
     if normal is not None and force is not None and force > 0 and not test.constant:
-        press = offset_letter(system), system.symbols[normal.name], force
+        press = offset_letter(system, push), system.symbols[normal.name], force
     return Needed(system.symbols[name], push.unit, abs(values[name] or ZERO), limit, formula, None, press)
 
 

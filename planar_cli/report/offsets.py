@@ -23,10 +23,11 @@ from planar_cli.solve.instant.instant import Trial
 LONGEST, NEAR = 12, Decimal("1e-20")
 
 
-def offset_letter(system: System) -> sp.Symbol:
-    """x, or x_N where the file has an x."""
+def offset_letter(system: System, push: Push) -> sp.Symbol:
+    """x of the couple of a face, or x_N where the file has an x; of several faces with the joint as index."""
     names = {*system.scene.ledger.symbols, *system.scene.points}
-    return sp.Symbol("x_N" if "x" in names else "x", positive=True)
+    letter = "x_N" if "x" in names else "x"
+    return sp.Symbol(f"{letter}_{push.joint}" if len(_faces(system)) > 1 else letter, positive=True)
 
 
 def normal_of(system: System, push: Push) -> Push | None:
@@ -89,23 +90,24 @@ def offsets(trial: Trial, value: Valuation) -> Iterator[Offset]:
     if not trial.outcomes:
         return
     system, outcome = trial.system, trial.outcomes[0]
-    couples = [p for p in system.pushes if p.kind == "couple" and not _is_guide(system, p)]
-    faces = [(p, n) for p in couples if (n := normal_of(system, p)) is not None]
-    for push, normal in faces:
+    for push, normal in _faces(system):
         size, press = outcome.push(push.name), outcome.push(normal.name)
         (own, pressed) = push.actions[0], normal.actions[0]
         if not size or not press or press < 0 or pressed.force is None or own.body != pressed.body:
             continue
-        letter = offset_letter(system)
-        if len(faces) > 1:
-            letter = sp.Symbol(f"{letter.name}_{push.joint}", positive=True)
         turns = 1 if value(sp.sympify(own.couple)) > 0 else -1
         counter = turns if size > 0 else -turns
         way = Vec(pressed.force.y * counter, -pressed.force.x * counter)
         couple, force = system.symbols[push.name], system.symbols[normal.name]
         moment, force_there = value.known(couple), value.known(force)
         far = None if moment is None or not force_there else abs(moment / force_there)
-        yield Offset(letter, couple, force, counter * turns, counter, normal.place, way, far)
+        yield Offset(offset_letter(system, push), couple, force, counter * turns, counter, normal.place, way, far)
+
+
+def _faces(system: System) -> list[tuple[Push, Push]]:
+    """The couple of each face, with its normal force."""
+    couples = [p for p in system.pushes if p.kind == "couple" and not _is_guide(system, p)]
+    return [(p, n) for p in couples if (n := normal_of(system, p)) is not None]
 
 
 def _is_guide(system: System, push: Push) -> bool:
