@@ -82,3 +82,13 @@ def test_the_size_of_a_force_with_one_direction_is_its_letter() -> None:
     """No line says F = N_fork = 0.4988 N once more."""
     page = normalize("NFC", page_of_file("can-driven-along-a-groove"))
     assert "0.4988 N Answer N_fork = 0.4988 N N_wall = 2.286 N Check" in page
+
+
+def test_where_forces_tell_how_it_slides_no_letter_stands_for_its_components(tmp_path: Path) -> None:
+    """a_r and a_θ have no line where the rod is free."""
+    file = tmp_path / "free.yaml"
+    text = SPIRAL.replace("{rod: [O, A]}", "{rod: [O, A], mass: 1 kg}").replace(", alpha(rod) = 2 rad/s^2", "")
+    file.write_text(text.replace("find: {", "find: {alpha: alpha(rod), "))
+    page = Terminal(200).render(narrate(solve_and_compare(read(str(file)), None)[0]))
+    assert "m a_r" not in page
+    assert "m a_θ" not in page

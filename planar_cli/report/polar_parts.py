@@ -66,7 +66,8 @@ def _instant(instant: InstantSolution) -> InstantSolution:
         return instant
     *first, last = instant.stages
     edges = [e for e in instant.trial.system.tree.edges if e.slide_rate is not None and e.body in last.accelerations]
-    found = _parts(edges[0], radius, instant) if len(edges) == 1 else None
+    known = len(edges) == 1 and _is_known(edges[0], instant)
+    found = _parts(edges[0], radius, instant) if known else None
     if found is None:
         return instant
     told = _stage(last, found, instant)
@@ -74,6 +75,13 @@ def _instant(instant: InstantSolution) -> InstantSolution:
         return instant
     ledger.units.update(dict.fromkeys(COMPONENTS, parse_unit("m/s^2")))
     return replace(instant, stages=(*first, told), value=instant.value.extended(_numbers(found, instant)))
+
+
+def _is_known(edge: Edge, instant: InstantSolution) -> bool:
+    """Does the groove alone give ṙ and r̈, as where the rod is driven? Where forces do, a_r and a_θ are not known."""
+    blocks = [b for stage in instant.stages for b in stage.blocks]
+    given = {x.symbol for b in blocks if len(b.equations) == 1 and b.equations[0].law == "relation" for x in b.lines}
+    return {edge.slide, edge.slide_rate} <= given
 
 
 def _parts(edge: Edge, radius: sp.Expr, instant: InstantSolution) -> PolarParts | None:
