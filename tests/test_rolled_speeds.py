@@ -47,6 +47,12 @@ def test_a_wheel_turns_about_its_contact_by_the_size_of_the_given_velocity(text:
     assert "T = 54 J" in page
 
 
+def test_of_another_point_than_the_centre_its_arm_is_told() -> None:
+    text = WHEEL.replace("O: [0, r]", "O: [0, r], A: [0, 2*r]").replace("radius: r,", "radius: r, points: [A],")
+    page = _page(text.replace("v(O).x = v", "v(A).x = -v"))
+    assert "r_A/C = [0, 2 r]" in page
+
+
 def test_where_the_turning_is_asked_it_keeps_its_sign() -> None:
     assert "-20 rad/s" in _page(WHEEL.replace("find: {T: KE(all)}", "find: {w: omega(wheel)}"))
 

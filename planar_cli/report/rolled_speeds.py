@@ -10,10 +10,12 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Paragraph, line
 from planar_cli.report.by_centre import centre_told
+from planar_cli.report.given_components import COMPONENT
 from planar_cli.report.told import Told
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
@@ -41,6 +43,9 @@ def _rolled(w: Written, stage: Stage, stages: Sequence[Stage], told: Told, numbe
     residual = sp.expand(w.residual)
     arm, speed = sp.diff(residual, edge.spin), residual.xreplace({edge.spin: sp.S.Zero})
     letter = speed.as_coeff_Mul()[1]
+    given = COMPONENT.match(w.lead)
+    if given is None or given[2] != centre_of(told.system.scene, edge.body):
+        return []
     known = letter.is_Symbol and letter in units and units[letter].dimension == VELOCITY and speed in (letter, -letter)
     if GROUND not in (j.mover, j.base) or not known or longer(arm, SHORT) or arm.free_symbols & set(told.late):
         return []
