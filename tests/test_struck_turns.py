@@ -79,8 +79,8 @@ def test_answers_keep_their_sign(way: str, sign: int) -> None:
 
 def test_that_a_motion_just_succeeds_is_said_where_its_last_state_is_spoken_of() -> None:
     page = _page("impact/box-that-tips-over")
-    limit = "The limit: the box comes to rest at 3 in equilibrium; with a little more it passes on, with less it never"
-    assert f"At 3, x_G = 0. {limit} gets there. From 2 to 3" in page
+    limit = "The limit: the box comes to rest at 3 in equilibrium; with a little more speed it passes on, with less"
+    assert f"At 3, x_G = 0. {limit} it never gets there. From 2 to 3" in page
     assert "the last state is one" not in page
 
 

@@ -23,8 +23,10 @@ def with_limit_said(blocks: Iterable[Block], found: MotionTrace) -> list[Block]:
     first = next((i for i, b in enumerate(blocks) if f" to {last}, " in _words(b)), None)
     at = first if first is not None else next((i + 1 for i, b in enumerate(blocks) if _is_step(b)), 0)
     what = with_article(bodies[0].name) if len(bodies) == 1 else "all"
-    limit = f"The limit: {what} comes to rest at {last} in equilibrium; with a little more it passes on, with less it "
-    return [*blocks[:at], Paragraph(line(limit + "never gets there.")), *blocks[at:]]
+    # What is sought may be a length, of which more would be too much.
+    way = "with a little more speed it passes on, with less it never gets there."
+    limit = f"The limit: {what} comes to rest at {last} in equilibrium; {way}"
+    return [*blocks[:at], Paragraph(line(limit)), *blocks[at:]]
 
 
 def _words(block: Block) -> str:
