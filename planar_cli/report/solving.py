@@ -235,12 +235,12 @@ class SolvingTelling:
             return []
         order = [s for s in self.instant.trial.system.tree.acceleration_unknowns() if s in block.unknowns]
         order += [s for s in block.unknowns if s not in order]
-        rows = [self.numeric.row(w, stage, order) for w in sorted(block.equations, key=lambda w: w.number)]
-        if any(row is None for row in rows):
-            return []
-        numbers = sorted(self.number(stage, w.number) for w in block.equations)
+        rows = {self.number(stage, w.number): self.numeric.row(w, stage, order) for w in block.equations}
         told: list[Block] = []
-        for number, (sides, note) in zip(numbers, (row for row in rows if row is not None), strict=True):
+        for number, row in sorted(rows.items(), key=lambda own: own[0]):
+            if row is None:
+                return []
+            sides, note = row
             told.append(Equation(sides, None, line(f"({number}):"), note))
         values = {x.symbol: x.value for x in block.lines if not x.letters}
         for i, symbol in enumerate(order):
