@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.blocks import Check, Heading, line
+from planar_cli.report.blocks import Answer, Check, Heading, line
 from planar_cli.report.checked_once import ALL, CHECKED, checked_once
 
 FIRST, SECOND = Heading("CASE", "up"), Heading("CASE", "down")
@@ -23,6 +23,12 @@ def test_it_stands_under_the_last_case() -> None:
     [CHECKED, FIRST, Check(line("all but v checked by an independent multibody solution"))],
 ])  # fmt: skip
 def test_where_it_is_not_true_of_all_nothing_changes(page: list[Check | Heading]) -> None:
+    assert checked_once(page) == page
+
+
+def test_an_answer_that_was_not_compared_is_not_among_all() -> None:
+    """A moment of inertia, of which no equation of motion was solved."""
+    page = [Answer("I", line("0.09 kg·m²")), FIRST, CHECKED, SECOND, CHECKED]
     assert checked_once(page) == page
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from planar_cli.report.blocks import Block, Check, Heading, line
+from planar_cli.report.blocks import Answer, Block, Check, Heading, line
 from planar_cli.report.checks import INDEPENDENT
 
 CASE = "CASE"
@@ -19,8 +19,8 @@ def checked_once(page: Sequence[Block]) -> list[Block]:
         if isinstance(block, Heading) and block.label == CASE:
             parts.append([])
         parts[-1].append(block)
-    # Before the first case there may be the opening alone.
-    of_answers = [part for part in parts if any(isinstance(b, Check) for b in part)]
+    # Before the first case there may be the opening alone. An answer without a check was not compared.
+    of_answers = [part for part in parts if any(isinstance(b, Answer | Check) for b in part)]
     started = of_answers == parts or of_answers == parts[1:]
     if len(of_answers) < 2 or not started or not all(CHECKED in part for part in of_answers):
         return list(page)
