@@ -7,7 +7,9 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 
 def _page(name: str) -> str:
@@ -101,3 +103,21 @@ def test_a_component_in_numbers_has_its_direction(name: str, words: str) -> None
 def test_a_component_in_letters_or_along_an_axis_needs_none() -> None:
     assert "unit vector" not in _page("rigid-bodies/plate-on-parallel-links")
     assert _page("kinematics/four-bar").count("along x: (2)") == 1
+
+
+def test_to_the_right_is_at_nought_degrees() -> None:
+    problem, wrong = load_text("""
+title: Slotted arm straight up
+given: {d: 400 mm}
+points: {C: [0, 0], O: [300 mm, 100 mm], P: [0, d]}
+bodies: {crank: {rod: [O, P]}, arm: {rod: [C, P]}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: C, between: [ground, arm]}
+  - guide: {point: P, along: arm}
+motion: [omega(crank) = 4 rad/s cw]
+find: {a_C: coriolis(P/arm).mag, alpha_arm: alpha(arm)}
+""")
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "at 0°: v_rel turned by 90° clockwise" in page

@@ -246,7 +246,8 @@ def coriolis_way(told: Told, slot: Slot) -> Line:
     turn = 1 if numbers[0] > 0 else -1
     ahead = turn if numbers[1] > 0 else -turn
     way = math.degrees(math.atan2(ahead * slot.unit[0], -ahead * slot.unit[1]))
-    turned = line(f"at {way:.1f}".removesuffix(".0"), "°: ", Name("v_rel"), " turned by 90° ")
+    # A rounded -0.0 is 0.
+    turned = line(f"at {round(way, 1) + 0.0}".removesuffix(".0"), "°: ", Name("v_rel"), " turned by 90° ")
     return line(*turned, f"{'counterclockwise' if turn > 0 else 'clockwise'}, as {slot.frame} turns")
 
 
