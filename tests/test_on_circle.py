@@ -6,11 +6,16 @@ from decimal import Decimal
 
 import pytest
 import sympy as sp
+from conftest import PROBLEMS
 from worked import page_of_file
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.given_letters import with_given_letters
+from planar_cli.report.narrate import narrate
 from planar_cli.report.on_circle import components
+from planar_cli.solve.run import solve_problem
 
 V, W, R, X = sp.symbols("v omega r v_Ax", real=True)
 
@@ -33,6 +38,26 @@ def test_a_drum_that_a_cable_turns(stem: str, line: str) -> None:
     page = page_of_file(stem)
     assert line in page
     assert "×" not in page
+
+
+def _asked(finds: str) -> str:
+    """The page of the wheel of example 1-10 with other finds."""
+    text = next(p for p in PROBLEMS if p.stem == "ex-1-10").read_text()
+    problem, wrong = load_text(f"{text[: text.index('find:')]}find: {{{finds}}}\n")
+    assert problem is not None, wrong
+    return " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+
+
+def test_two_vectors_at_one_angle_are_both_told_in_degrees() -> None:
+    page = _asked("a_t: a(B).t @ 2, a_n: a(B).n @ 2, a: a(B) @ 2, v: v(B) @ 2, v_x: v(B).x @ 2")
+    assert "0.1 cos 57.30° - 0.2667 sin 57.30° = -0.1704 m/s²" in page
+    assert "v_x = -R ω_2 sin θ_2 = -0.6 · 0.6667 sin 57.30° = -0.3366 m/s" in page
+
+
+def test_what_rests_on_parts_stands_below_them() -> None:
+    page = _asked("a: a(B) @ 2, a_t: a(B).t @ 2, a_n: a(B).n @ 2")
+    assert "√(0.2282² + 0.1704²) = 0.2848 m/s²" in page
+    assert "a_t²" not in page
 
 
 def test_what_has_no_angle_keeps_its_vector() -> None:

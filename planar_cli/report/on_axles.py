@@ -7,7 +7,7 @@ normal parts are asked as well has √(a_t² + a_n²).
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 from typing import Any
@@ -44,6 +44,8 @@ class Sized:
     size: tuple[Any, ...]
     direction: tuple[Any, ...] = ()
     beside: Line = ()
+    parts: tuple[str, ...] = ()
+    """The answers that the size is told by."""
     angle: sp.Symbol | None = None
     """That of the arm, where it has a letter in the state, and how large it is, in radians."""
     theta: Decimal = Decimal(0)
@@ -83,7 +85,7 @@ def _by_parts(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) -
     texts = {s: significant(x, figures) for s, x in zip(letters, numbers, strict=True)}
     root = sp.sqrt(sp.Add(*(s**2 for s in letters), evaluate=False), evaluate=False)
     size = (line("√(", names["t"], "² + ", names["n"], "²)"), Math(root, texts))
-    return _with_components(Sized(size), found, q, part, ([n.name for n in names.values()], parts), phrases)
+    return _with_components(Sized(size, parts=tuple(n.name for n in names.values())), found, q, part, parts, phrases)
 
 
 def _with_components(
@@ -91,10 +93,10 @@ def _with_components(
     found: Found,
     q: Quantity,
     part: PartSolution,
-    told: tuple[Sequence[str], Mapping[str, Decimal]],
+    told: Mapping[str, Decimal],
     phrases: Phrases,
 ) -> Sized:
-    """With the components by a_t and a_n, where the arm has an angle. `told`: the names and the sizes of these."""
+    """With the components by a_t and a_n, where the arm has an angle. `told`: the sizes of these."""
     if part.motion is None or not part.instants or found.values is None:
         return size
     scene, (thing,) = part.instants[-1].instant.scene, q.things
@@ -107,10 +109,10 @@ def _with_components(
     if own is None or theta is None or own == angle:
         return size
     whole = [display(v, found.unit, phrases.ledger.us) for v in found.values]
-    parts = components(told[0], [told[1][k] for k in KINDS], own, theta, whole, phrases.figures)
+    parts = components(size.parts, [told[k] for k in KINDS], own, theta, whole, phrases.figures)
     if parts is None:
         return size
-    vectors = unit_vectors(own, found.name, told[0], (edge.joining.place, thing))
+    vectors = unit_vectors(own, found.name, size.parts, (edge.joining.place, thing))
     return replace(size, angle=own, theta=theta, components=tuple(parts), vectors=vectors)
 
 

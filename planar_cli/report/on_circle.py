@@ -75,7 +75,8 @@ def in_degrees(block: Block, angle: sp.Symbol, degrees: Decimal, figures: int) -
 def _turned(side: Math, angle: sp.Symbol, degrees: Decimal, last: Value, figures: int) -> Math:
     """The numbers of a line with the angle in degrees, with so many figures that they make its value."""
     turned = next((s for s in side.values or () if s.name == f"{angle.name} turned"), None)
-    if turned is None or side.values is None:
+    # Another vector at the same angle may have been told before.
+    if turned is None or side.values is None or side.values[turned].endswith("°"):
         return side
     others = {s: sp.Float(text, 20) for s, text in side.values.items() if not text.endswith("rad")}
     for n in range(figures, MOST):

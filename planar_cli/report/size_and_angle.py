@@ -42,6 +42,9 @@ def with_size_and_angle(
     for one in found:
         place, name = _components(told, one, phrases)
         by = sized(one, part, phrases)
+        if by is not None and not {*by.parts} <= {_letter(b) for b in told[:place] if isinstance(b, Equation)}:
+            # Its parts follow below.
+            by = None
         lines = list(size_and_angle(one, phrases, told, name, by))
         if by is not None and by.angle is not None and name == one.name:
             degrees = Decimal(math.degrees(by.theta))
