@@ -97,3 +97,11 @@ def test_why_friction_is_at_its_limit_in_a_blow_is_said() -> None:
 def test_what_is_put_into_a_moment_counts_in_its_sense() -> None:
     page = _page("impact/ball-that-grips-a-rough-floor")
     assert "(1) in (2): m v_x r = m v_Gx,2 r + I_G v_Gx,2/r" in page
+
+
+def test_a_ball_struck_low_turns_the_other_way_at_first() -> None:
+    """ω counts as the ball rolls in the end; that it turns so from the start would be false."""
+    low = BALL.replace("WAY", "0 deg").replace("at: G, magnitude", "at: S, magnitude").replace("mu: 1}", "mu: 1, h: m}")
+    low = low.replace("G: [0, R]}", "G: [0, R], S: [0, h]}").replace("title:", "assume: [h < R]\ntitle:")
+    page = " ".join(Terminal(400).render(narrate(solve_problem(load_text(low)[0]))).split())
+    assert "ω is counted clockwise. " in page

@@ -8,6 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.line_of_centres import VERTICAL
+from planar_cli.equation.motion import Edge
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
@@ -58,8 +59,19 @@ def _begins(block: Block) -> bool:
 def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
     """The angular velocities that count clockwise, where no angle tells that."""
     edges = (e for regime in found.regimes for e in regime.solution.trial.system.tree.edges if e.turn < 0)
-    told = turning if found.problem.turning else clockwise
-    return {e.spin: told(Math(e.spin), e) for e in edges if e.spin is not None}
+    told = _struck if found.problem.turning else _loaded
+    return {e.spin: told(e.spin, e, found) for e in edges if e.spin is not None}
+
+
+def _loaded(spin: sp.Symbol, edge: Edge, _: MotionTrace) -> Line:
+    return clockwise(Math(spin), edge)
+
+
+def _struck(spin: sp.Symbol, edge: Edge, found: MotionTrace) -> Line:
+    """Of what a blow turns; without a reason where it turns the other way for a while, as a ball struck low does."""
+    own = [s for s, general in found.general.items() if general == spin and not found.value.vanishes(s)]
+    back = any((number := found.value.known(s)) is not None and number < 0 for s in own)
+    return line(Math(spin), " is counted clockwise.") if back else turning(Math(spin), edge)
 
 
 def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
