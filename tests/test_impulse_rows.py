@@ -90,3 +90,32 @@ def test_a_body_without_mass_that_moves_on_is_told() -> None:
 def test_the_work_of_one_source_is_the_kinetic_energy() -> None:
     told = "work and energy: U = M θ_rear,2 = 10 · 52.15 = 521.5 J = T_2"
     assert told in page_of_file("ex-4-18")
+
+
+TRAIN = """\
+title: Two sledges that are braked
+plane: vertical
+method: momentum
+given: {m_A: 3 kg, m_B: 2 kg, mu: 0.2, F: 60 N}
+bodies:
+  A: {particle: [0, 0], mass: m_A}
+  B: {particle: [-2 m, 0], mass: m_B}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+joints:
+  - contact: {between: [A, floor], mu: mu, at: A}
+  - contact: {between: [B, floor], mu: mu, at: B}
+  - link: {between: [B, A], name: bar}
+loads:
+  - force: {body: A, magnitude: F, angle: 180 deg}
+states:
+  1: [t = 0, v(A).x = 20 m/s]
+  2: [t = 1 s]
+find: {v: v(A).x @ 2}
+"""
+
+
+def test_what_moves_at_first_does_not_start_from_rest(tmp_path: Path) -> None:
+    """Also where a balance across its motion, with nothing before, stands by itself."""
+    page = page_of_text(tmp_path, TRAIN)
+    assert "J_N,A - m_A g t_2 = 0" in page
+    assert "from rest" not in page

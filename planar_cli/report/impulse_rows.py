@@ -40,13 +40,19 @@ def before_leg(leg: RouteStep, found: MotionTrace, phrases: Phrases, told: set[s
     for since, stop in dict.fromkeys((b.since, b.stop) for b in balances):
         own = [b for b in balances if (b.since, b.stop) == (since, stop)]
         regime = next((r for r in found.regimes if (since, stop) in r.stretches), None)
-        rests = all(b.before.xreplace(dict(found.route.plain)) == 0 for b in own)
-        drawn = list(_rows(regime, own, found, phrases)) if regime is not None and rests else []
+        drawn = list(_rows(regime, own, found, phrases)) if regime is not None and _rests(regime, since, found) else []
         first += speeds_first(own, found.route.plain, phrases, told) if drawn else ()
         rows += drawn
     if not first:
         yield from asked_here(leg, found, phrases)
     yield from (*first, *rows)
+
+
+def _rests(regime: RegimeTrace, since: str, found: MotionTrace) -> bool:
+    """Is everything at rest in a state, also in a direction in which there is no balance?"""
+    speeds = regime.solution.trial.system.rates()
+    own = [x for x, general in found.general.items() if general in speeds and found.ledger.roles[x].at == since]
+    return all(found.value.known(x) == 0 for x in own)
 
 
 def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
