@@ -84,3 +84,15 @@ def test_components_are_those_of_the_vector() -> None:
     assert components(("a_t", "a_n"), sizes, angle, theta, [Decimal(-4), Decimal(3)], 4) is not None
     # A point that goes round clockwise has its a_t the other way.
     assert components(("a_t", "a_n"), sizes, angle, theta, [Decimal(-4), Decimal(-3)], 4) is None
+
+
+@pytest.mark.parametrize(("one", "other", "line"), [
+    ("180 deg", "0 deg", "θ_2 - 90° = -38.2° - 90° = -128.2° perpendicular to OB, that is 51.8° below -x"),
+    ("t = 2 s", "t = 20 s", "θ_2 + 90° - 360° = 382.0° + 90° - 360° = 112.0° perpendicular to OB"),
+])  # fmt: skip
+def test_a_direction_goes_on_from_the_angle_of_the_state(one: str, other: str, line: str) -> None:
+    """It is the one of which the components are made."""
+    text = (PROBLEMS / "textbook" / "ex-1-09.yaml").read_text()
+    problem, wrong = load_text(text[: text.index("answers:")].replace(one, other))
+    assert problem is not None, wrong
+    assert line in " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())

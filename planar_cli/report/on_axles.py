@@ -144,19 +144,28 @@ def _about_pin(found: Found, q: Quantity, part: PartSolution, phrases: Phrases) 
     angle = angle_of(arm)
     own = None if angle is None else _at(angle, q.at, part)
     named = () if own is None else line(phrases.math(own))
-    told = Sized(sides, _turned(named, way, turn), line(f"perpendicular to {edge.joining.place}{thing}"))
     theta = None if own is None or own == angle else value.known(own)
+    direction = _turned(named, way, turn, None if theta is None else math.degrees(theta))
+    told = Sized(sides, direction, line(f"perpendicular to {edge.joining.place}{thing}"))
     return told if theta is None else replace(told, angle=own, theta=theta)
 
 
-def _turned(named: Line, way: float, turn: int) -> tuple[Line, ...]:
+def _turned(named: Line, way: float, turn: int, theta: float | None) -> tuple[Line, ...]:
     """θ_2 + 90° = 38.2° + 90° = 128.2°. `named`: the angle of the arm, if it has a letter; `way`: that of the velocity,
-    in degrees; `turn`: 1 where the body turns counterclockwise, else -1.
+    in degrees; `turn`: 1 where the body turns counterclockwise, else -1; `theta`: the angle of the arm in the state, in
+    degrees, from which whole turns are taken.
     """
-    before = (way - turn * RIGHT) % (4 * RIGHT)
-    before -= 4 * RIGHT if before + turn * RIGHT >= 4 * RIGHT else 0
+    before = way - turn * RIGHT
+    if theta is None:
+        before %= 4 * RIGHT
+        before -= 4 * RIGHT if before + turn * RIGHT >= 4 * RIGHT else 0
     quarter = f" {'+' if turn > 0 else '-'} {RIGHT}°"
     sides = [line(*named, quarter)] if named else []
+    rounds = 0 if theta is None else round((theta - before) / (4 * RIGHT))
+    if rounds and theta is not None:
+        whole = f"{abs(rounds)} · {4 * RIGHT}°" if abs(rounds) > 1 else f"{4 * RIGHT}°"
+        sides[0] = line(*sides[0], f" {'-' if rounds > 0 else '+'} {whole}")
+        return (*sides, line(f"{theta:.1f}°{quarter} {'-' if rounds > 0 else '+'} {whole}"), line(f"{way:.1f}°"))
     return (*sides, line(f"{before:.1f}°{quarter}"), line(f"{before + turn * RIGHT:.1f}°"))
 
 
