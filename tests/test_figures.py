@@ -23,7 +23,7 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.typeset import pdf
 
-EVERY = 36
+EVERY = 12
 """Of so many problem files one is drawn in each run, all of them in the slow studies."""
 SPACE = "{http://www.w3.org/2000/svg}"
 
@@ -42,7 +42,8 @@ def demand_whole(path: Path) -> None:
             ways = [p.text for p in pieces if isinstance(p, Text) and p.way is not None]
             told = [t for t in ways if "against its velocity" not in t]
             drawn = [m for panel in block.figure.panels for m in panel.marks if isinstance(m, Arrow | Turn)]
-            assert len(drawn) == len(told), (before, drawn)
+            # What acts against a velocity has an arrow where that has a sense in the position that is drawn.
+            assert len(told) <= len(drawn) <= len(ways), (before, drawn)
     figures = dict(figures_of(page))
     for figure in figures.values():
         for paper in papers_of(figure):
@@ -143,6 +144,16 @@ states:
 find: {w: omega(disk) @ 2}
 figure: {hide: [Q, disk]}
 """
+
+
+@pytest.mark.parametrize(("stem", "x"), [("crate-pushed-too-hard", 0.3), ("crate-on-a-truck-that-starts", -0.45)])
+def test_a_normal_force_beside_the_middle_of_its_face_is_drawn_there(stem: str, x: float) -> None:
+    """N ↑ at x to the right of C: a crate with nothing under it would be no free body."""
+    path = next(p for p in PROBLEMS if p.stem == stem)
+    demand_whole(path)
+    diagrams = [b.figure for b in illustrated_page(path).blocks if isinstance(b, Drawing)]
+    normals = [m for f in diagrams for p in f.panels for m in p.marks if isinstance(m, Arrow) and "N_" in str(m.words)]
+    assert any(m.at == pytest.approx((x, 0)) for m in normals), normals
 
 
 def test_hidden_names_and_a_moment_that_goes_with_the_motion() -> None:

@@ -51,12 +51,12 @@ def diagram(row: Forces) -> Figure | None:
 
 
 def _vectors(listed: Line) -> Iterator[_Vector]:
-    """The entries of a list that have a way."""
+    """The entries of a list that have a way. Where a force acts may stand behind it: N ↑ at x to the right of C."""
     for apart, pieces in groupby(listed, key=lambda p: isinstance(p, Text) and p.text == BREAK):
-        entry: list[Inline] = list(pieces)
-        last = entry[-1]
-        if not apart and isinstance(last, Text) and last.way is not None:
-            yield _Vector(tuple(entry[:-1]), last.text, last.way)
+        entry: list[Inline] = [] if apart else list(pieces)
+        for i, piece in enumerate(entry):
+            if isinstance(piece, Text) and piece.way is not None:
+                yield _Vector(tuple(entry[:i]), piece.text, piece.way)
 
 
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:

@@ -127,12 +127,12 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
             beside_it = named if rigid and push.kind != "drive" else normal_to(instant.instant.scene, push)
             where, sure = beside_it, expr in {*at_limit, *phrases.ledger.values}
             there: Line = ()
+            acting = a
             if (offset := beside.get(expr)) is not None:
                 where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))
+                acting = replace(a, point=offset.beside(a.point))
             if rigid and (unplaced := open_line(instant.trial, push, body, used, instant.value)) is not None:
                 where, acting = NOT_NEEDED, replace(a, point=unplaced.place(a))
-            else:
-                acting = a
             parts.append([*_push(push, expr, acting, phrases, where, sure), *there])
     return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
 

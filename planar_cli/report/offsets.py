@@ -79,6 +79,10 @@ class Offset:
         """What stands for the couple."""
         return self.sense * self.normal * self.letter
 
+    def beside(self, middle: Vec) -> Vec:
+        """Where it acts; the middle itself, where x has no value."""
+        return middle if self.value is None else middle + self.way * sp.Rational(str(self.value))
+
     def told(self, arrow: str) -> Line:
         """` at x to the right of C`. `arrow`: of the way."""
         beside = {"→": "to the right of", "←": "to the left of"}.get(arrow, f"{arrow} from")
