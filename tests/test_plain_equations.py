@@ -47,6 +47,8 @@ def test_a_body_that_tips_has_its_equations() -> None:
     page = page_of_file("crate-pushed-too-hard").rpartition("CASE")[2]
     assert "N_C and F_C meet, so that neither enters: (1) ↺ ΣM_K: 1/2 m g b - P y = I_K α" in page
     assert "|F_C| = 176.6 N < μ N_C = 0.4 · 600.3 = 240.1 N it does not slip" in page
+    # C is the middle of the face, from which G is straight above.
+    assert "a_G = α × r_G/C,edge r_G/C,edge = [-b/2, h/2] = [-0.3, 0.6] m" in page
 
 
 def test_friction_below_its_limit_is_drawn_against_the_push() -> None:

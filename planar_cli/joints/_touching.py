@@ -351,16 +351,15 @@ class Touching:
         if extent is None or not self.scene.rigid(self.mover.body):
             return []
         found = []
-        touching = Facts((self._sliding_joining(),))
+        # The point at which the file lets them touch is no corner.
+        touching, at = Facts((self._sliding_joining(),)), f"{self.contact.at}_edge"
         for end, distance in ((1, extent[1]), (-1, -extent[0])):
             corner = self.place + self.tangent * distance
             lifts = Row(self.name, f"{self.words} tips", spins=((self.mover.body, -end), (self.base.body, end)))
             opens = Test(self.name, f"{self.words} tips as assumed", row=lifts, strict=True)
             pushes, sliding = self._pushes(corner, False), self._sliding(corner)
             if not self.smooth:
-                joining = Joining(
-                    self.name, self.mover.body, self.base.body, corner, self.contact.at, drift=self.base.drift
-                )
+                joining = Joining(self.name, self.mover.body, self.base.body, corner, at, drift=self.base.drift)
                 tests = (self._pressed(), *self._within(), opens)
                 found.append(
                     Mode(
@@ -372,9 +371,7 @@ class Touching:
                         touching=touching,
                     )
                 )
-            joining = Joining(
-                self.name, self.mover.body, self.base.body, corner, self.contact.at, Path(self.tangent, 0)
-            )
+            joining = Joining(self.name, self.mover.body, self.base.body, corner, at, Path(self.tangent, 0))
             for direction in (1, -1) if not self.smooth else (0,):
                 moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
                 tests = (self._pressed(), opens, *((moves,) if direction else ()))

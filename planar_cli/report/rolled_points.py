@@ -31,7 +31,7 @@ def touching(system: System, kinetic: bool) -> list[Paragraph]:
         joint = next((j for j in system.scene.problem.joints if j.name == name), None)
         between = [str(b) for b in getattr(joint, "between", ())]
         places = {j.place for j in mode.facts.joinings} | {p.place for p in mode.facts.pushes}
-        faces = any(p.kind == "couple" for p in mode.facts.pushes)
+        faces = mode.name == "tip" or any(p.kind == "couple" for p in mode.facts.pushes)
         if len(between) == 2 and not faces:
             words = f": the point where {between[0]} touches {between[1]}"
             found += [Paragraph(line(Name(p), words)) for p in sorted(places) if OWN_NAME.match(p)]
