@@ -5,6 +5,7 @@ What is mended is held at none. Elsewhere a bound stands, which may only be lowe
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable
 from statistics import median
@@ -83,6 +84,11 @@ def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most
 def test_lengths(several: bool, middle: int) -> None:
     """Rule 6: lines of a page, of one instant and of several states."""
     assert median(page.length for page in ALL if page.several is several) <= middle
+
+
+def test_no_step_is_a_heading_alone() -> None:
+    bare = re.compile(r"^STEP \d+  (?:\S+ )*\S+\n\n(?=STEP)", re.MULTILINE)
+    assert [path.name for path in PAGES if bare.search(path.read_text(encoding="utf-8"))] == []
 
 
 def test_longest() -> None:

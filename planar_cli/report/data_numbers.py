@@ -20,6 +20,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity
 from planar_cli.report.restated import GROUPS
+from planar_cli.report.steps import without_ritual
 
 CALLED = re.compile(r"\((\d+)\)")
 RANGE = re.compile(r"\((\d+)\) to \((\d+)\)")
@@ -95,8 +96,8 @@ def _moved(block: Block, gone: Sequence[int]) -> Block:
 
 def without_restated_data(page: Sequence[Block]) -> list[Block]:
     """The blocks of a page without the data that stand under Given word for word, but for the name of the body behind
-    the letter, where it has one value there; a heading of velocities or accelerations goes with them, where nothing
-    else stands under it.
+    the letter, where it has one value there; a heading of velocities or accelerations, or a step, goes with them, where
+    nothing else stands under it.
     """
     told = "".join(_read(b.line) for b in page if isinstance(b, Note) and b.kind == "Given")
     given = [piece.rpartition(": ")[2].partition(" = ") for piece in re.split(r"[,;] ", told)]
@@ -105,7 +106,8 @@ def without_restated_data(page: Sequence[Block]) -> list[Block]:
     data = (b for b, told_above in zip(page, again, strict=True) if told_above and isinstance(b, Equation))
     kept = with_given_letters(kept, data)
     follows = (*kept[1:], None)
-    return [b for b, after in zip(kept, follows, strict=True) if not _is_group(b) or _stands_under(after)]
+    kept = [b for b, after in zip(kept, follows, strict=True) if not _is_group(b) or _stands_under(after)]
+    return list(without_ritual(kept))
 
 
 def _is_group(block: Block | None) -> bool:
