@@ -59,4 +59,4 @@ def test_the_size_and_angle_of_a_vector_in_letters_have_lines() -> None:
     page = page_of_file("ex-1-02")
     assert "|r_A2_from_A| = 1/2 r √((√3 - 1)² + (1 + √3)²) = √2 r" in page
     assert "direction of r_A2_from_A = arctan(2 + √3) = 75°" in page
-    assert "|r_B2/B|" not in page
+    assert "|r_B2_from_B|" not in page
