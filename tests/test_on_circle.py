@@ -6,7 +6,7 @@ from decimal import Decimal
 
 import pytest
 import sympy as sp
-from conftest import PROBLEMS
+from conftest import PROBLEMS, ROOT
 from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
@@ -92,7 +92,7 @@ def test_components_are_those_of_the_vector() -> None:
 ])  # fmt: skip
 def test_a_direction_goes_on_from_the_angle_of_the_state(one: str, other: str, line: str) -> None:
     """It is the one of which the components are made."""
-    text = (PROBLEMS / "textbook" / "ex-1-09.yaml").read_text()
+    text = (ROOT / "problems" / "textbook" / "ex-1-09.yaml").read_text()
     problem, wrong = load_text(text[: text.index("answers:")].replace(one, other))
     assert problem is not None, wrong
     assert line in " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
