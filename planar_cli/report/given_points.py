@@ -109,7 +109,8 @@ def _is_placed(name: str, page: Mentioned) -> bool:
 
 def _only_moving(problem: Problem, page: Mentioned) -> set[str]:
     """The ends of ropes that the page tells nothing of but velocities and accelerations, and the points where ropes
-    leave the bodies on which they are wound, of which it tells nothing.
+    leave the bodies on which they are wound, of which it tells nothing; not an end from which a rope goes on at a
+    slant, on which rates depend.
     """
     stops = [s for j in problem.joints for s in getattr(j, "path", ()) if isinstance(s, RopeStop)]
     leaving = {s.name for s in stops if s.way == "on"} - page.words
@@ -121,7 +122,22 @@ def _only_moving(problem: Problem, page: Mentioned) -> set[str]:
         for s in stops
         if s.name in particles and all(rates.fullmatch(w) for w in spoken if s.name in w and w != s.name)
     }
-    return leaving | ends - _asked_places(problem)
+    return leaving | ends - _asked_places(problem) - _slanting_ends(problem)
+
+
+def _slanting_ends(problem: Problem) -> set[str]:
+    """The ends of ropes of which the next stop differs in both coordinates."""
+    places = {p.name: p.place for p in problem.points}
+    paths: list[tuple[RopeStop, ...]] = [getattr(j, "path", ()) for j in problem.joints]
+    pairs = [pair for p in paths if len(p) > 1 for pair in ((p[0], p[1]), (p[-1], p[-2]))]
+    stops = [(a.name, places.get(a.name), places.get(b.name)) for a, b in pairs if b.way in ("point", "on")]
+    return {name for name, a, b in stops if isinstance(a, At) and isinstance(b, At) and _differ(a, b)}
+
+
+def _differ(one: At, other: At) -> bool:
+    """Do two places differ in both coordinates, as the file has them?"""
+    pairs = ((one.x, other.x), (one.y, other.y))
+    return all(said(a, AS_WRITTEN) != said(b, AS_WRITTEN) and not (is_zero(a) and is_zero(b)) for a, b in pairs)
 
 
 def _asked_places(problem: Problem) -> set[str]:
