@@ -11,6 +11,7 @@ from worked import worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
@@ -31,6 +32,21 @@ def test_mean_speed() -> None:
     v, u, time, way, same = (float(x) for x in found.groups())
     assert (v + u) / 2 * time == pytest.approx(way, rel=1e-3)
     assert way == same
+
+
+def test_a_wave_that_crosses_its_chord_halfway_does_not_change_uniformly() -> None:
+    problem, wrong = load_text("""
+title: Slider with a given speed
+points: {A: [2 m, 0 m]}
+bodies: {B: {particle: A}}
+motion: [v(B).x = 1.5 m/s + (2 m/s)*cos(pi*t/(4 s)), v(B).y = 0]
+states: {0: [t = 0], 1: [t = 1 s], 2: [t = 3 s]}
+find: {d: x(B) @ 2 - x(B) @ 1}
+""")
+    assert problem is not None, wrong
+    page = " ".join(Terminal(300).render(narrate(solve_problem(problem))).split())
+    assert "= 8.301 - 5.301 = 3 m" in page
+    assert "uniformly" not in page
 
 
 def test_energy_by_newton_where_the_acceleration_is_constant() -> None:

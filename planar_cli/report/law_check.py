@@ -32,6 +32,8 @@ from planar_cli.units import LENGTH
 
 COARSE = Decimal("0.005")
 """In parts of the result: where Simpson's rule is off by more, three places are too few to check anything."""
+UNEVEN = tuple(Decimal(x) for x in ("0.137", "0.289", "0.5", "0.643", "0.911"))
+"""Places in parts of a stretch: a wave may cross its chord halfway, but not at all of these as well."""
 SHORT = 14
 """A law of more operations is not written out."""
 
@@ -155,11 +157,8 @@ class _Ends:
             return
         (start, end), (one, other) = self._values(over), self._values(of)
         change = (other * other - one * one) / 2 if squared else other - one
-        places = (start, (start + end) / 2, end)
-        at = self.running[over]
-        known = [self.phrases.value.known(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
-        found = [r for r in known if r is not None and r.is_finite()]
-        if change == 0 or len(found) < len(places):
+        found = self._rates(rate, over, (ZERO, Decimal("0.5"), Decimal(1)))
+        if change == 0 or not found:
             # It comes to a place where 1/a grows without bound: a body that is brought to rest by -c √v.
             return
         largest = max(map(abs, found))
@@ -176,8 +175,7 @@ class _Ends:
             return
         result = self._value(total, "v", 2) if squared else self._value(total, of)
         ends = self._difference(of, 2, half=True) if squared else self._difference(of)
-        straight = abs(half - (first + last) / 2) <= largest * ROUNDING
-        if straight and (over == "t" or (squared and len(law) > 1)):
+        if (over == "t" or (squared and len(law) > 1)) and self._is_straight(rate, over, largest):
             # Over time the rates at both ends are easily found from the forces there; else it takes the formula.
             told = law if len(law) > 1 else line(*law, " changes uniformly")
             figures = self._enough([(first, self._per), (last, self._per), (end - start, over)], _mean)
@@ -191,6 +189,20 @@ class _Ends:
             return
         sides = line(f" {_sign(error)} ", result, "; ", *ends)
         yield _Check(self._at_three((over, end - start), rates, law, sides), error, exact=False)
+
+    def _rates(self, rate: sp.Expr, over: str, parts: Sequence[Decimal]) -> list[Decimal]:
+        """A rate at such parts of the stretch; empty where it has no value at one of them."""
+        start, end = self._values(over)
+        places = (sp.Rational(str(start + part * (end - start))) for part in parts)
+        known = [self.phrases.value.known(rate.xreplace({self.running[over]: p})) for p in places]
+        found = [r for r in known if r is not None and r.is_finite()]
+        return found if len(found) == len(known) else []
+
+    def _is_straight(self, rate: sp.Expr, over: str, largest: Decimal) -> bool:
+        """Does a rate change uniformly over the stretch? `largest`: of its sizes."""
+        first, *between, last = self._rates(rate, over, (ZERO, *UNEVEN, Decimal(1))) or (ZERO, ZERO)
+        chord = [first + part * (last - first) for part in UNEVEN]
+        return bool(between) and all(abs(r - c) <= largest * ROUNDING for r, c in zip(between, chord, strict=True))
 
     def _at_three(self, step: tuple[str, Decimal], rates: list[Decimal], law: Line, result: Line) -> Line:
         """Simpson's rule in numbers. `step`: over what, and how far."""
