@@ -280,7 +280,8 @@ class MotionTelling:
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
-        yield from speed_by_balance(e, self.found, self.phrases) or self._laws.blocks(e, self.found.route, self._open)
+        told = speed_by_balance(e, self.found, self.phrases)
+        yield from self._laws.blocks(e, self.found.route, self._open) if told is None else told
 
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:

@@ -6,6 +6,8 @@ Likewise at any time, with t for t_2:   v = F t/(M + q t)
 
 from __future__ import annotations
 
+import sympy as sp
+
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.report.blocks import Block, Equation, Paragraph, line
@@ -15,23 +17,40 @@ from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Relation
 MOMENTUM = "momentum"
 
 
-def speed_by_balance(e: Relation, found: MotionTrace, phrases: Phrases) -> list[Block]:
-    """The speed as a function of time; empty: no balance tells it."""
-    if e.kind != "q(t)" or e.law is None or e.span is None or e.span.explicit is None:
+def speed_by_balance(e: Relation, found: MotionTrace, phrases: Phrases) -> list[Block] | None:
+    """The speed as a function of time, once; None: no balance tells it."""
+    own = _at_any_time(e, found)
+    if own is None:
+        return None
+    speed, formula, end, balance = own
+    relations = [r for leg in found.route.steps for r in leg.relations]
+    before = relations[: next((i for i, r in enumerate(relations) if r is e), len(relations))]
+    others = (_at_any_time(r, found) for r in before if r.since == e.since)
+    if any(other is not None and other[:2] == (speed, formula) for other in others):
         return []
+    if any(r is balance for r in before):
+        head = line("Likewise at any time, with t for ", phrases.math(found.route.plain.get(end, end)), ":")
+    else:
+        head = line(f"Impulse and momentum from {e.since} to any time t:")
+    return [Paragraph(head), Equation((phrases.math(speed), phrases.math(formula)))]
+
+
+def _at_any_time(e: Relation, found: MotionTrace) -> tuple[sp.Symbol, sp.Expr, sp.Symbol, Relation] | None:
+    """A speed, its formula, and the time of the state for which a balance, the last of these, has it."""
+    if e.kind != "q(t)" or e.law is None or e.span is None or e.span.explicit is None:
+        return None
     general, route = dict(found.general), found.route
     own = [s for s in general if s.name.endswith(f"__{e.stop}")]
     speed = next((s for s in own if general[s] in (e.law.v, e.law.speed)), None)
     t = next((s for s in own if general[s].name == "t"), None)
     if speed is None or t is None:
-        return []
+        return None
     rate = derivative(e.span.explicit, t)
     relations = (r for leg in route.steps for r in leg.relations if (r.since, r.stop) == (e.since, e.stop))
     balances = (r for r in relations if isinstance(r.source, BalanceTrace) and r.kind == MOMENTUM)
     growing = (r for r in balances if derivative(r.residual, speed).has(t))
-    if not any(identically_zero(r.residual.xreplace({speed: rate})) for r in growing):
-        return []
+    told = next((r for r in growing if identically_zero(r.residual.xreplace({speed: rate}))), None)
+    if told is None:
+        return None
     rest = {s: route.plain.get(s, s) for s in rate.free_symbols if s != t}
-    at_any = factored(simplified(rate.xreplace(rest).xreplace({t: general[t]})))
-    told = Equation((phrases.math(general[speed]), phrases.math(at_any)))
-    return [Paragraph(line("Likewise at any time, with t for ", phrases.math(route.plain.get(t, t)), ":")), told]
+    return general[speed], factored(simplified(rate.xreplace(rest).xreplace({t: general[t]}))), t, told
