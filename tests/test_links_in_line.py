@@ -56,3 +56,13 @@ def test_a_time_from_the_start_and_a_crank_that_turns_clockwise(own: str, other:
     text = FILES["body-offset-slider-crank-strokes"].read_text().partition("note:")[0]
     page = Terminal(300).render(narrate(solve_problem(load_text(text.replace(own, other))[0])))
     assert told in " ".join(page.split())
+
+
+def test_a_line_above_the_crank_has_the_opposite_in_its_triangle() -> None:
+    """The offset of the file is negative there."""
+    text = FILES["body-offset-slider-crank-strokes"].read_text().replace("e: 80 mm", "e: -80 mm")
+    problem, wrong = load_text(text[: text.index("answers:")])
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "(1) (l + r_c) sin φ_1 = -e" in page
+    assert "(2) (l - r_c) sin φ_2 = -e" in page

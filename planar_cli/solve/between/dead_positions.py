@@ -138,15 +138,18 @@ def _first(motion: MotionTrace, step: RouteStep, own: LinksInLine) -> DeadPositi
     told = turns_of(own.formula, asin)
     assert told is not None
     turns, slope = told
+    sine = asin.args[0]
     if motion.value(asin) < 0:
-        asin, slope = sp.asin(-asin.args[0]), -slope
+        # The inverse sine of an opposite comes back as a product.
+        sine, slope = -sine, -slope
+        asin = sp.asin(sine)
     if {*names, "phi", "x"} & {*motion.ledger.symbols, *motion.ledger.reserved} - {"x"}:
         return None
     phi, x = (sp.Symbol(name, positive=True) for name in names)
     along = sp.expand(sp.diff(loop, own.first) + sp.diff(loop, own.other))
     along = along if motion.value(along) > 0 else -along
     root = simplified(along.xreplace(waves_of(own, motion.value)))
-    offset, length = sp.fraction(sp.together(asin.args[0]))
+    offset, length = sp.fraction(sp.together(sine))
     if motion.value(length) < 0:
         offset, length = -offset, -length
     acute = Result(phi, asin, motion.value(asin))
