@@ -92,3 +92,4 @@ def test_where_forces_tell_how_it_slides_no_letter_stands_for_its_components(tmp
     page = Terminal(200).render(narrate(solve_and_compare(read(str(file)), None)[0]))
     assert "m a_r" not in page
     assert "m a_θ" not in page
+    assert re.search(r"angle from the radius of P to the tangent: +ψ = ", page)

@@ -18,7 +18,7 @@ from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
-from planar_cli.solve.instant.tangent_angle import GROOVE
+from planar_cli.solve.instant.tangent_angle import GROOVE, TANGENT
 from planar_cli.solve.solution import Found
 from planar_cli.units import LENGTH
 
@@ -65,10 +65,16 @@ class DefinitionTelling:
                 symbol in wanted
                 and (symbol in first) == (kind == "m")
                 and not (expr.is_number and title.startswith("mass"))
-                and not title.startswith(GROOVE)
+                and not self._is_of_groove(title)
             ):
                 blocks += self._line(symbol, expr, self._is_length(symbol), OF_ASKED if CENTRE in title else least)
         return alike_together(blocks)
+
+    def _is_of_groove(self, title: str) -> bool:
+        """Is it told where the groove is? ψ is not where the forces tell how the point slides in it."""
+        return title.startswith(GROOVE) and not (
+            title.startswith(GROOVE + TANGENT) and TANGENT not in self.vectors.valued
+        )
 
     def _is_length(self, symbol: sp.Symbol) -> bool:
         return self.scene.ledger.units[symbol].text == "m"
@@ -117,5 +123,5 @@ class DefinitionTelling:
             sides = sides[:2]
         return [
             *rate_of_length(symbol, expr, self.system, self.phrases),
-            Equation(sides, None, line(ledger.titles[symbol] + ":")),
+            Equation(sides, None, line(ledger.titles[symbol].removeprefix(GROOVE) + ":")),
         ]

@@ -31,6 +31,7 @@ from planar_cli.report.told import Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.tangent_angle import TANGENT
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY
 
@@ -70,6 +71,7 @@ def groove_told(w: Written, stage: Stage, told: Told, number: int) -> list[Block
     # Where something else tells how fast it slides, r has no line.
     if result.symbol != edge.slide_rate or key not in told.valued:
         return []
+    told.valued.add(TANGENT)
     return list(_acceleration(found, result, told.phrases, number))
 
 

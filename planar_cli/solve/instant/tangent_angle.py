@@ -21,6 +21,8 @@ CLOSE = Decimal("1e-40")
 LONGEST = 20
 GROOVE = "groove: "
 """So begin the titles of what is told with the groove: r and ψ."""
+TANGENT = "angle from the radius"
+"""So goes on that of ψ."""
 
 
 def of_groove(coefficient: sp.Expr, system: System, value: Valuation) -> sp.Expr | None:
@@ -102,7 +104,7 @@ def _groove(system: System, joining: Joining) -> tuple[str, Curve] | None:
 def _angle(system: System, joining: Joining, quotient: sp.Expr, slope: Decimal) -> sp.Symbol:
     """ψ, named once."""
     formula = sp.atan(quotient) if slope > 0 else sp.pi + sp.atan(quotient)
-    return _named(system, "psi", formula, "deg", f"angle from the radius of {joining.place} to the tangent")
+    return _named(system, "psi", formula, "deg", f"{TANGENT} of {joining.place} to the tangent")
 
 
 def _named(system: System, name: str, formula: sp.Expr, unit: str, words: str) -> sp.Symbol:
