@@ -156,6 +156,11 @@ def test_a_normal_force_beside_the_middle_of_its_face_is_drawn_there(stem: str, 
     assert any(m.at == pytest.approx((x, 0)) for m in normals), normals
 
 
+def test_a_force_that_is_zero_in_the_position_that_is_drawn_has_an_arrow() -> None:
+    """The spring of a pendulum in its equilibrium, for a small deviation from it."""
+    demand_whole(next(p for p in PROBLEMS if p.stem == "inverted-pendulum"))
+
+
 def test_hidden_names_and_a_moment_that_goes_with_the_motion() -> None:
     problem, wrong = load_text(HIDING)
     assert problem is not None, wrong

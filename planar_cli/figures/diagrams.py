@@ -20,7 +20,8 @@ from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Spot, Style, Sym
 
 BREAK = ",  "
 """Between two vectors of a list."""
-ARROWS = frozenset("↑→↓←↗↖↙↘")
+ARROWS = "→↗↑↖←↙↓↘"
+"""In the order in which they turn, an eighth of a turn from one to the next."""
 _AT = re.compile(r" at ([^ ,()]+)")
 STACKED = 0.6
 """By so much longer is an arrow that lies on another one."""
@@ -87,9 +88,13 @@ def _mark(
         yield Turn(at, -1 if "↻" in vector.told else 1, style, vector.words)
         return
     way = _spot(drawn, vector.way, vector.way.direction)
-    if way is None or not any(way):
-        return
     glyph = next((c for c in vector.told if c in ARROWS), "")
+    if way is None or not any(way):
+        # A spring at its own length in the position that is drawn: as the page tells it.
+        if not glyph:
+            return
+        turned = ARROWS.index(glyph) * math.pi / 4
+        way = (round(math.cos(turned), 9), round(math.sin(turned), 9))
     if glyph == vector_arrow(Decimal(-way[0]), Decimal(-way[1])):
         way = (-way[0], -way[1])
     angle = math.atan2(way[1], way[0])
