@@ -7,11 +7,11 @@ from worked import page_of_file
 
 
 @pytest.mark.parametrize("said", [
-    "ball: m v ↓, J_N ↗, μ J_N ↖ = m v_t,2 ↘, m v_n,2 ↗",
-    "(3) v_n,2 = e v cos β = 0.7 · 4.852 cos 25° = 3.078 m/s",
-    "(4): J_N = m (v cos β + v_n,2)",
-    "(5): v_t,2 = v sin β - μ J_N/m",
-    "v_along = v_t,2 = 0.5555 m/s",
+    "ball: m v_y,2 ↑, J_N ↗, μ J_N ↖ = m v_t,3 ↘, m v_n,3 ↗",
+    "(4) v_n,3 = -e v_y,2 cos β = -0.7 (-4.852) cos 25° = 3.078 m/s",
+    "(5): J_N = m (v_n,3 - v_y,2 cos β)",
+    "(6): v_t,3 = -(μ J_N/m + v_y,2 sin β)",
+    "v_along = v_t,3 = 0.5555 m/s",
 ])  # fmt: skip
 def test_along_the_tangent_and_the_normal(said: str) -> None:
     assert said in page_of_file("ball-on-a-rough-slope")

@@ -16,8 +16,8 @@ FILES = {p.stem: p for p in PROBLEMS}
     ("stem", "answer"),
     [
         ("wheel-pulled-uphill", "friction_C = F_C = -22.08 N, that is 22.08 N down the slope"),
-        ("ball-on-a-rough-slope", "v_along = v_t,2 = 0.5555 m/s down the slope"),
-        ("ball-on-a-rough-slope", "v_across = v_n,2 = 3.078 m/s perpendicular to the slope, upward"),
+        ("ball-on-a-rough-slope", "v_along = v_t,3 = 0.5555 m/s down the slope"),
+        ("ball-on-a-rough-slope", "v_across = v_n,3 = 3.078 m/s perpendicular to the slope, upward"),
         ("ball-on-a-rough-slope", "J_t = 0.07476 N·s up the slope"),
         ("collar-on-rotating-rod", "a_across = 3.3 m/s² perpendicular to OA, counterclockwise from it"),
         ("ball-on-a-rough-floor", "0.3429 N·s to the left"),
