@@ -23,7 +23,7 @@ states:
   1: [t = 0, v = sqrt(2*g*h), v(ball).x = 0, v(ball).y = -v]
   2: [just after 1]
   3: [r(ball/O).across(-beta) = 0]
-find: {J_n: impulse(bounce).across(-beta) @ 1->2, loss: KE(ball) @ 1 - KE(ball) @ 2, d: r(ball/O).along(-beta) @ 3}
+find: {J: impulse(bounce).across(-beta) @ 1->2, loss: KE(ball) @ 1 - KE(ball) @ 2, d: r(ball/O).along(-beta) @ 3}
 """
 
 
@@ -42,10 +42,10 @@ def test_a_flight_in_the_axes_of_the_slope(said: str) -> None:
 @pytest.mark.parametrize("said", [
     # The speed of the fall has one letter, and counts downward.
     "At 1: v = √(2 g h) = √(2 · 9.81 · 1.2) = 4.852 m/s",
-    "ball: m v ↓, J_N ↗, μ J_N ↖ = m v_t,2 ↘, m v_n,2 ↗",
+    "ball: m v ↓, J ↗, μ J ↖ = m v_t,2 ↘, m v_n,2 ↗",
     "v_n,2 = e v cos β = 0.7 · 4.852 cos 25° = 3.078 m/s",
-    "(4): J_N = m (v cos β + v_n,2)",
-    "(5): v_t,2 = v sin β - μ J_N/m",
+    "(4): J = m (v cos β + v_n,2)",
+    "(5): v_t,2 = v sin β - μ J/m",
     "loss = 1/2 m (v² - v_n,2² - v_t,2²)",
 ])  # fmt: skip
 def test_a_velocity_stated_by_a_constant_that_is_sought_is_called_by_it(said: str, tmp_path: Path) -> None:
