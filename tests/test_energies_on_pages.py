@@ -10,8 +10,10 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -264,3 +266,12 @@ def test_a_size_in_letters_holds_its_unit() -> None:
 def test_another_root_that_is_an_earlier_state() -> None:
     # The flight that begins there.
     assert "= 1.668 s as t_4 ≠ t_1" in page("ball-bouncing-twice")
+
+
+def test_the_energy_of_all_is_not_that_of_the_group_that_was_told() -> None:
+    """The balance of the block alone has called its energy T_3 as well."""
+    text = FILES["pendulum-that-rebounds-from-a-block"].read_text(encoding="utf-8").partition("answers:")[0]
+    problem, wrong = load_text(text.replace("find: {", "find: {share: 1 - KE(all) @ 3 / KE(all) @ 2, "))
+    assert problem is not None, wrong
+    told = " ".join(Terminal(400).render(narrate(solve_problem(problem))).split())
+    assert "T_3 = 1/2 m_A v_A,3² + 1/2 m_B v_B,3² = 1/2 · 1 · 0.8957² + 1/2 · 2.5 · 1.7307² = 4.145 J" in told
