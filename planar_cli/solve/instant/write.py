@@ -20,10 +20,10 @@ from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
-from planar_cli.solve.instant.by_axes import led_by_ground
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
+from planar_cli.solve.instant.led import led_by_ground, of_length
 from planar_cli.solve.instant.named_parts import by_named
 from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
@@ -218,8 +218,8 @@ class Writer:
         self.allowed = {self.numbers.unknowns[j] for j in bits(candidate.mask)}
         if candidate.single is not None:
             return self._single(candidate.single)
-        if candidate.condition is not None:
-            return self._relation(candidate.condition, candidate.choice)
+        if (condition := candidate.condition) is not None:
+            return of_length(condition, self.system, self.number) or self._relation(condition, candidate.choice)
         assert candidate.choice is not None
         if candidate.choice.moment:
             return self._moment(candidate.bodies, candidate.choice)
