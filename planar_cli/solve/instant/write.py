@@ -31,6 +31,7 @@ from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.tangent_angle import of_groove
+from planar_cli.solve.instant.without_arm import without_arm
 from planar_cli.solve.instant.written import Explicit, Written, put_together
 
 LETTERS = "CKQSWZHJ"
@@ -257,14 +258,13 @@ class Writer:
         arm = self.system.scene.arms.between
 
         def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
-            turning = arm(center, point).cross(force) if force is not None else sp.S.Zero
-            return turning + couple
+            return couple + (arm(center, point).cross(force) if force is not None else sp.S.Zero)
 
         left = self._loads(bodies, moment)
-        alone = len(bodies) == 1
-        parts = [part for body in bodies for part in self._inertia_terms(body, center, name, alone)]
+        parts = [part for body in bodies for part in self._inertia_terms(body, center, name, len(bodies) == 1)]
         right = self.kept_lines([force * about for force, about in parts])
         written = self._written("moment", bodies, name, choice.words, left, right)
+        written = replace(written, armless=without_arm(parts, self.numbers.value, self.system.scene.ledger))
         return replace(written, moments=put_together(parts, written.right))
 
     def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[tuple[sp.Expr, sp.Expr]]:
