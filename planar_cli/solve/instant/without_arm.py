@@ -1,5 +1,5 @@
-"""What has no moment about a point for the numbers of the file alone: m a of a rod of length l, whose line passes at the
-height R - l/4 above the point, with R = 0.3 m and l = 1.2 m.
+"""What has no moment about a point for the numbers of the file alone: m a of a rod of length l, whose line passes at
+the height R - l/4 above the point, with R = 0.3 m and l = 1.2 m.
 
 The equation in letters leaves it out, so that a page has to say why.
 """
@@ -11,9 +11,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.errors import NoValue
 
 Part = tuple[sp.Expr, sp.Expr]
 """A force, or m a, and its arm."""
@@ -35,10 +34,8 @@ def _by_numbers(arm: sp.Expr, value: Valuation, ledger: Ledger) -> bool:
     if not letters or any(s not in ledger.values for s in letters):
         return False
     moved = {s: value(s) * (1 + _BESIDE / (k + 2)) for k, s in enumerate(letters)}
-    try:
-        return abs(Valuation(moved)(opened)) > _NONE
-    except (NoValue, Unvalued, ArithmeticError):
-        return False
+    beside = Valuation(moved).known(opened)
+    return beside is not None and abs(beside) > _NONE
 
 
 def _opened(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
