@@ -199,8 +199,10 @@ def _named(wrench: Wrench, scene: Scene, setting: Moving) -> Wrench:
     own = next((x for x in scene.problem.loads if (x.kind, x.name) == (wrench.kind, wrench.name)), None)
     ledger = scene.ledger
     pushes = bool(kind.pushing) and not magnitude.free_symbols & set(ledger.letters) and setting.sign(magnitude) < 0
-    words = kind.pushing if pushes else kind.line
-    title = words.format(wrench.name, called=kind.phrase(wrench.name) if own is None else own.called)
+    if own is None:
+        title = (kind.pushing if pushes else kind.line).format(wrench.name, called=kind.phrase(wrench.name))
+    else:
+        title = own.by_line(own.pushing) if pushes else own.beside
     magnitude = -magnitude if pushes else magnitude
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:

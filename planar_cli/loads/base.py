@@ -71,6 +71,15 @@ class Load(Entry, ABC):
         return f"the {self.kind} from {ends[0]} to {ends[1]}" if self._has_no_name else self.phrase(self.name)
 
     @property
+    def beside(self) -> str:
+        """The words beside its magnitude."""
+        return self.by_line(self.line)
+
+    def by_line(self, words: str) -> str:
+        """Words like those of `line` with its name."""
+        return words.format(self.name, called=self.called)
+
+    @property
     def short_name(self) -> str:
         """AB by its ends, where it has no name of its own and they have short ones; else the name that it has."""
         ends: tuple[str, ...] = getattr(self, "between", None) or ()

@@ -71,6 +71,12 @@ class Force(Load):
     towards: str | None = key(PointKey(), "the point that it is directed to", default=None)
     relative_to: str | None = key(BodyKey(), "the body that its direction turns with", default=None)
 
+    @property
+    def beside(self) -> str:
+        """By its body, or its point, where it has no name of its own."""
+        places = {self.wound_at: "force at", self.at: "force at", self.body: "force on"}
+        return f"{places[self.name]} {self.name}" if self.name in places else self.by_line(self.line)
+
     def attachments(self) -> tuple[tuple[str, str], ...]:
         point = self.at or self.wound_at
         return () if point is None else ((point, self.body),)

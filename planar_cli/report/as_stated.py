@@ -7,19 +7,23 @@ v_Px = 10 cos 45° = 7.071 m/s            a size and a direction
 from __future__ import annotations
 
 from decimal import Decimal
+from typing import Any, Protocol
 
 import sympy as sp
 
 from planar_cli.base_units import factor_to_base
 from planar_cli.equation.exact import PI
-from planar_cli.problem.expression import Name, Quantity, Relation
+from planar_cli.problem.expression import Name, Number, Quantity, Relation
 from planar_cli.problem.polar import VectorStatement, grouped
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
 from planar_cli.report.blocks import Line, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.numbers import significant
 from planar_cli.report.sides import AS_WRITTEN, number_of, said
 from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, RouteTrace
+from planar_cli.solve.between.trace import Relation as MotionRelation
 from planar_cli.units import parse_unit, pretty_unit
 
 Stated = Relation | VectorStatement
@@ -44,6 +48,30 @@ def sentence(stated: Stated, figures: int) -> Line:
         return ()
     left, right = said(stated.left, figures), said(stated.right, figures)
     return line(left, " = ", right) if left and right else ()
+
+
+class Telling(Protocol):
+    """Who tells a motion: what was found, and how it is said."""
+
+    found: MotionTrace
+    phrases: Phrases
+
+
+def as_written(e: MotionRelation, telling: Telling, route: RouteTrace) -> tuple[Any, ...]:
+    """A letter and the formula that the file states of it, where a number in it has a unit that would be swallowed:
+    v_1 = √(K (1 + e)/(1 m · (1 - e))). Empty: it swallows none, or nothing is written so.
+    """
+    found, phrases = telling.found, telling.phrases
+    residual = e.residual.xreplace(dict(route.plain)) if e.kind == "given" else sp.S.Zero
+    (letter, *more) = residual.free_symbols & found.general.keys() or (None, None)
+    stated = None if more else stated_in(found.problem, e.stop, e.words)
+    if not isinstance(stated, Relation) or not isinstance(stated.left, Quantity) or sp.diff(residual, letter) != 1:
+        return ()
+    formula, side = letter - residual, stated.right
+    if formula.is_number or not any(isinstance(n, Number) and n.unit is not None for n in walk(side)):
+        return ()
+    written = () if is_clean(phrases.ledger, letter, formula) else said(side, phrases.figures)
+    return (phrases.math(letter), written) if written else ()
 
 
 def between(stated: Stated | None, letter: sp.Symbol, value: Decimal, phrases: Phrases) -> Line:

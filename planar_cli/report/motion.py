@@ -12,6 +12,7 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_trial
 from planar_cli.report.antiderivatives import integral_blocks
+from planar_cli.report.as_stated import as_written
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
 from planar_cli.report.between import dimension_of_balance
@@ -236,9 +237,8 @@ class MotionTelling:
 
     def _in_numbers(self, leg: RouteStep, numbers: list[int], route: RouteTrace) -> Iterator[Block]:
         """The equations once more with their numbers, where a value follows from them without a formula."""
-        if self.phrases.symbolic and not set(leg.unknowns) <= route.settled:
-            return
-        if all(self._is_told(r) or r.value.is_infinite() for r in leg.results):
+        letters = self.phrases.symbolic and not set(leg.unknowns) <= route.settled
+        if letters or all(self._is_told(r) or r.value.is_infinite() for r in leg.results):
             return
         for e, number in zip(leg.relations, numbers, strict=True):
             if number in self.between.counted or e.residual.free_symbols <= set(leg.unknowns):
@@ -246,9 +246,8 @@ class MotionTelling:
             left, right = sides_of(e, route)
             balanced = dimension_of_balance(e.source) if isinstance(e.source, BalanceTrace) else None
             found = put_in(left, right, leg.unknowns, self.numeric, balanced)
-            if found is not None and found.length <= MOST_SHOWN:
-                lead = line(f"({number}) in numbers:")
-                yield Equation(found.sides, None, lead, found.note)
+            if found is not None and found.length <= MOST_SHOWN and not found.gives_value:
+                yield Equation(found.sides, None, line(f"({number}) in numbers:"), found.note)
 
     def _short(self, r: Result) -> list[Math]:
         """A short formula whose numbers hide units, with its numbers."""
@@ -311,7 +310,8 @@ class MotionTelling:
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
-        if ordered := in_order(e, dict(route.plain), self._neat, self.phrases):
+        ordered = in_order(e, dict(route.plain), self._neat, self.phrases)
+        if ordered := in_order(e, dict(route.plain), self._neat, self.phrases) or as_written(e, self, route):
             return ordered
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":

@@ -62,6 +62,11 @@ class PutIn:
         return (self.left, self.right) if self.total is None else (self.left, self.total, self.right)
 
     @property
+    def gives_value(self) -> bool:
+        """Is it one letter and its number, which the line below says too?"""
+        return bool(self.left.expr.is_Symbol and self.right.expr.free_symbols <= set(self.right.values or ()))
+
+    @property
     def note(self) -> Line:
         """The unit of both sides, behind the equation."""
         return line(f"in {self.unit}") if self.unit else ()

@@ -33,6 +33,7 @@ SHORT = 2
 """A component clings to a name of so many letters."""
 TOWARDS = {"0": "to the right", "90": "upward", "180": "to the left", "270": "downward", "-90": "downward"}
 """Directions by their angle in degrees."""
+SIGNS = {"sqrt": "√", "pi": "π"}
 _WAY = r"(?:along|across)\([^()]*\)"
 _STATED = re.compile(rf"([A-Za-zωα_]+)\((\w+(?:/\w+)?)\)(?:\.({_WAY}|(?:x|y|t|n|mag|angle)\b))?(?: @ (\w+))?")
 _POWER = str.maketrans("23", "²³")
@@ -106,7 +107,9 @@ def _plain(words: str, names: Collection[str]) -> Line:
     """Words in which names are set as mathematics, products without their stars, and powers raised."""
     found: list[Inline] = []
     for piece in re.split(r"(\b[A-Za-z]\w*\b)", words):
-        if piece in names and len(piece) > 1:
+        if piece in SIGNS:
+            found.append(Text(SIGNS[piece]))
+        elif piece in names and len(piece) > 1:
             found.append(Name(piece))
         elif piece:
             found.append(Text(_signs(piece)))

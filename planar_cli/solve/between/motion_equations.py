@@ -30,6 +30,7 @@ from planar_cli.solve.regimes.equations import (
     loop_equations,
     stated_equations,
 )
+from planar_cli.solve.regimes.kepler import anomalies
 from planar_cli.solve.regimes.meetings import meeting_equations
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.orbits import orbit_equations
@@ -120,7 +121,7 @@ def all_equations(motion: MotionEquations) -> MotionEquations:
     begun = {} if motion.departure is not None else begun_at(first, motion.first)
     written = [*first, *_moving(motion, begun, first), *motion.separations]
     equations = _at_limits(motion, written)
-    found = replace(motion, equations=equations, differences=arc_lengths(equations))
+    found = replace(motion, equations=equations, differences=(*arc_lengths(equations), *anomalies(equations)))
     return replace(found, equations=(*found.equations, *_stationary(found)))
 
 

@@ -5,7 +5,16 @@ from __future__ import annotations
 from planar_cli.solve.law import RELATIVE
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3, "orbit": 1.1, "arc": 1.0, RELATIVE: 1.0}
+COSTS |= {
+    "mass centre": 1.6,
+    "followed": 5.0,
+    "blow": 1.0,
+    "handed": 0.3,
+    "orbit": 1.1,
+    "anomaly": 1.2,
+    "arc": 1.0,
+    RELATIVE: 1.0,
+}
 NO_MASS = 0.5
 """What a law of energy or momentum costs where the file gives no mass."""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}

@@ -15,10 +15,12 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import letters, longer, simplified
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.regimes.equations import Equation
+from planar_cli.solve.regimes.kepler import Ellipse, at_direction, at_time
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
 
@@ -66,9 +68,15 @@ def orbit_equations(
             continue
         passage = _Passage(orbit, since, stop, known, stated, regime.general.value, shape)
         family = (KIND, orbit.r.name, stop.name)
-        yield Equation(passage.place(), KIND, CONIC, stop.name, since.name, family=family, rank=1)
-        if (told := passage.time(between)) is not None:
-            yield Equation(told[0], KIND, told[1], stop.name, since.name, family=(*family, "t"), rank=1)
+        told = passage.time(between)
+        dated = []
+        if told is not None:
+            dated.append(Equation(told[0], KIND, told[1], stop.name, since.name, family=(*family, "t"), rank=1))
+        elif passage.still and shape[0] > 0:
+            dated += passage.by_anomaly(regime.general.instant.scene.ledger)
+        if not any(letters(e.residual) & {stop.letters[orbit.r]} for e in dated):
+            yield Equation(passage.place(), KIND, CONIC, stop.name, since.name, family=family, rank=1)
+        yield from dated
 
 
 @record
@@ -131,6 +139,35 @@ class _Passage:
             axis = (r + self.orbit.at(far[0])[0]) / 2
         return passed - 2 * sp.pi * sp.sqrt(axis**3 / mu), WHOLE
 
+    def by_anomaly(self, ledger: Ledger) -> Iterator[Equation]:
+        """By Kepler's equation, from the nearer end of an ellipse: where the time or the direction is known."""
+        r, phi, _, turning = self.orbit.at(self.since)
+        e, mu, v = self.shape[0], self.orbit.mu, r * turning
+        cube = self._number((2 / r - v**2 / mu) ** 3 * mu)
+        spin, passed, turned = self._number(turning), self._passed(), self.turned(self.stop)
+        if e >= 1 or not cube or cube < 0 or not spin or self.ends(self.stop):
+            return
+        ellipse = Ellipse(mu, (r, phi, turning), cube.sqrt(), spin < 0, self.since)
+        place = self.orbit.at(self.stop)[:2]
+        if passed is not None and passed > 0:
+            yield from at_time(ellipse, self.stop, place, passed, ledger)
+        elif turned is not None and turned * spin > 0:
+            yield from at_direction(ellipse, self.stop, place, turned, ledger)
+
+    def _passed(self) -> Decimal | None:
+        """The time between the two states, where it is stated."""
+        start = self._number(self.since.t)
+        for e in self.stated.get(self.stop.name, ()):
+            rate = sp.diff(e.residual, self.stop.t)
+            rest = self._number(e.residual.xreplace({self.stop.t: sp.S.Zero})) if rate in (1, -1) else None
+            if rest is not None and start is not None:
+                return -rest * int(rate) - start
+        return None
+
+    def _number(self, expr: sp.Expr) -> Decimal | None:
+        """The value of what is known of the first state."""
+        return self.value.known(expr.xreplace(dict(self.known)))
+
     def turned(self, stop: Stop) -> Decimal | None:
         """The angle through which it has turned until a state, where that is stated."""
         phi, phi_2 = self.orbit.at(self.since)[1], self.orbit.at(stop)[1]
@@ -160,18 +197,9 @@ def _orbits(regime: Regime) -> Iterator[Orbit]:
                 continue
             mu = simplified((r * turning**2 - falling) * r**2)
             if not letters(mu) & set(regime.letters) and (value.known(mu) or Decimal(0)) > 0:
-                yield Orbit(r, phi, outward, turning, _without_mass(mu, value))
+                yield Orbit(r, phi, outward, turning, mu)
         except (NoValue, Unvalued):
             continue
-
-
-def _without_mass(mu: sp.Expr, value: Valuation) -> sp.Expr:
-    """(500 kg) g R²/m as g R², where m is those 500 kg."""
-    number = mu.as_coeff_Mul()[0]
-    for s in sorted(mu.free_symbols, key=str):
-        if number != 1 and value.known(s) == value.known(number) and sp.diff(mu * s, s) == 0:
-            return mu * s / number
-    return mu
 
 
 def _shape(orbit: Orbit, since: Stop, known: Known, value: Valuation) -> tuple[Decimal, Decimal] | None:

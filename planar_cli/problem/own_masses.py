@@ -1,0 +1,63 @@
+"""A mass that is written as a number in the law of a force, and is that of the body on which the force acts, as the
+mass of the body: (500 kg)*g*R^2/r^2 on a body of 500 kg is m g R²/r².
+
+So the law keeps its dimension when it is written in letters, and the mass cancels where it must.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.loads.base import Load
+from planar_cli.problem.expression import Name, Number, Quantity, Side
+from planar_cli.problem.scene import Body, Problem
+from planar_cli.problem.walk import changed, walk
+from planar_cli.units import MASS, parse_unit
+
+
+def with_own_masses(problem: Problem) -> Problem:
+    """The problem and its cases with the masses of such laws named; the same object where there are none."""
+    cases = tuple(replace(case, problem=with_own_masses(case.problem)) for case in problem.cases)
+    same = all(a.problem is b.problem for a, b in zip(cases, problem.cases, strict=True))
+    loads = tuple(_named(load, problem) for load in problem.loads)
+    if same and all(a is b for a, b in zip(loads, problem.loads, strict=True)):
+        return problem
+    return replace(problem, loads=loads, cases=cases)
+
+
+def _named(load: Load, problem: Problem) -> Load:
+    """The load with the mass of its body for each number that is this mass, in a law in which letters stand too."""
+    law: Any = getattr(load, "magnitude", None)
+    numbers = [n for n in walk(law) if isinstance(n, Number) and _is_mass(n)] if isinstance(law, Side) else []
+    if not numbers or not any(isinstance(n, Name | Quantity) for n in walk(law)):
+        return load
+    body = next((b for b in problem.bodies if b.name == getattr(load, "body", None)), None)
+    mass = None if body is None else _mass(body, problem)
+    if body is None or mass is None or all(_kilograms(n) != _kilograms(mass) for n in numbers):
+        return load
+
+    def rule(side: Side) -> Side | None:
+        if isinstance(side, Number) and _is_mass(side) and _kilograms(side) == _kilograms(mass):
+            return Quantity("mass", (body.name,), None, (), None, side.mark)
+        return None
+
+    changes: Any = {"magnitude": changed(law, rule)}
+    return replace(load, **changes)
+
+
+def _mass(body: Body, problem: Problem) -> Number | None:
+    """The mass of a body as a number, its own or that of a letter of `given`."""
+    side = body.mass
+    if isinstance(side, Name):
+        side = next((s.value for s in problem.given if s.name == side.name and not s.varies), None)
+    return side if isinstance(side, Number) and _is_mass(side) else None
+
+
+def _is_mass(number: Number) -> bool:
+    return number.unit is not None and parse_unit(number.unit).dimension == MASS
+
+
+def _kilograms(number: Number) -> Any:
+    assert number.unit is not None
+    return number.sense * number.value * parse_unit(number.unit).factor

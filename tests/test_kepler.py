@@ -1,0 +1,94 @@
+"""Kepler's equation, whole periods, and the mass of a body in the law of the force on it."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import pytest
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+SCENE = """
+title: Comet
+plane: horizontal
+given: {K: 4 m^3/s^2}
+points: {S: [0, 0], P: [2 m, 0]}
+bodies: {comet: {particle: P, mass: MASS}}
+loads:
+  - force: {body: comet, at: P, magnitude: (3 kg)*K/r(P/S).mag^2, towards: S}
+states:
+  1: [t = 0, v(P).x = 0, v(P).y = SPEED]
+  2: [WHEN]
+find: {FIND}
+"""
+PERIOD = 2 * math.pi * math.sqrt(4**3 / 4)
+"""Of v² = μ (2/r - 1/a) = 4 (2/2 - 1/4) = 3 m²/s²: a = 4 m, e = 1/2."""
+
+
+def page(when: str, find: str, speed: str = "(sqrt(3)) m/s", mass: str = "3 kg") -> str:
+    """The page of a comet that starts where it is nearest to the sun."""
+    written = SCENE.replace("WHEN", when).replace("FIND", find).replace("SPEED", speed).replace("MASS", mass)
+    problem, diagnostics = load_text(written)
+    assert problem is not None, diagnostics
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(solve_problem(problem))))
+
+
+def answer(told: str, name: str) -> float:
+    return float(re.findall(rf"Answer.* {name} = (?:[^ =]+ = )?(-?[\d.]+)", told)[0])
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("t", [3, 10, 15, 22, 40])
+def test_the_place_at_a_time(t: float, way: int) -> None:
+    told = page(f"t = {t} s", "x: x(P) @ 2, y: y(P) @ 2", f"({'-' * (way < 0)}sqrt(3)) m/s")
+    mean = 2 * math.pi * t / PERIOD
+    anomaly = mean
+    for _ in range(200):
+        anomaly = mean + 0.5 * math.sin(anomaly)
+    assert "Kepler's equation" in told
+    assert "numerical integration" not in told
+    assert answer(told, "x") == pytest.approx(4 * (math.cos(anomaly) - 0.5), rel=2e-3)
+    assert answer(told, "y") == pytest.approx(way * 4 * math.sqrt(0.75) * math.sin(anomaly), rel=2e-3)
+
+
+@pytest.mark.parametrize("degrees", [70, 200, 290])
+def test_the_time_at_a_direction(degrees: float) -> None:
+    told = page(f"r(P).angle = {degrees} deg", "T: t @ 2")
+    half = math.radians(degrees) / 2
+    anomaly = 2 * math.atan2(math.sin(half) / math.sqrt(3), math.cos(half)) % (2 * math.pi)
+    assert "numerical integration" not in told
+    assert answer(told, "T") == pytest.approx((anomaly - 0.5 * math.sin(anomaly)) * 4, rel=1e-3)
+
+
+@pytest.mark.parametrize("periods", [1, 2])
+def test_after_whole_periods_it_is_at_the_start(periods: int) -> None:
+    told = page(f"t = {8 * periods}*pi*(1 s)", "x: x(P) @ 2, y: y(P) @ 2")
+    assert "at the start again" in told
+    assert "x = r_2 = 2 m y = 0 m" in told
+
+
+def test_half_a_period() -> None:
+    assert answer(page("t = 4*pi*(1 s)", "r: r(P).mag @ 2"), "r") == pytest.approx(6, rel=1e-3)
+
+
+def test_the_mass_of_the_body_is_its_letter() -> None:
+    told = page("t = 3 s", "x: x(P) @ 2")
+    assert "F_P = m K/r²" in told
+
+
+def test_another_mass_stays_a_number() -> None:
+    assert "m K/r²" not in page("t = 3 s", "r: r(P).mag @ 2", mass="2 kg").replace("3 K m", "")
+
+
+def test_a_root_is_said_as_mathematics() -> None:
+    told = page("t = 3 s", "x: x(P) @ 2", "sqrt(3*K/(4 m))")
+    assert "√(3 K/(4 m)):" in told
+    assert "sqrt" not in told
+
+
+def test_a_force_without_a_name_is_called_by_its_point() -> None:
+    assert "force at P: F_P" in page("t = 3 s", "x: x(P) @ 2")
