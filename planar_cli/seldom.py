@@ -24,7 +24,7 @@ IN_FOLDERS = {
     """,
     "report": """
         about_fixed_point along_path angles_alike another_equation another_point asked_energy
-        asked_in_general at_one_state axes_asked blow_check blow_limits by_formula_above by_geometry
+        asked_in_general at_one_state axes_asked between_led blow_check blow_limits by_formula_above by_geometry
         centre_check centre_reasons changes closed_letters coincident cosine_check curvature damper_rates
         discussion durations effects energy_check exam extreme_rates first_second fixed_lines free_motions
         grooves harmonic_check hidden_data inertia_check law_check laws_solved letter_check meanings
@@ -32,7 +32,7 @@ IN_FOLDERS = {
         oscillation_check parts passages passing polar_check presses projected raw_moments reciprocals
         rests_on results_once rolled_contacts rolled_speeds rope_ends rope_rates round_check shared_friction
         shown slips_at_start small_deviations special_case stated_bounds stated_text stretches swallowed
-        system_sum ties time_check track_check turned_diagrams turning_rates velocity_check vibrations
+        system_sum ties time_check track_check turn_check turned_diagrams turning_rates velocity_check vibrations
         with_units written_places
     """,
     "solve": """

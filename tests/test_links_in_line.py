@@ -25,7 +25,11 @@ def page() -> str:
         "B rests for a moment: A then moves perpendicularly to AB and to OA, so that OA and AB lie in one line",
         "At 2, v_slider,x = 0, OA and AB lie in one line, stretched, inclined at φ_2:",
         "(l - r_c) sin φ_1 = e",
-        "From 1 to 2 the crank turns, at its constant rate, through: Δθ_2 = π + φ_1 - φ_2 = 180° + 23.58° - 11.54°",
+        "From 1 to 2 the crank turns, at its constant rate, through: Δθ_2 = θ_2 - θ_1 = π + φ_1 - φ_2 = 180° + 23.58°",
+        "Folded, OA points away from B; its angle, counterclockwise from the x axis: θ_1 = π - φ_1",
+        "Stretched, OA points to B; its angle, counterclockwise from the x axis: θ_2 = 2 π - φ_2",
+        "From θ_0 = 0° on, OA comes to θ_1 first, then to θ_2",
+        "first_way + second_way = 0.3352 + 0.2931 = 0.6283 s, one turn: 2 π/ω_crank = 2 π/10 = 0.6283 s",
         "folded as one turn before; from 2 to 3 the crank turns, at its constant rate, through: Δθ_3 = 2 π - Δθ_2",
         "x_1 = √((l - r_c)² - e²)",
         "stroke = x_2 - x_1",
@@ -56,6 +60,14 @@ def test_a_time_from_the_start_and_a_crank_that_turns_clockwise(own: str, other:
     text = FILES["body-offset-slider-crank-strokes"].read_text().partition("note:")[0]
     page = Terminal(300).render(narrate(solve_problem(load_text(text.replace(own, other))[0])))
     assert told in " ".join(page.split())
+
+
+def test_a_crank_that_starts_anywhere() -> None:
+    text = FILES["body-offset-slider-crank-strokes"].read_text().partition("note:")[0]
+    text = text.replace("A: [r_c, 0]", "A: {from: O, distance: r_c, angle: 30 deg}")
+    page = " ".join(Terminal(300).render(narrate(solve_problem(load_text(text)[0]))).split())
+    assert "From θ_0 = 30° on, OA comes to θ_1 first, then to θ_2" in page
+    assert "first_way = Δθ_2/ω_crank" in page
 
 
 def test_a_line_above_the_crank_has_the_opposite_in_its_triangle() -> None:

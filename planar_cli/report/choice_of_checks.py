@@ -34,6 +34,7 @@ from planar_cli.report.system_sum import system_sum
 from planar_cli.report.tale_check import tale_check
 from planar_cli.report.time_check import time_check
 from planar_cli.report.track_check import track_check
+from planar_cli.report.turn_check import turn_check
 from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
 
@@ -45,7 +46,8 @@ OF_INSTANTS: tuple[Candidate, ...] = (
 )  # fmt: skip
 OF_MOTIONS: tuple[Candidate, ...] = (
     blow_check, energy_check, meeting_check, law_check, simpson_check, root_check,
-    passing_check, time_check, oscillation_check, harmonic_check, mean_check, centre_check,
+    passing_check, time_check, oscillation_check, harmonic_check, turn_check,
+    mean_check, centre_check,
 )  # fmt: skip
 OF_PARTS: tuple[Candidate, ...] = (
     tale_check, track_check, inertia_check, round_check, cosine_check,

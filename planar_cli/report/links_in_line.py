@@ -7,7 +7,7 @@ B stays on its line:                                (l - r) sin θ_OA,1 = e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -35,7 +35,7 @@ def in_line_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases, number:
     before = found.route.steps[: found.route.steps.index(leg)] if leg in found.route.steps else ()
     earlier = [(s, same) for s in before if (same := s.in_line) is not None]
     if own.dead is not None:
-        return list(_by_triangle((leg, own, own.dead), found, phrases, number, (chain, not earlier)))
+        return list(_by_triangle((leg, own, own.dead), found, phrases, number, (chain, [same for _, same in earlier])))
     for step, same in earlier:
         turns = simplified((own.formula - same.formula) / (2 * sp.pi))
         if turns.is_Integer and own.folded == same.folded:
@@ -80,11 +80,11 @@ def _by_triangle(
     found: MotionTrace,
     phrases: Phrases,
     number: int,
-    way: tuple[Chain, bool],
+    way: tuple[Chain, Sequence[LinksInLine]],
 ) -> Iterator[Block]:
     """The acute angle of the line, the place, and the angle turned since the position before."""
     leg, own, dead = told
-    e, chain, explained = leg.relations[0], *way
+    e, chain, earlier, explained = leg.relations[0], *way, not way[1]
     opening, span = _open(head(e, found.ledger.symbols)), f"from {dead.since} to {e.stop}"
     turns = "" if dead.turned is None else f"{span} the crank turns, at its constant rate, through"
     if dead.again:
@@ -96,10 +96,51 @@ def _by_triangle(
         yield Equation((phrases.math(length * sp.sin(dead.acute.unknown)), phrases.math(offset)), number)
         yield Equation(chain(dead.acute, False), None, line(f"({number}):"))
         yield from () if dead.place is None else [Equation(chain(dead.place, True))]
+        yield from _pointing(own, dead, found, chain)
+        yield from _order(own, earlier, found, phrases)
         yield from () if dead.turned is None else [Paragraph(line(turns[0].upper(), turns[1:], ":"))]
     if dead.turned is not None:
         radians = Value(dead.turned.value, "rad", phrases.figures)
-        yield Equation((*chain(dead.turned, True), radians))
+        before = next((same.dead for same in reversed(earlier) if not dead.again), None)
+        between = _between(dead, before, phrases)
+        letter, *sides = chain(dead.turned, True)
+        yield Equation((letter, *between, *sides, radians))
+
+
+def _pointing(own: LinksInLine, dead: DeadPosition, found: MotionTrace, chain: Chain) -> Iterator[Block]:
+    """`Folded, OA points away from B, at the angle θ_1 from the x axis:`"""
+    names = _rods(own, found)
+    if names is None or dead.direction is None:
+        return
+    end, crank = names[3], names[0]
+    share = dead.along - dead.along.coeff(sp.cos(own.other)) * sp.cos(own.other)
+    to = "points to" if found.value(share) * found.value(dead.along) > 0 else "points away from"
+    words = f"{_way(own).capitalize()}, {crank} {to} {end}; its angle, counterclockwise from the x axis:"
+    yield Paragraph(line(words))
+    yield Equation(chain(dead.direction, False))
+
+
+def _between(dead: DeadPosition, before: DeadPosition | None, phrases: Phrases) -> tuple[Any, ...]:
+    """θ_2 - θ_1"""
+    if before is None or before.direction is None or dead.direction is None:
+        return ()
+    return (phrases.math(dead.direction.unknown - before.direction.unknown),)
+
+
+def _order(own: LinksInLine, earlier: Sequence[LinksInLine], found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """`From θ_0 = 0 on OA comes to θ_1 first, then to θ_2.`"""
+    if len(earlier) != 1 or own.dead is None or own.dead.direction is None:
+        return
+    before, names = earlier[0].dead, _rods(own, found)
+    ends = {(g, s.name.rpartition("__")[2]): s for s, g in found.general.items()}
+    start = ends.get((found.general.get(own.first, own.first), found.states[0]))
+    if before is None or before.direction is None or start is None or names is None:
+        return
+    number = Value(found.value(found.route.plain.get(start, start)) * HALF_TURN / PI, "deg", phrases.figures)
+    one, other = (phrases.math(d.unknown) for d in (before.direction, own.dead.direction))
+    at = sp.Symbol(f"theta__{found.states[0]}", real=True)
+    comes = line("From ", phrases.math(at), " = ", number, f" on, {names[0]} comes to ", one, " first, then to ", other)
+    yield Paragraph(comes)
 
 
 def _way(own: LinksInLine) -> str:

@@ -1,7 +1,8 @@
 """Dead positions of a mechanism by right triangles: the line of crank and rod is inclined at an acute angle φ, and from
 one to the next the crank turns through an angle that is known, which at a constant rate gives the time.
 
-sin φ_1 = e/(l - r),   sin φ_2 = e/(l + r),   x = √((l ± r)² - e²);   Δθ = π + φ_1 - φ_2,   t_2 - t_1 = Δθ/ω
+sin φ_1 = e/(l - r),   θ_1 = π - φ_1,   sin φ_2 = e/(l + r),   θ_2 = 2 π - φ_2,   x = √((l ± r)² - e²)
+Δθ = θ_2 - θ_1 = π + φ_1 - φ_2,   t_2 - t_1 = Δθ/ω
 """
 
 from __future__ import annotations
@@ -51,10 +52,10 @@ def _made(
     for first, dead in told.items():
         place = dead.place if dead.place is not None and dead.place.unknown in asked else None
         made[first] = replace(dead, place=place)
-        for r, unit in ((dead.acute, "deg"), (place, "m"), (dead.turned, "deg")):
+        for r, unit in ((dead.acute, "deg"), (dead.direction, "deg"), (place, "m"), (dead.turned, "deg")):
             if r is not None:
                 motion.ledger.adopt(r.unknown, parse_unit(unit), NAMED)
-    results = [r for dead in made.values() for r in (dead.acute, dead.place, dead.turned) if r is not None]
+    results = [r for dead in made.values() for r in _results(dead) if r is not None]
     steps = tuple(
         s if s.in_line is None else replace(s, in_line=replace(s.in_line, dead=made[s.in_line.first]))
         for s in motion.route.steps
@@ -65,20 +66,26 @@ def _made(
     return replace(motion, value=value, route=replace(motion.route, steps=steps, settled=settled), requests=requests)
 
 
+def _results(dead: DeadPosition) -> tuple[Result | None, ...]:
+    return dead.acute, dead.direction, dead.place, dead.turned
+
+
 # --- times -----------------------------------------------------------------------------------------------------------
 
 
 def _clock(motion: MotionTrace, angles: Sequence[sp.Symbol]) -> Clock:
-    """By the time of such a position the angle of its crank and the constant rate."""
+    """By the time of such a position the angle of its crank and the constant rate, t = (θ - θ_0)/ω."""
     found: dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]] = {}
+    offsets: set[sp.Expr] = set()
     for step in motion.route.steps:
         formula = step.results[0].formula if len(step.results) == 1 else None
         angle = None if formula is None else next((a for a in angles if a in formula.free_symbols), None)
         if formula is not None and angle is not None:
-            rate = simplified(angle / formula)
-            if not rate.free_symbols & {*motion.general, *motion.varying}:
-                found[step.results[0].unknown] = (angle, rate)
-    return found
+            slope = simplified(sp.diff(formula, angle))
+            offsets.add(simplified(formula - slope * angle))
+            if slope != 0 and not slope.free_symbols & {*motion.general, *motion.varying}:
+                found[step.results[0].unknown] = (angle, simplified(1 / slope))
+    return found if len(offsets) == 1 else {}
 
 
 def _one_rate(clock: Clock) -> bool:
@@ -127,7 +134,7 @@ def _again(own: LinksInLine, made: Sequence[LinksInLine]) -> DeadPosition | None
     for earlier in made:
         turns = simplified((own.formula - earlier.formula) / (2 * sp.pi))
         if turns.is_Integer and own.folded == earlier.folded and earlier.dead is not None:
-            return replace(earlier.dead, angle=earlier.dead.angle + 2 * turns * sp.pi, again=True)
+            return replace(earlier.dead, angle=earlier.dead.angle + 2 * turns * sp.pi, direction=None, again=True)
     return None
 
 
@@ -154,7 +161,16 @@ def _first(motion: MotionTrace, step: RouteStep, own: LinksInLine) -> DeadPositi
         offset, length = -offset, -length
     acute = Result(phi, asin, motion.value(asin))
     place = Result(x, root, motion.value(along))
-    return DeadPosition(acute, (length, offset), place, along, turns * sp.pi + slope * phi)
+    angle = turns * sp.pi + slope * phi
+    return DeadPosition(acute, (length, offset), place, along, angle, _direction(motion, state, angle, acute))
+
+
+def _direction(motion: MotionTrace, state: str, angle: sp.Expr, acute: Result) -> Result | None:
+    """θ_1 = π - φ_1: where the first link points."""
+    name = f"theta__{state}"
+    if {name, "theta"} & {*motion.ledger.symbols, *motion.ledger.reserved}:
+        return None
+    return Result(sp.Symbol(name, real=True), angle, motion.value.extended({acute.unknown: acute.value})(angle))
 
 
 def _turned(motion: MotionTrace, dead: DeadPosition, made: Sequence[LinksInLine], state: str) -> Result | None:

@@ -192,6 +192,8 @@ class DeadPosition:
     """The same in the angles of both links."""
     angle: sp.Expr
     """The angle of the first link by the acute one."""
+    direction: Result | None = None
+    """The same with its own letter; None: the file has that letter for something else."""
     turned: Result | None = None
     """Through what the first link has turned since the position before."""
     since: str = ""
