@@ -139,7 +139,8 @@ class Terminal(Format[Row]):
         filled = fill(head, content, hang, self.width)
         room = self.width - row_cells(aside) - _GAP
         if 0 < row_cells(aside) <= _UNIT and row_cells(filled[-1]) > room:
-            filled = fill(head, content, hang, room)
+            narrow = room < hang + _ROOM
+            filled = fill(head, content, min(columns.start + _BODY, self.width // 2) if narrow else hang, room)
         return self._with_aside([*rows, *filled], aside, columns.start + _BODY)
 
     def _with_aside(self, rows: list[Row], aside: list[Span], hang: int) -> list[Row]:

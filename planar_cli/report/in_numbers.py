@@ -6,7 +6,7 @@ them are in the base units of the file, so that the equation is true as it stand
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from decimal import Decimal
 
 import sympy as sp
@@ -14,12 +14,14 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import NoValue
 from planar_cli.records import record
-from planar_cli.report.blocks import Math
+from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import common_dimension
 from planar_cli.report.numbers import significant
+from planar_cli.report.order_of_unknowns import in_order
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
-from planar_cli.units import Dimension
+from planar_cli.units import Dimension, pretty_unit
 
 SMALL = Decimal("1e-30")
 """In parts of the largest term: a term below it is the rounding of sixty digits."""
@@ -41,10 +43,11 @@ def in_numbers(
     phrases: Phrases,
     dimension: Dimension | None = None,
     apart: bool = False,
+    places: Mapping[sp.Symbol, int] | None = None,
 ) -> Sides | None:
     """An equation collected in its unknowns, with a number for everything else; None where a known has none, or where
     its unknowns stand in functions. `dimension`: of its sides, where it is known; else that of its terms. `apart`: all
-    unknowns on the left, all numbers on the right.
+    unknowns on the left, all numbers on the right. `places`: the order of the unknowns, else that of the problem.
     """
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
@@ -55,6 +58,7 @@ def in_numbers(
         return None
     if apart:
         before, after = _apart(before, after)
+    before, after = (in_order(terms, unknowns, phrases.ledger, places) for terms in (before, after))
     largest = max(map(abs, (*before.values(), *after.values())), default=Decimal(0))
     return Sides(writer.side(before, largest), writer.side(after, largest), dimension)
 
@@ -65,7 +69,9 @@ def amount_in_numbers(expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
         return None
     writer = Collected(frozenset(unknowns), phrases)
     terms = writer.terms(expr)
-    return None if terms is None else writer.side(terms, max(map(abs, terms.values()), default=Decimal(0)))
+    if terms is None:
+        return None
+    return writer.side(in_order(terms, unknowns, phrases.ledger), max(map(abs, terms.values()), default=Decimal(0)))
 
 
 def solved_for(
@@ -98,12 +104,13 @@ def solved_for(
     largest = max(map(abs, terms.values()), default=Decimal(0))
     apart = _of_both(sides, unknowns, phrases) if balance and sp.S.One in terms else ()
     rest = [(m, c) for m, c in terms.items() if abs(c) > SMALL * largest and not (apart and m == 1)]
-    for monomial, coefficient in [*((sp.S.One, c) for c in apart), *rest]:
+    signed = in_order({m: -c * own for m, c in rest}, unknowns, phrases.ledger)
+    for monomial, coefficient in [*((sp.S.One, -c * own) for c in apart), *signed.items()]:
         number = sp.Symbol(f"{NUMBER}{len(sizes)}", positive=True)
-        sizes[number] = abs(coefficient)
+        sizes[number] = abs(coefficient / own)
         one = monomial != 1 and significant(sizes[number], phrases.figures) == "1"
         shown = monomial if one else number * monomial
-        parts.append(shown if coefficient * own < 0 else -shown)
+        parts.append(shown if coefficient > 0 else -shown)
     number = sp.Symbol(f"{NUMBER}{len(sizes)}", positive=True)
     sizes[number] = abs(own)
     divided = significant(sizes[number], phrases.figures) != "1"
@@ -138,6 +145,14 @@ def _apart(
     leading = next((c for c in whole.values() if c), Decimal(1))
     sense = 1 if leading > 0 else -1
     return {m: sense * c for m, c in whole.items()}, {sp.S.One: sense * number}
+
+
+def unit_note(dimension: Dimension | None, phrases: Phrases) -> Line:
+    """In which unit an equation in numbers counts."""
+    if dimension is None:
+        return ()
+    unit = coherent_unit(dimension, us=phrases.ledger.us).text
+    return line(f"in {pretty_unit(unit)}") if unit != "1" else ()
 
 
 class Collected:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -14,8 +15,10 @@ from planar_cli.report.blocks import Equation, Line, Math, line
 from planar_cli.report.by_its_letter import by_another, by_its_letter
 from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.given_components import against
-from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
+from planar_cli.report.in_numbers import Collected, in_numbers, solved_for, unit_note
+from planar_cli.report.linear_system import Row
 from planar_cli.report.opened_sums import opened_number, opened_sides
+from planar_cli.report.order_of_unknowns import places_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
 from planar_cli.report.put_in import put_in
@@ -93,6 +96,7 @@ class NumericTelling:
         """`general`: writes letters of a motion in which nothing varies, with the units of the numbers among them."""
         self.phrases, self.general = phrases, general
         self._put: set[tuple[int, int]] = set()
+        self._placed: dict[int, dict[sp.Symbol, int]] = {}
         self.components: dict[tuple[int, int], Across | None] = {}
         """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
@@ -146,7 +150,7 @@ class NumericTelling:
             if found is None or found.dimension is None:
                 found = in_numbers(x.symbol, x.expression, unknowns, self.phrases, ACCELERATION)
             if found is not None:
-                return (found.left, found.right), _unit_note(found, self.phrases)
+                return (found.left, found.right), unit_note(found.dimension, self.phrases)
         return (self.phrases.math(x.symbol), self.phrases.math(x.expression)), ()
 
     def readable(self, formula: sp.Expr) -> bool:
@@ -227,19 +231,21 @@ class NumericTelling:
         unknowns = {symbol, *stage.algebra.unknowns} - self._data(stage)
         return solved_for(symbol, (symbol, explicit), unknowns, self.phrases)
 
-    def row(self, w: Written, stage: Stage, unknowns: Sequence[sp.Symbol]) -> Printed | None:
-        """An equation collected in unknowns that are solved for together: in their order, the number on the right."""
+    def row(self, w: Written, stage: Stage, unknowns: Sequence[sp.Symbol]) -> tuple[Row, Line] | None:
+        """An equation collected in unknowns that are solved for together, the first of them positive, and the note
+        behind it; None where it is not linear in them, or holds others.
+        """
         inside = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
-        left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in (w.left, w.right))
-        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart=True)
-        if found is None:
+        residual = sp.sympify(w.left - w.right).xreplace(inside) / self._length(w)
+        if not all(self.phrases.has_numbers(s) or s in unknowns for s in residual.free_symbols):
             return None
-        places = {s: i for i, s in enumerate(unknowns)}
-        terms = sorted(
-            sp.Add.make_args(found.left.expr), key=lambda t: min(places[s] for s in t.free_symbols & {*unknowns})
-        )
-        summed = Math(sp.Add(*terms, evaluate=False), found.left.values) if len(terms) > 1 else found.left
-        return (summed, found.right), _unit_note(found, self.phrases)
+        terms = Collected(frozenset(unknowns), self.phrases).terms(residual)
+        if terms is None or not terms.keys() <= {sp.S.One, *unknowns}:
+            return None
+        number = -terms.pop(sp.S.One, Decimal(0))
+        sense = -1 if next((c for s in unknowns if (c := terms.get(s))), 1) < 0 else 1
+        row = Row({s: sense * c for s, c in terms.items()}, sense * number)
+        return row, unit_note(self._dimension(w, stage), self.phrases)
 
     def solution(self, x: SolvedLine, stage: Stage) -> list[Math]:
         """The numbers that give an unknown, where the one equation that it is found from was printed in numbers."""
@@ -277,7 +283,7 @@ class NumericTelling:
         solved = solved_for(letter, (left, right), (letter,), self.phrases)
         if found is None or solved is None:
             return None
-        return ((found.left, found.right), _unit_note(found, self.phrases)), [solved]
+        return ((found.left, found.right), unit_note(found.dimension, self.phrases)), [solved]
 
     def by_letter(self, block: SolvedBlock, stage: Stage) -> Iterator[tuple[SolvedLine, Printed]]:
         """What the other unknowns of a block are by its one letter, in numbers: S = 100 - 3.333 a_A."""
@@ -294,6 +300,10 @@ class NumericTelling:
         formula = next(f for x, f in by_its_letter(block, stage) if x.symbol == one.symbol)
         return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
+    def _places(self, stage: Stage) -> dict[sp.Symbol, int]:
+        """The order of the unknowns of a stage."""
+        return self._placed.setdefault(id(stage.algebra), places_of(stage.algebra, self.phrases.ledger))
+
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:
         """What the file gives of this stage."""
@@ -306,13 +316,13 @@ class NumericTelling:
         inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
         left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in sides)
         apart = w.law == "relation"
-        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart)
+        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart, self._places(stage))
         if found is None:
             return None
         # In the derivative of what the file gives, a number may hide a unit: a distance for each radian.
         hidden = w.source == "given" and w.times and self._dimension(w, stage) is None
         bare = hidden and not is_clean(self.phrases.ledger, left, right)
-        note = () if bare else _unit_note(found, self.phrases)
+        note = () if bare else unit_note(found.dimension, self.phrases)
         if apart and found.right.expr != 0:
             whole = self._number_of(w, stage, left - right, unknowns, found.right.expr.could_extract_minus_sign())
             if whole is None and not found.left.expr.is_Symbol and against(w, found.right.expr):
@@ -340,7 +350,7 @@ class NumericTelling:
         own = stage.algebra.unknowns
         named = {s for s, e in stage.algebra.explicit.items() if e.free_symbols & own}
         unknowns = {*own, *stage.zero, *named}
-        return opened_sides(sides, unknowns - self._data(stage), self.phrases, row)
+        return opened_sides(sides, unknowns - self._data(stage), self.phrases, row, self._places(stage))
 
     def collected(self, w: Written, stage: Stage, sides: tuple[Any, ...], note: Line) -> tuple[Equation, ...]:
         """The line below such an equation, unless it stands collected where it is solved."""
@@ -388,11 +398,3 @@ def _of_statement(w: Written) -> Dimension | None:
     letters = w.residual.free_symbols
     square = match[2] == ".mag" and any(w.residual.diff(s).free_symbols & letters for s in letters)
     return (dimension * dimension if square else dimension) / TIME**w.times
-
-
-def _unit_note(found: Sides, phrases: Phrases) -> Line:
-    """In which unit an equation in numbers counts."""
-    if found.dimension is None:
-        return ()
-    unit = coherent_unit(found.dimension, us=phrases.ledger.us).text
-    return line(f"in {pretty_unit(unit)}") if unit != "1" else ()

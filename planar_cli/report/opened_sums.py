@@ -6,7 +6,7 @@ letter among these that is known has its own.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -17,6 +17,7 @@ from planar_cli.report.blocks import Math
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.in_numbers import SMALL, Collected
 from planar_cli.report.numbers import significant
+from planar_cli.report.order_of_unknowns import in_order
 from planar_cli.report.ordering import NUMBER, factor_key
 from planar_cli.report.words import Phrases
 from planar_cli.units import LENGTH, PURE
@@ -45,13 +46,17 @@ class Term:
 
 
 def opened_sides(
-    sides: Sequence[sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases, row: bool = False
+    sides: Sequence[sp.Expr],
+    unknowns: Collection[sp.Symbol],
+    phrases: Phrases,
+    row: bool = False,
+    places: Mapping[sp.Symbol, int] | None = None,
 ) -> tuple[Math, ...]:
     """Both sides of an equation of forces or moments as sums of products of numbers and unknowns, the arm behind the
     force. Empty: no force has an arm or a slope, they would be too long, or their terms cannot be told. `row`: they
-    stand collected further down.
+    stand collected further down. `places`: as of `Collected`.
     """
-    found = [_terms(side, frozenset(unknowns), phrases) for side in sides]
+    found = [_terms(side, frozenset(unknowns), phrases, places) for side in sides]
     # A side may have no other term than the rounding of cos 90°.
     largest = max((t.size for own in found for t in own or ()), default=Decimal(0))
     found = [own and [t for t in own if t.size > SMALL * largest] for own in found]
@@ -95,7 +100,9 @@ def _written(terms: Sequence[Term], phrases: Phrases) -> Math:
     return Math(sp.Add(*parts, evaluate=False) if len(parts) > 1 else (parts or [sp.S.Zero])[0], texts)
 
 
-def _terms(expr: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> list[Term] | None:
+def _terms(
+    expr: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases, places: Mapping[sp.Symbol, int] | None = None
+) -> list[Term] | None:
     """The terms of a sum, without those that are the rounding of the largest."""
     ledger = phrases.ledger
     kinds = {s: ledger.units[s].dimension for s in expr.free_symbols if s in ledger.units}
@@ -105,6 +112,7 @@ def _terms(expr: sp.Expr, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> l
     found = Collected(unknowns | active, phrases).terms(expr)
     if found is None:
         return None
+    found = in_order(found, unknowns, phrases.ledger, places)
     sizes = {m: abs(c) * _size(m, unknowns, phrases) for m, c in found.items()}
     largest = max(sizes.values(), default=Decimal(0))
     terms: list[Term] = []

@@ -13,6 +13,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, lin
 from planar_cli.report.by_its_letter import makes_storeys
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
+from planar_cli.report.linear_system import system
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
@@ -235,14 +236,13 @@ class SolvingTelling:
             return []
         order = [s for s in self.instant.trial.system.tree.acceleration_unknowns() if s in block.unknowns]
         order += [s for s in block.unknowns if s not in order]
-        rows = {self.number(stage, w.number): self.numeric.row(w, stage, order) for w in block.equations}
-        told: list[Block] = []
-        for number, row in sorted(rows.items(), key=lambda own: own[0]):
-            if row is None:
-                return []
-            sides, note = row
-            told.append(Equation(sides, None, line(f"({number}):"), note))
         values = {x.symbol: x.value for x in block.lines if not x.letters}
+        found = {self.number(stage, w.number): self.numeric.row(w, stage, order) for w in block.equations}
+        rows = [(number, *own) for number, own in sorted(found.items()) if own is not None]
+        if len(rows) < len(found) or any(values.get(s) is None for s in order):
+            return []
+        roots = {s: value for s, value in values.items() if value is not None}
+        told = system(rows, order, roots, self.phrases.figures)
         for i, symbol in enumerate(order):
             lead = () if i else line("together:")
             told.append(Equation((self.phrases.math(symbol), self.phrases.shown(symbol, values[symbol])), None, lead))
