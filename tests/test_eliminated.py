@@ -26,8 +26,8 @@ def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
 
 
 def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_letter() -> None:
-    page = page_of_file("two-sliders-on-a-link")
-    assert "(3): a_A = 30 - 0.3 T in m/s² (4): a_B = -9.81 - 0.2667 T in m/s² (3), (4) in (2): 0.3933 T" in page
+    page = page_of_file("slider-crank-free")
+    assert "(2), (6) in (7): 1.273 α_AB = -14.07 in N·m" in page
 
 
 def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> None:

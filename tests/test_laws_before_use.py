@@ -33,12 +33,6 @@ def test_both_sides_of_an_integral_over_the_way_are_told() -> None:
     assert "1/2 ω² = g sin θ / r" in page
 
 
-def test_by_what_the_accelerations_of_the_ends_of_a_link_differ_is_told() -> None:
-    page = page_of_file("two-sliders-on-a-link")
-    assert "differ by v²/l of their relative motion, (0.8² + 0.6²)/0.5 = 2 m/s²" in page
-    assert "0.8 a_B + 0.6 a_A = -2 in m/s²" in page
-
-
 def test_the_work_of_a_force_that_changes_is_an_integral_first() -> None:
     page = page_of_file("crate-on-a-floor-that-gets-rougher")
     integral = "∫[0 → x_P,1] (-m g (μ_0 + q x_P)) dx_P"

@@ -13,6 +13,7 @@ from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import with_article
+from planar_cli.report.armless import with_lines_through
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
@@ -65,7 +66,7 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
     """About which point moments are taken, and why about this one."""
     group, centre = ", ".join(w.bodies), stage.centres.get(w.lead)
     if centre is None:
-        return line(f"{group}, moments about ", Name(w.lead), ":")
+        return with_lines_through(line(f"{group}, moments about ", Name(w.lead), ":"), w, phrases)
     place, through = centre
     parts: list[Any] = [
         f"{group}, moments about ",
@@ -86,7 +87,7 @@ def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> 
         parts += [", chosen so that ", *listed, " do not enter:" if len(gone) > 1 else " does not enter:"]
     else:
         parts += [":"]
-    return line(*parts)
+    return with_lines_through(line(*parts), w, phrases)
 
 
 def _turns_about(system: System, phrases: Phrases, bodies: Sequence[str], place: Vec) -> str:

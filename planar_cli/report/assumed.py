@@ -56,8 +56,7 @@ def _then(natural: Trial, instant: InstantSolution, phrases: Phrases) -> Iterato
         if not trial.outcomes or (found := needed(trial, test)) is None:
             continue
         yield Note("Assume", line("; ".join(assumed_alike(_words(trial)))))
-        told = worked_out(found, trial, instant, phrases).told(" > ", phrases)
-        yield Note("Fails", line("it would need ", *told))
+        yield Note("Fails", worked_out(found, trial, instant, phrases).wants(" > ", phrases))
         return
 
 
@@ -113,13 +112,13 @@ def _objection(trial: Any, instant: InstantSolution, phrases: Phrases) -> Line:
         return line(reasons.get(trial.objection, trial.objection))
     test, value = trial.tests[0]
     if value is None:
-        if compared := at_best(trial, phrases):
+        if compared := at_best(trial, instant, phrases):
             return compared
         words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
         return line("no reactions satisfy all of these: " + "; ".join(words))
     found = None if phrases.symbolic else needed(trial, test)
     if found is not None:
-        return line("it would need ", *worked_out(found, trial, instant, phrases).told(" > ", phrases))
+        return worked_out(found, trial, instant, phrases).wants(" > ", phrases)
     return line(f"this would not hold: {test.words}", _by_how_much(trial, test, phrases))
 
 

@@ -16,6 +16,7 @@ from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
 from planar_cli.report.decisions import at_limit, decision_lines, limits_of, needed
 from planar_cli.report.letter_check import letter_check
 from planar_cli.report.presses import bounded_in, formula_of_press
+from planar_cli.report.slip_senses import slip_senses
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
@@ -57,7 +58,8 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool, decid
         (_presses(instant, phrases), _friction(instant, phrases, decides)) if heavy and sure and forces else ([], [])
     )
     held = _possible(instant, phrases) if decides and heavy and sure else ()
-    told = [*presses, *limits, held, *(line(text) for text in instant.checks.get("told", ()))]
+    slips = slip_senses(instant, phrases) if single and heavy and sure else []
+    told = [*presses, *slips, *limits, held, *(line(text) for text in instant.checks.get("told", ()))]
     own: list[Line] = []
     if single and sure and not limits:
         own.append(chosen_check(OF_INSTANTS, instant, phrases))

@@ -21,6 +21,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Equation, Line, Math, Name, Value, line
 from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
+from planar_cli.report.what_it_needs import Working, working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
@@ -37,6 +38,7 @@ class Needed:
 
     `size`, `limit`: numbers, SI; `formula`: of the limit; `own`: of the size, by what is known; None: nothing short.
     `press`: of the couple of a normal force, how far beside the middle that acts (a letter), and the force.
+    `working`: of a case that is rejected, where its own accelerations tell the size.
     """
 
     symbol: sp.Symbol
@@ -46,6 +48,12 @@ class Needed:
     formula: sp.Expr
     own: sp.Expr | None = None
     press: tuple[sp.Symbol, sp.Symbol, Decimal] | None = None
+    working: Working | None = None
+
+    def wants(self, sign: str, phrases: Phrases) -> Line:
+        """The same as a sentence, what its size rests on before it."""
+        before = () if self.working is None else self.working.told(phrases)
+        return line(*before, "; " if before else "", "it would need ", *self.told(sign, phrases))
 
     def shown(self, phrases: Phrases) -> tuple[Value, Value]:
         """Size and limit with their unit."""
@@ -57,10 +65,17 @@ class Needed:
         if self.press is not None:
             return self._offset(*self.press, sign, phrases)
         shown, most = self.shown(phrases)
-        own = () if self.own is None else line(" = ", phrases.math(self.own))
+        size = line("|", Math(self.symbol), "|", *self.worked(phrases), " = ", shown)
         numbers = [piece for side in phrases.substituted(self.formula, most) for piece in (" = ", side)]
-        size = line("|", Math(self.symbol), "|", *own, " = ", shown)
         return line(*size, sign, phrases.math(self.formula), *numbers, " = ", most)
+
+    def worked(self, phrases: Phrases) -> Line:
+        """` = m a = 5 · 5.942`, of the size; empty where it has no formula."""
+        if self.own is None:
+            return ()
+        there = phrases if self.working is None else replace(phrases, value=self.working.value)
+        numbers = [piece for side in there.substituted(self.own, self.shown(phrases)[0]) for piece in (" = ", side)]
+        return line(" = ", there.math(self.own), *numbers)
 
     def _offset(self, letter: sp.Symbol, force: sp.Symbol, press: Decimal, sign: str, phrases: Phrases) -> Line:
         """x = P y/N = 235.4 · 0.5/588.6 = 0.2 m, the sign, b/2 = 0.3 m."""
@@ -107,6 +122,12 @@ def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: P
         own = moment_of_loads(trial, push, found.size)
     elif not solved and push.kind == "friction":
         own = _formula(replace(instant, trial=trial), push, found.size, phrases)
+        if (
+            own is None
+            and trial is not instant.trial
+            and (way := working(trial, push, found.size, instant)) is not None
+        ):
+            return replace(found, own=way.size, working=way)
     return replace(found, own=own)
 
 

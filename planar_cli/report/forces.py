@@ -24,6 +24,7 @@ from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
+from planar_cli.report.found_senses import acts_backward
 from planar_cli.report.grooves import normal_to
 from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
@@ -122,17 +123,18 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
         idle = guide and not expr.free_symbols & used and not turning
+        backward = acts_backward(instant, push, expr, used, phrases)
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             beside_it = named if rigid and push.kind != "drive" else normal_to(instant.instant.scene, push)
             where, sure = beside_it, expr in {*at_limit, *phrases.ledger.values}
             there: Line = ()
-            acting = a
+            acting = replace(a, force=-a.force) if backward and a.force is not None else a
             if (offset := beside.get(expr)) is not None:
                 where, there = "", offset.told(phrases.arrow(offset.way.x, offset.way.y))
                 acting = replace(a, point=offset.beside(a.point))
             if rigid and (unplaced := open_line(instant.trial, push, body, used, instant.value)) is not None:
-                where, acting = NOT_NEEDED, replace(a, point=unplaced.place(a))
+                where, acting = NOT_NEEDED, replace(acting, point=unplaced.place(a))
             parts.append([*_push(push, expr, acting, phrases, where, sure), *there])
     return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
 

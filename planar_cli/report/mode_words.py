@@ -36,7 +36,9 @@ def _sticks(instant: InstantSolution, joint: str) -> str:
 
 
 def _slides(instant: InstantSolution, joint: str) -> str:
-    """The way in which it slides on the ground, against the friction on it; of a body that turns only that it slips."""
+    """What slides on what, and the way in which it does, against the friction on it; of a body that turns at which
+    point; on a belt only that it slips.
+    """
     trial = instant.trial
     friction = next((p for p in trial.system.modes[joint].facts.pushes if p.kind == "friction"), None)
     motion = trial.system.motion
@@ -45,7 +47,14 @@ def _slides(instant: InstantSolution, joint: str) -> str:
     (own, *others) = friction.actions
     size, value = trial.outcomes[0].push(friction.name), instant.value
     turns = not value.vanishes(motion.accelerations[own.body].angular)
-    if turns or size is None or own.force is None or [a.body for a in others] != [GROUND]:
+    if size is None or own.force is None or len(others) != 1:
         return "it slips"
     x, y = (-size * (value.known(sp.sympify(c)) or ZERO) for c in (own.force.x, own.force.y))
-    return f"it slides {vector_words(x, y)}".rstrip()
+    way = vector_words(x, y)
+    (other,) = others
+    if other.body != GROUND:
+        return f"{own.body} slides on {other.body}, {way} relative to it" if way else "it slips"
+    belt = trial.system.modes[joint].sliding
+    if belt is not None and belt.rate != 0:
+        return "it slips"
+    return f"it slides {way}".rstrip() if not turns else f"it slips, at {friction.place} {way}".rstrip()

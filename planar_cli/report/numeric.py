@@ -27,6 +27,7 @@ from planar_cli.report.with_units import led, with_units
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.led import OF_LENGTH
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, TIME, VELOCITY, Dimension, pretty_unit
@@ -376,6 +377,7 @@ class NumericTelling:
             return ENERGY
         if w.source in ("closure", "coordinate"):
             whole = VELOCITY if level_of(w, stage, self.phrases.ledger) == "velocity" else ACCELERATION
+            whole = whole * LENGTH if w.words == OF_LENGTH else whole
             return whole / LENGTH if w.lead.startswith(ANGLE_OF) else whole
         return _of_statement(w) if w.source == "given" else None
 

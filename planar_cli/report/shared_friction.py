@@ -1,7 +1,7 @@
 """Why nothing can hold where friction at two contacts shares what is needed: with as much as the one can give the other
 would need more than it has.
 
-even with |F_B| = μ_B N_B = 6.3 N it would need |F_A| = 55.1 N > μ_A N_A = 0.2 · 141.2 = 28.2 N
+even with |F_B| = μ_B N_B = 6.3 N it would need |F_A| = N_B = 55.1 N > μ_A N_A = 0.2 · 141.2 = 28.2 N
 """
 
 from __future__ import annotations
@@ -11,23 +11,35 @@ from dataclasses import replace
 from decimal import Decimal
 from itertools import permutations
 
-import sympy as sp
-
 from planar_cli.equation.exact import ZERO
 from planar_cli.problem.facts import Test
+from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.decisions import limits_of, needed
+from planar_cli.report.decisions import Needed, limits_of, needed
 from planar_cli.report.presses import bounded_in
+from planar_cli.report.what_it_needs import Working, working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import measure
+from planar_cli.solve.solution import InstantSolution
 
 Straight = tuple[Decimal, Decimal]
 """Value and slope of what a test measures, over the one reaction that is free."""
 TINY = Decimal("1e-20")
 
 
-def at_best(trial: Trial, phrases: Phrases) -> Line:
+@record
+class Shared:
+    """Two frictions by their `names` in the system: the `helping` one at its limit, and the `other`, which has too
+    little.
+    """
+
+    names: tuple[str, str]
+    helping: Needed
+    other: Needed
+
+
+def at_best(trial: Trial, instant: InstantSolution, phrases: Phrases) -> Line:
     """The comparison; empty where more than one reaction is free, or no two contacts share friction so."""
     outcome = trial.outcomes[0]
     if phrases.symbolic or len(outcome.solved.null) != 1 or outcome.value is None:
@@ -40,9 +52,8 @@ def at_best(trial: Trial, phrases: Phrases) -> Line:
                 tests.setdefault(name, []).append(test)
     for helping, other in permutations(reversed(tests), 2):
         for free in _ends([_straight(trial, t) for t in tests[helping]]):
-            told = _told(trial, (helping, other), tests[other], free, phrases)
-            if told:
-                return told
+            if told := _told(trial, (helping, other), tests[other], free, phrases):
+                return _sentence(told, _slipping(trial, told, instant), phrases)
     return ()
 
 
@@ -64,24 +75,51 @@ def _ends(bounds: list[Straight]) -> Iterator[tuple[Decimal, Decimal]]:
 
 def _told(
     trial: Trial, names: tuple[str, str], tests: list[Test], free: tuple[Decimal, Decimal], phrases: Phrases
-) -> Line:
+) -> Shared | None:
     """Where the other friction is nearest to enough at this end, and still has too little."""
     at_end, inside = free
     bounds = [_straight(trial, t) for t in tests]
     missing, before = (min(value + slope * s for value, slope in bounds) for s in (at_end, inside))
     if missing >= -TINY or before > missing:
-        return ()
+        return None
     settled = _settled(trial, at_end)
     found = {bounded_in(settled.system, t): n for _, t in limits_of(settled) if (n := needed(settled, t)) is not None}
     helping, other = (found.get(name) for name in names)
     pushes = [p for p in settled.system.pushes if p.kind == "normal"]
     presses = all((settled.outcomes[0].push(p.name) or ZERO) >= 0 for p in pushes)
     if helping is None or other is None or not presses or other.size <= other.limit:
-        return ()
-    whole = line("|", Math(helping.symbol), "| = ", phrases.math(helping.formula), " = ", helping.shown(phrases)[1])
+        return None
+    return Shared(names, helping, other)
+
+
+def _slipping(natural: Trial, shared: Shared, instant: InstantSolution) -> Working | None:
+    """How the other friction is worked out where the helping one has reached its limit: its contact slips then, as in
+    one of the cases that were tried. None: the forces of that are other ones, or the way to them is long.
+    """
+    own = {p.name: p for p in natural.system.pushes}
+    helping, other = (own[name] for name in shared.names)
+    for trial in instant.rejected:
+        modes = {n: m.name for n, m in trial.system.modes.items()}
+        apart = [n for n, m in natural.system.modes.items() if modes.get(n) != m.name]
+        if apart == [helping.joint] and modes[helping.joint] == "slip":
+            found = working(trial, other, shared.other.size, instant)
+            if found is not None:
+                return found
+    return None
+
+
+def _sentence(shared: Shared, way: Working | None, phrases: Phrases) -> Line:
+    """The comparison, with what it rests on."""
+    found, other = shared.helping, replace(shared.other, own=None if way is None else way.size, working=way)
+    whole = line("|", Math(found.symbol), "| = ", phrases.math(found.formula), " = ", found.shown(phrases)[1])
     shown, most = other.shown(phrases)
-    needs = line("|", Math(other.symbol), "| = ", shown, " > ", phrases.math(sp.sympify(other.formula)), " = ", most)
-    return line("even with ", *whole, " it would need ", *needs)
+    needs = line("|", Math(other.symbol), "|", *other.worked(phrases), " = ", shown)
+    there = phrases if way is None else replace(phrases, value=way.value)
+    put = () if way is None else there.substituted(other.formula, most)
+    limit = line(" > ", there.math(other.formula), *(x for side in put for x in (" = ", side)), " = ", most)
+    before = () if way is None else way.told(phrases)
+    middle = line(": ", *before, "; it would need ") if before else line(" it would need ")
+    return line("even with ", *whole, *middle, *needs, *limit)
 
 
 def _settled(trial: Trial, free: Decimal) -> Trial:

@@ -11,15 +11,31 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.between_led import between_led, index_of
+from planar_cli.report.blocks import Block, Line, Name, Paragraph, line
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.led import is_between_led
+from planar_cli.solve.instant.written import Written
 from planar_cli.units import ACCELERATION, LENGTH, VELOCITY
 
 
-def tie_words(j: Joining, level: str, named: str, own: Name, system: System, phrases: Phrases) -> Line:
-    """`named`: what the tie is called; `level`: velocity or acceleration; `own`: that of its mover's end."""
-    keeps = f"{named} keeps its length"
+def tie_told(
+    j: Joining, w: Written, level: str, named: str, system: System, phrases: Phrases, told: set[str]
+) -> list[Block]:
+    """`named`: what the tie is called; `level`: velocity or acceleration; `told`: keys of what stands on the page."""
+    if is_between_led(j, system):
+        key = f"length {j.joint}"
+        times = "Differentiated" if level == "velocity" else "Differentiated twice"
+        times = "Differentiated once more" if key in told else times
+        told.add(key)
+        normal = _normal(j, system, phrases) if level != "velocity" else ()
+        return between_led(j, w, named, times, normal, system, phrases)
+    return [Paragraph(line(*_words(j, level, named, system, phrases), ":"))]
+
+
+def _words(j: Joining, level: str, named: str, system: System, phrases: Phrases) -> Line:
+    keeps, own = f"{named} keeps its length", Name(f"{level[0]}_{index_of(j.place)}")
     if j.base == GROUND and level == "velocity":
         return line(f"{keeps}, so that along it ", own, " has no component")
     if j.base == GROUND:
@@ -29,7 +45,8 @@ def tie_words(j: Joining, level: str, named: str, own: Name, system: System, phr
     if not swings(j, system):
         return line(f"{keeps}, so that along it the accelerations of both ends agree")
     differ = f"{keeps}; along it the accelerations of its ends differ by v²/l of their relative motion"
-    return line(differ, *_normal(j, system, phrases))
+    normal = _normal(j, system, phrases)
+    return line(differ, *(line(", ", *normal) if normal else ()))
 
 
 def swings(j: Joining, system: System) -> bool:
@@ -48,7 +65,7 @@ def _relative(j: Joining, system: System) -> tuple[Vec, Vec]:
 
 
 def _normal(j: Joining, system: System, phrases: Phrases) -> Line:
-    """, (0.8² + 0.6²)/0.5 = 2 m/s², where the velocities are known."""
+    """(0.8² + 0.6²)/0.5 = 2 m/s², where the velocities are known."""
     velocity, arm = _relative(j, system)
     known = [phrases.value.known(sp.sympify(p)) for p in (velocity.x, velocity.y, sp.sqrt(arm.dot(arm)))]
     x, y, length = (k if k is not None else Decimal(0) for k in known)
@@ -57,4 +74,4 @@ def _normal(j: Joining, system: System, phrases: Phrases) -> Line:
     numbers = [phrases.of_dimension(abs(n), d).number for n, d in ((x, VELOCITY), (y, VELOCITY), (length, LENGTH))]
     first, second, below = (significant(n, phrases.figures) for n in numbers)
     value = phrases.of_dimension((x * x + y * y) / length, ACCELERATION)
-    return line(f", ({first}² + {second}²)/{below} = ", value)
+    return line(f"({first}² + {second}²)/{below} = ", value)

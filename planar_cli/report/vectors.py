@@ -30,11 +30,12 @@ from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
 from planar_cli.report.projected import known_sides, projected, unit_of
 from planar_cli.report.rolled_contacts import on_fixed_axles, rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
-from planar_cli.report.ties import swings, tie_words
+from planar_cli.report.ties import swings, tie_told
 from planar_cli.report.told import Across
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
 from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.led import OF_LENGTH
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
 
@@ -94,9 +95,9 @@ class VectorTelling:
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
-            own = Name(f"{level[0]}_{index_of(joining.place)}")
-            words = tie_words(joining, level, self._called(joining), own, self.system, self.phrases)
-            return [*self._reach(joining, level), Paragraph(line(*words, ":"))]
+            called = self._called(joining)
+            tied = tie_told(joining, w, level, called, self.system, self.phrases, self._told)
+            return [*self._reach(joining, level), *tied]
         if meshing := on_fixed_axles(joining, w, level, self.system):
             return [Paragraph(meshing)]
         reach, known = self._reach(joining, level), list(projected(self, joining, w, level))
@@ -122,7 +123,7 @@ class VectorTelling:
 
     def swings(self, w: Written) -> bool:
         """Is it the acceleration along a tie whose ends differ by what was told before?"""
-        return (j := self._closure(w)) is not None and swings(j, self.system)
+        return w.words != OF_LENGTH and (j := self._closure(w)) is not None and swings(j, self.system)
 
     def _closure(self, w: Written) -> Joining | None:
         if w.source != "closure":

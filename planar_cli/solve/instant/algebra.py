@@ -17,6 +17,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.records import record
+from planar_cli.solve.instant.led import OF_LENGTH
 from planar_cli.solve.instant.outright import Outright, outright
 from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.instant.plan import Block
@@ -85,7 +86,8 @@ class Algebra:
             lines = [self._single(written[0], order[0])]
         else:
             residuals = [self.in_unknowns(w, order) for w in written]
-            easy = easiest(residuals, order, letters, self._vanishes_at_a_state)
+            last = [i for i, w in enumerate(written) if w.words == OF_LENGTH]
+            easy = easiest(residuals, order, letters, self._vanishes_at_a_state, last)
             written, order, letters = tuple(written[i] for i in easy.equations), easy.unknowns, easy.letters
             residuals = [residuals[i] for i in easy.equations]
             told = outright(residuals, order, self.value, self._solve_for) if len(letters) == 1 else None

@@ -4,9 +4,6 @@ instantaneous centre, would else need an arm for each part of their acceleration
 
 from __future__ import annotations
 
-from planar_cli.equation.system import System
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
 from planar_cli.solve.instant.plan import Plan
 
 MANY = 4
@@ -25,14 +22,3 @@ def bodies_by_axes(plan: Plan) -> frozenset[str]:
         and (len(e.bodies) >= MANY or (e.choice.moment and not e.choice.name and len(e.bodies) > 1))
         for body in e.bodies
     )
-
-
-def led_by_ground(system: System, body: str) -> tuple[Vec, ...]:
-    """The direction of the straight line of the ground along which a body is led that does not turn: across it nothing
-    moves.
-    """
-    if system.scene.rigid(body):
-        return ()
-    joinings = (j for mode in system.modes.values() for j in mode.facts.joinings)
-    paths = (j.path for j in joinings if j.mover == body and j.base == GROUND and j.drift is None)
-    return tuple(path.tangent for path in paths if path is not None and path.curvature == 0)

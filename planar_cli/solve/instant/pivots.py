@@ -5,7 +5,7 @@ a_A = l α sin θ, and α carried, rather than α = a_A/(l sin θ), and a_A carr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import combinations
 
 import sympy as sp
@@ -18,6 +18,8 @@ LARGEST = 6
 """Blocks of more equations keep the order of the plan."""
 LETTER, FUNCTION = 1, 3
 """The price of a division by one letter, and by each sine or cosine."""
+LAST = 2
+"""The price of what an equation gives into which the others should be put."""
 
 Coefficients = Sequence[dict[sp.Symbol, sp.Expr]]
 
@@ -38,11 +40,13 @@ def easiest(
     unknowns: Sequence[sp.Symbol],
     letters: Sequence[sp.Symbol],
     vanishes: Callable[[sp.Expr], bool],
+    last: Collection[int] = (),
 ) -> Order:
     """The order in which the fewest terms are divided by; that of the plan where no other is easier.
 
     residuals: of the equations, in the order in which they give `unknowns`, of which the last are `letters`.
-    `vanishes`: is a factor zero where a state is, so that nothing can be divided by it there?
+    `vanishes`: is a factor zero where a state is, so that nothing can be divided by it there? `last`: the places of
+    equations into which the others are rather put, as a constraint that joins two accelerations.
     """
     given = Order(tuple(range(len(residuals))), tuple(unknowns), tuple(letters))
     if not letters or len(residuals) > LARGEST:
@@ -53,11 +57,12 @@ def easiest(
         return given
     chained = len(unknowns) - len(letters)
 
-    def price(factor: sp.Expr | None) -> float:
-        found = _price(factor)
+    def price(i: int, x: sp.Symbol) -> float:
+        factor = table[i].get(x)
+        found = _price(factor) + (LAST if i in last else 0)
         return float("inf") if found and factor is not None and vanishes(factor) else found
 
-    best, least = given, sum(price(table[i].get(x)) for i, x in zip(range(chained), unknowns, strict=False))
+    best, least = given, sum(price(i, x) for i, x in zip(range(chained), unknowns, strict=False))
     for chosen in combinations(unknowns, len(letters)):
         found = _chain(table, unknowns, chosen, price)
         if found is not None and found[1] < least:
@@ -69,13 +74,13 @@ def _chain(
     table: Coefficients,
     unknowns: Sequence[sp.Symbol],
     letters: tuple[sp.Symbol, ...],
-    price_of: Callable[[sp.Expr | None], float],
+    price_of: Callable[[int, sp.Symbol], float],
 ) -> tuple[Order, float] | None:
     """The unknowns that are no letters one at a time, each by the equation that divides it by the least."""
     left, equations, order, price = list(range(len(table))), list[int](), list[sp.Symbol](), 0.0
     while len(order) < len(unknowns) - len(letters):
         open_ = {i: [x for x in table[i] if x not in letters and x not in order] for i in left}
-        ready = [(price_of(table[i][xs[0]]), i, xs[0]) for i, xs in open_.items() if len(xs) == 1]
+        ready = [(price_of(i, xs[0]), i, xs[0]) for i, xs in open_.items() if len(xs) == 1]
         if not ready:
             return None
         own, i, x = min(ready, key=lambda r: r[:2])

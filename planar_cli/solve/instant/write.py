@@ -20,10 +20,10 @@ from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
-from planar_cli.solve.instant.by_axes import led_by_ground
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
+from planar_cli.solve.instant.led import led_by_ground, of_length
 from planar_cli.solve.instant.named_parts import by_named
 from planar_cli.solve.instant.numbers import Numbers, exact_number
 from planar_cli.solve.instant.offers import line_of
@@ -31,6 +31,7 @@ from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.recognised import recognised
 from planar_cli.solve.instant.tangent_angle import of_groove
+from planar_cli.solve.instant.without_arm import without_arm
 from planar_cli.solve.instant.written import Explicit, Written, put_together
 
 LETTERS = "CKQSWZHJ"
@@ -218,8 +219,8 @@ class Writer:
         self.allowed = {self.numbers.unknowns[j] for j in bits(candidate.mask)}
         if candidate.single is not None:
             return self._single(candidate.single)
-        if candidate.condition is not None:
-            return self._relation(candidate.condition, candidate.choice)
+        if (condition := candidate.condition) is not None:
+            return of_length(condition, self.system, self.number) or self._relation(condition, candidate.choice)
         assert candidate.choice is not None
         if candidate.choice.moment:
             return self._moment(candidate.bodies, candidate.choice)
@@ -257,14 +258,13 @@ class Writer:
         arm = self.system.scene.arms.between
 
         def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
-            turning = arm(center, point).cross(force) if force is not None else sp.S.Zero
-            return turning + couple
+            return couple + (arm(center, point).cross(force) if force is not None else sp.S.Zero)
 
         left = self._loads(bodies, moment)
-        alone = len(bodies) == 1
-        parts = [part for body in bodies for part in self._inertia_terms(body, center, name, alone)]
+        parts = [part for body in bodies for part in self._inertia_terms(body, center, name, len(bodies) == 1)]
         right = self.kept_lines([force * about for force, about in parts])
         written = self._written("moment", bodies, name, choice.words, left, right)
+        written = replace(written, armless=without_arm(parts, self.numbers.value, self.system.scene.ledger))
         return replace(written, moments=put_together(parts, written.right))
 
     def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[tuple[sp.Expr, sp.Expr]]:

@@ -39,6 +39,8 @@ class Written:
     """How often a relation of the file was differentiated."""
     moments: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     """What the right side of a sum of moments is put together of: each m a with its arm, each I α with the factor 1."""
+    armless: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    """What has no moment about that point for the numbers of the file alone: each m a with its arm in letters."""
 
     @property
     def residual(self) -> sp.Expr:

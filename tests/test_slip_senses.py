@@ -1,0 +1,35 @@
+"""What begins to slip does so against the friction drawn; what slides on a body has its own acceleration by itself."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+LADDER = "a_B = -l α cos β = -4 · 1.299 cos 50° = -3.340 m/s² < 0: ladder slides at B downward, against its friction"
+SPOOL = "a_C = a_G + R α = 4.5285 + 0.4 · 9.782 = 8.441 m/s² > 0: spool slides at C to the right, against its friction"
+BLOCKS = "a_A - a_B = 2.943 - 7.8165 = -4.8735 m/s² < 0: upper slides on lower to the left, against its friction"
+
+
+@pytest.mark.parametrize(
+    ("name", "line"),
+    [
+        ("spool-rolls-or-slips", SPOOL),
+        ("stacked-blocks", BLOCKS),
+        ("ladder-sliding", LADDER),
+        ("ladder-sliding", "slides: it slips, at A to the right"),
+        ("stacked-blocks", "upper_90: upper slides on lower, to the left relative to it"),
+        ("two-blocks-joined-by-a-cord", "a_A = -3.859 m/s² < 0: upper slides down the slope, against its friction"),
+    ],
+)
+def test_the_sense_of_a_slip_is_told(name: str, line: str) -> None:
+    assert line in page_of_file(name)
+
+
+def test_what_slides_on_a_body_has_its_acceleration_by_its_own_forces() -> None:
+    page = page_of_file("stacked-blocks")
+    assert "a_A = μ_A N_A/m_A = μ_A g = 0.3 · 9.81 = 2.943 m/s²" in page
+    assert "a_A,lower" not in page
+
+
+def test_nothing_is_said_of_what_does_not_slip() -> None:
+    assert "against its friction" not in page_of_file("crate-on-cart")
