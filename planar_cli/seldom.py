@@ -31,9 +31,9 @@ IN_FOLDERS = {
         meeting_check modes motion_phrases nil_impulses on_circle only_reaction opened_sums origins
         oscillation_check parts passages passing polar_check presses projected raw_moments reciprocals
         rests_on results_once rolled_contacts rolled_speeds rope_ends rope_rates round_check shared_friction
-        shown slips_at_start small_deviations special_case stated_bounds stated_text stretches swallowed
+        shown slip_senses slips_at_start small_deviations special_case stated_bounds stated_text stretches swallowed
         system_sum ties time_check track_check turn_check turned_diagrams turning_rates velocity_check vibrations
-        with_units written_places
+        what_happens what_it_needs with_units written_places
     """,
     "solve": """
         held states

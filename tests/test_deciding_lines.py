@@ -69,3 +69,13 @@ def test_inner_forces_that_would_only_be_added_again_stay_inside() -> None:
     page = page_of_file("crate-on-cart").partition("CASE")[2]
     assert "cart, crate: (6) → ΣF_x: F = M a_K + m a_K" in page
     assert "(6): F = (M + m) a_K = (60 + 20) · 2.943 = 235.4 N" in page
+
+
+def test_the_answer_says_what_begins_at_the_limit() -> None:
+    page = page_of_file("crate-that-slips-or-tips")
+    assert "P_low = P = 235.4 N; beyond it the crate slips" in page
+    assert "P_high = P = 176.6 N; beyond it the crate tips about its right edge" in page
+    assert "(assumed)" not in page
+    assert page.count("free-body diagram; ΣF = 0, ΣM = 0") == 2
+    assert "F_max = F = 313.9 N; beyond it the crate tips about A" in page_of_file("crate-on-cart")
+    assert "beyond" not in page_of_file("falling-pole")

@@ -15,6 +15,7 @@ from planar_cli.report.letter_vectors import letter_vector_words
 from planar_cli.report.mode_words import mode_words
 from planar_cli.report.names import plain_name
 from planar_cli.report.senses import direction_words
+from planar_cli.report.what_happens import what_happens
 from planar_cli.report.words import Phrases, answer_line, told_unit
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
@@ -31,6 +32,8 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
         return Answer(found.name, said if named else line(Math(letter), " = ", said), relation)
     asked = _asked(found, part)
     symbol, size = _symbol(asked)
+    if asked is not None and asked == symbol and _seeks_extremes(part) and (happens := what_happens(symbol, part)):
+        said = line(*said, happens)
     if (rate := _second_rate(found)) is not None:
         named = plain_name(found.name) == plain_name(rate.name)
         return Answer(found.name, said if named else line(Math(rate), " = ", said), "=" if named else ":")
@@ -56,6 +59,11 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     letter = line("|", Math(symbol), "|") if size and not positive else line(Math(symbol if size else asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
+
+
+def _seeks_extremes(part: PartSolution) -> bool:
+    """Is something the largest or the smallest?"""
+    return any(instant.instant.statements.extremes for instant in part.instants)
 
 
 def _is_of_another_state(name: str, symbol: sp.Symbol, part: PartSolution) -> bool:

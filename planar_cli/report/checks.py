@@ -58,7 +58,7 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool, decid
         (_presses(instant, phrases), _friction(instant, phrases, decides)) if heavy and sure and forces else ([], [])
     )
     held = _possible(instant, phrases) if decides and heavy and sure else ()
-    slips = slip_senses(instant, phrases) if single and heavy and sure else []
+    slips = slip_senses(instant, phrases) if single and heavy and sure and any(instant.trial.choice) else []
     told = [*presses, *slips, *limits, held, *(line(text) for text in instant.checks.get("told", ()))]
     own: list[Line] = []
     if single and sure and not limits:

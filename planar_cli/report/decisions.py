@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -18,17 +19,21 @@ from planar_cli.equation.on_two_points import on_two_points
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.records import record
-from planar_cli.report.blocks import Equation, Line, Math, Name, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Value, line
 from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
-from planar_cli.report.what_it_needs import Working, working
+from planar_cli.report.what_it_needs import working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import LENGTH, parse_unit
 
+if TYPE_CHECKING:
+    from planar_cli.report.what_it_needs import Working
+
 NEAR = Decimal("1e-20")
+FORCES_ALONE = "free-body diagram; ΣF = 0"
 HAPPENS = {"slip": "slips", "tip": "tips", "part": "lifts off"}
 
 
@@ -143,6 +148,17 @@ def _formula(instant: InstantSolution, push: Push, size: Decimal, phrases: Phras
         if number is not None and abs(abs(number) - size) <= NEAR * size and formula.free_symbols:
             return formula if number > 0 else -formula
     return None
+
+
+def with_decisions(blocks: list[Block], instant: InstantSolution, phrases: Phrases, decides: bool) -> list[Block]:
+    """The blocks of an instant with these lines behind them; a sum of moments among them is one of equilibrium too."""
+    told = [line for _, line in decision_lines(instant, phrases, decides)]
+    if not any(isinstance(piece, Name) and piece.name.startswith("ΣM") for b in told for piece in b.lead):
+        return [*blocks, *told]
+    return [
+        replace(b, aside=f"{b.aside}, ΣM = 0") if isinstance(b, Heading) and b.aside == FORCES_ALONE else b
+        for b in (*blocks, *told)
+    ]
 
 
 def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) -> Iterator[tuple[sp.Symbol, Equation]]:

@@ -24,7 +24,7 @@ from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
-from planar_cli.report.found_senses import acts_backward
+from planar_cli.report.found_senses import acts_backward, is_drawn_as_found
 from planar_cli.report.grooves import normal_to
 from planar_cli.report.impending import impending
 from planar_cli.report.in_numbers import amount_in_numbers
@@ -124,10 +124,12 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
         idle = guide and not expr.free_symbols & used and not turning
         backward = acts_backward(instant, push, expr, used, phrases)
+        known = {*at_limit, *phrases.ledger.values}
+        certain = expr in known or is_drawn_as_found(instant, push, expr, used, phrases)
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _end(instant, push, a, body) if push.kind == "tension" else _place(instant, push, a.point, body)
             beside_it = named if rigid and push.kind != "drive" else normal_to(instant.instant.scene, push)
-            where, sure = beside_it, expr in {*at_limit, *phrases.ledger.values}
+            where = beside_it
             there: Line = ()
             acting = replace(a, force=-a.force) if backward and a.force is not None else a
             if (offset := beside.get(expr)) is not None:
@@ -135,7 +137,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 acting = replace(a, point=offset.beside(a.point))
             if rigid and (unplaced := open_line(instant.trial, push, body, used, instant.value)) is not None:
                 where, acting = NOT_NEEDED, replace(acting, point=unplaced.place(a))
-            parts.append([*_push(push, expr, acting, phrases, where, sure), *there])
+            parts.append([*_push(push, expr, acting, phrases, where, certain), *there])
     return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
 
 

@@ -1,14 +1,15 @@
-"""The sense in which the force of a guide acts that no equation has: known once all is solved, and drawn so.
+"""The sense in which a force acts that no equation has: known once all is solved, and drawn so.
 
 block:  m_A g ↓,  N_block →,  A_x ←,  A_y ↓   =   m_A a_A ↓
 
-A guide holds from both sides, so that its joint counts the force in a sense of its own. Where no equation has the
-letter, it stands for the size alone.
+A guide holds from both sides, so that its joint counts the force in a sense of its own, and so does friction. Where no
+equation has the letter, it stands for the size alone.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from decimal import Decimal
 
 import sympy as sp
 
@@ -20,14 +21,28 @@ from planar_cli.solve.solution import InstantSolution
 def acts_backward(
     instant: InstantSolution, push: Push, expr: sp.Expr, used: Collection[sp.Symbol], phrases: Phrases
 ) -> bool:
-    """Does the force of a guide on a body act against the sense in which it counts? `used`: the letters of equations.
-
-    With letters, or in a motion, the sense may change from one place to another.
+    """Does a force of which no equation speaks, of a guide or by friction, act on a body against the sense in which it
+    counts? `used`: the letters of equations.
     """
-    trial = instant.trial
-    if push.kind != "normal" or not expr.is_Symbol or expr in used or phrases.symbolic or phrases.drawn is not None:
-        return False
-    if not trial.outcomes or all(j.kind != "guide" or j.name != push.joint for j in trial.system.scene.problem.joints):
-        return False
-    value = trial.outcomes[0].push(push.name)
+    value = _found(instant, push, expr, used, phrases)
     return value is not None and value < 0
+
+
+def is_drawn_as_found(
+    instant: InstantSolution, push: Push, expr: sp.Expr, used: Collection[sp.Symbol], phrases: Phrases
+) -> bool:
+    """Is a force of which no equation speaks drawn in the sense that it has?"""
+    return bool(_found(instant, push, expr, used, phrases))
+
+
+def _found(
+    instant: InstantSolution, push: Push, expr: sp.Expr, used: Collection[sp.Symbol], phrases: Phrases
+) -> Decimal | None:
+    """The value of such a force. With letters, or in a motion, the sense may change from one place to another."""
+    trial = instant.trial
+    if push.kind not in ("normal", "friction") or not expr.is_Symbol or expr in used or not trial.outcomes:
+        return None
+    guided = any(j.kind == "guide" and j.name == push.joint for j in trial.system.scene.problem.joints)
+    if phrases.symbolic or phrases.lettered or phrases.drawn is not None or (push.kind == "normal" and not guided):
+        return None
+    return trial.outcomes[0].push(push.name)

@@ -30,7 +30,7 @@ from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_chec
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.component_letters import with_component_letters
 from planar_cli.report.data_numbers import without_numbered_data, without_restated_data
-from planar_cli.report.decisions import decision_lines
+from planar_cli.report.decisions import with_decisions
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
@@ -294,7 +294,7 @@ def _instant_blocks(
     blocks = telling.blocks(mine if part.motion is None else ())
     if part.motion is None:
         asks = any(f.find is not None and asks_mode(f.find) for f in part.found)
-        blocks += [told for _, told in decision_lines(instant, phrases, asks) if why is None]
+        blocks = with_decisions(blocks, instant, phrases, asks) if why is None else blocks
         mine = [f for f in mine if f not in telling.first]
         asked = asked_told(telling.asked, mine, blocks)
         return [*blocks, *telling.definitions.of_asked(mine), *asked], telling.steps, telling.count

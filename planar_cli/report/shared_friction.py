@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
 from itertools import permutations
+from typing import TYPE_CHECKING
 
 from planar_cli.equation.exact import ZERO
 from planar_cli.problem.facts import Test
@@ -17,11 +18,14 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.decisions import Needed, limits_of, needed
 from planar_cli.report.presses import bounded_in
-from planar_cli.report.what_it_needs import Working, working
+from planar_cli.report.what_it_needs import working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import measure
 from planar_cli.solve.solution import InstantSolution
+
+if TYPE_CHECKING:
+    from planar_cli.report.what_it_needs import Working
 
 Straight = tuple[Decimal, Decimal]
 """Value and slope of what a test measures, over the one reaction that is free."""
