@@ -1,9 +1,10 @@
 """Parts of SymPy that no problem of mechanics needs, and parts of planar that few need, are loaded when something asks
 for them, not before.
 
-`import sympy` loads plane geometry, and its first sum loads the groups that order the indices of tensors:
-together a tenth of what an ordinary page takes. A stand-in takes the place of each of these modules. What it offers
-gets the real module once it is called, or looked into, or something is asked whether it is an instance of it.
+`import sympy` loads plane geometry, tensors, transforms, plots and the languages of other programs, and its first sum
+loads the groups that order the indices of tensors: together a fifth of what a short page takes. A stand-in takes the
+place of each of these modules. What it offers gets the real module once it is called, or looked into, or something is
+asked whether it is an instance of it.
 
 Functions that go by the types of their arguments are spared as much again: SymPy puts all kinds of arguments of one in
 order with each that it adds, a twentieth of such a page, though most of these functions are never called.
@@ -22,7 +23,18 @@ from typing import Any
 
 from planar_cli.seldom import SELDOM
 
-DEFERRED = ("sympy.combinatorics", "sympy.combinatorics.tensor_can", "sympy.geometry")
+IN_SYMPY = {
+    "": "algebras combinatorics combinatorics.tensor_can discrete geometry interactive parsing plotting tensor",
+    "integrals": "laplace transforms",
+    "polys": "numberfields polyquinticconst ring_series",
+    "printing": "glsl julia maple mathematica mathml octave pretty smtlib",
+    "series": "formal fourier",
+    "simplify": "hyperexpand",
+    "solvers": "diophantine ode polysys",
+}
+DEFERRED = tuple(
+    ".".join(("sympy", folder, name)).replace("..", ".") for folder in IN_SYMPY for name in IN_SYMPY[folder].split()
+)
 """Modules of SymPy of which others take names as they are loaded, and that hardly a page uses; parents first."""
 BY_TYPES = "sympy.multipledispatch"
 """The package for functions that go by the types of their arguments; it needs nothing else of SymPy."""
@@ -117,5 +129,10 @@ def loaded(module: str) -> ModuleType:
     for name in (*DEFERRED, module):
         if f"{module}.".startswith(f"{name}.") and isinstance(sys.modules.get(name), _StandIn):
             del sys.modules[name]
+            parent, _, own = name.rpartition(".")
+            taken = getattr(sys.modules.get(parent), "__dict__", {}).get(own)
             importlib.import_module(name)
+            if isinstance(taken, _Offered):
+                # A function that its package takes from a module of the same name, such as `pretty`, stays what it is.
+                setattr(sys.modules[parent], own, taken)
     return importlib.import_module(module)
