@@ -27,10 +27,10 @@ IN_SYMPY = {
     "": "algebras combinatorics combinatorics.tensor_can discrete geometry interactive parsing plotting tensor",
     "integrals": "laplace transforms",
     "polys": "numberfields polyquinticconst ring_series",
-    "printing": "glsl julia maple mathematica mathml octave pretty smtlib",
+    "printing": "glsl julia maple mathematica mathml octave smtlib",
     "series": "formal fourier",
     "simplify": "hyperexpand",
-    "solvers": "diophantine ode polysys",
+    "solvers": "ode polysys",
 }
 DEFERRED = tuple(
     ".".join(("sympy", folder, name)).replace("..", ".") for folder in IN_SYMPY for name in IN_SYMPY[folder].split()
@@ -97,7 +97,7 @@ class _StandIn(ModuleType):
         # As the import system does: `from sympy import *` takes the module from its parent.
         parent, _, own = self.__name__.rpartition(".")
         if parent in sys.modules:
-            setattr(sys.modules[parent], own, self)
+            vars(sys.modules[parent]).setdefault(own, self)
         return _Offered(self.__name__, name)
 
 
@@ -133,6 +133,6 @@ def loaded(module: str) -> ModuleType:
             taken = getattr(sys.modules.get(parent), "__dict__", {}).get(own)
             importlib.import_module(name)
             if isinstance(taken, _Offered):
-                # A function that its package takes from a module of the same name, such as `pretty`, stays what it is.
+                # A function that its package takes from a module of the same name, such as `mathml`, stays what it is.
                 setattr(sys.modules[parent], own, taken)
     return importlib.import_module(module)

@@ -43,6 +43,22 @@ head = TensorHead("A", [index] * 2, TensorSymmetry.fully_symmetric(-2))
 assert head(a, b).canon_bp() == -head(b, a).canon_bp() and head(a, -a).canon_bp() == 0
 from sympy.geometry import Circle
 assert type(Circle) is type(sympy.Basic) and Circle(sympy.Point(0, 0), 2).area == 4 * sympy.pi
+x, t, s, f = sympy.Symbol("x"), sympy.Symbol("t", positive=True), sympy.Symbol("s"), sympy.Function("f")
+assert sympy.mathml(x) == sympy.printing.mathml(x) == sympy.printing.mathml(x)
+assert sympy.octave_code(x**2) == "x.^2" and "<ci>x</ci>" in sympy.mathml(x)
+assert sympy.dsolve(f(x).diff(x) - f(x), f(x)).rhs.subs(x, 0) == sympy.Symbol("C1")
+assert sympy.laplace_transform(sympy.exp(-t), t, s, noconds=True) == 1 / (s + 1)
+assert sympy.minimal_polynomial(sympy.sqrt(2), x) == x**2 - 2 and sympy.field_isomorphism(sympy.I, sympy.I)
+assert sympy.diophantine(x + t) and sympy.solvers.diophantine(x + t)
+assert sympy.Quaternion(0, 1, 0, 0)**2 == sympy.Quaternion(-1, 0, 0, 0) and x * sympy.Quaternion(1, 0, 0, 0)
+assert sympy.IndexedBase("A")[1].base.label == sympy.Symbol("A") and not isinstance(x, sympy.Indexed)
+assert sympy.Array([1, 2]).shape == (2,) and sympy.Matrix(sympy.Array([[1, 2], [3, 4]])).det() == -2
+assert sympy.fps(sympy.exp(x)).truncate(2) == 1 + x + sympy.O(x**2) and sympy.fft([1, 2])[0] == 3
+assert sympy.solve(x**5 - 5*x + 12, x) and sympy.solve([x**2 + s - 1, x - s], [x, s])
+assert sympy.parse_expr("x + 1") == x + 1 and sympy.hyperexpand(sympy.hyper([], [], x)) == sympy.exp(x)
+from sympy.solvers.ode.systems import dsolve_system
+from sympy.tensor.array.expressions import ArraySymbol
+from sympy.integrals.transforms import MellinTransform
 """
 
 TAKEN = """
