@@ -14,9 +14,8 @@ from collections.abc import Iterator
 from dataclasses import field
 from typing import Protocol
 
-import yaml
-
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.pyyaml import yaml
 from planar_cli.problem.show import lines_of
 from planar_cli.problem.words import CALL_HABITS, QUANTITIES
 from planar_cli.problem.yaml_errors import explain_error

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 
-import yaml
-
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.pyyaml import yaml
 from planar_cli.problem.tokens import TABLE, TABLE_IN_A_LINE
 
 _BEGINNINGS = {
