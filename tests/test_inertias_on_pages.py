@@ -29,7 +29,7 @@ def _page(stem: str) -> str:
         ("gyration-from-test", "I_rotor = m k² = 40 · 0.206307² = 1.7025 kg·m²"),
         ("puck-hits-a-free-rod", "I_rod = 1/12 m_rod l² = 1/12 · 2 · 1.2² = 0.24 kg·m²"),
         ("dumbbell-hit-by-a-ball", "= 3 (0.9 - 0.675)² + 1 · 0.675² = 0.6075 kg·m²"),
-        ("rod-and-disk-pendulum", "= 2 · 0.3333² + 4 · 0.1667² + 0.1067 + 0.02 = 0.46 kg·m²"),
+        ("rod-and-disk-pendulum", "I = I_O - m OG² = 3.68667 - 6 · 0.73333² = 0.46 kg·m²"),
     ],
 )
 def test_their_lines(stem: str, words: str) -> None:

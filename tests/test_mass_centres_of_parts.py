@@ -17,9 +17,10 @@ from worked import page_of_file
     )),
     ("rod-and-disk-pendulum", (
         "mass of pendulum: m = ",
-        "y_G = Σ m_i y_i/m = (2 (-0.2) + 4 (-0.45))/6 = -0.3667 m",
-        "d_1 = √((0.34641 - 0.63509)² + (-0.2 - (-0.36667))²) = 0.3333 m",
-        "I = m_1 d_1²",
+        "d_2 = 0.9 m",
+        "OG = (m_1 d_1 + m_2 d_2)/m = (2 · 0.4 + 4 · 0.9)/6 = 0.7333 m",
+        "I_O = m_2 d_2² + I_1 + I_2",
+        "I = I_O - m OG²",
     )),
     ("unbalanced-wheel", ("mass of wheel: m = m_P + m_w", "x_G = e m_P/m = 0.2 · 2 / 10 = 0.04 m", "d_1 = ")),
 ])  # fmt: skip

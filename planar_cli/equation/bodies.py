@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Ledger
+from planar_cli.equation.parts_in_line import PartsInLine, parts_in_line, pin_of
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.written_angles import WrittenAngles
 from planar_cli.errors import refuse
@@ -49,6 +50,12 @@ class BodyModel:
     varies: bool = False
     parts: tuple[tuple[sp.Expr, sp.Expr, Vec], ...] = ()
     """Of a body of several parts: mass, moment of inertia about its own mass centre, and that centre, of each."""
+    pivot: tuple[str, sp.Expr] | None = None
+    """The pin about which such a body turns on a line with its parts, and the moment of inertia about it."""
+
+
+_Part = tuple[tuple[sp.Expr, sp.Expr], Uniform]
+"""Mass and moment of inertia about its own mass centre, of a part, and its shape."""
 
 
 @record
@@ -256,6 +263,8 @@ class MassReader:
         center_name = self._own_centre(body, parts)
         if center_name:
             center = self.points(center_name)
+        elif (turned := self._in_line(body, shape, parts)) is not None:
+            return self._turned_in_line(turned, body, shape, mass, parts)
         else:
             center_name = self.ledger.fresh(self._named("G", body), "m").name
             center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
@@ -269,6 +278,43 @@ class MassReader:
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
         own = tuple((*masses, u.center) for masses, u in parts)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta, parts=own)
+
+    def _in_line(self, body: Body, shape: Composite, parts: list[_Part]) -> PartsInLine | None:
+        """A body that turns about a pin, on a line through which its parts lie; None: it is none."""
+        pin = pin_of(body.name, self.problem)
+        own = body.inertia is None and body.gyration is None and all(p.inertia is None for p in shape.pieces)
+        if not pin or not own or any(self._varies(mass) for (mass, _), _ in parts):
+            return None
+        return parts_in_line(pin, self.points(pin), [u.center for _, u in parts], self._vanishes)
+
+    def _turned_in_line(
+        self, line: PartsInLine, body: Body, shape: Composite, mass: sp.Expr, parts: list[_Part]
+    ) -> BodyModel:
+        """The same of a body that turns about a pin, by distances along the line of its parts: OG, then I_O."""
+        names, center_name = part_names(body, self.problem), self.ledger.fresh(self._named("G", body), "m").name
+        moments, turning = [], []
+        for i, (((own_mass, own), _), distance) in enumerate(zip(parts, line.distances, strict=True), 1):
+            piece, which = shape.pieces[i - 1].shape, names[i - 1]
+            away = distance
+            if distance.is_number or longer(distance, SHORT):
+                letter, title = part_letter("d", i, body, self.problem), f"from {line.pin} to the mass centre of {which}"
+                away = self._shown(distance, letter, "m", title)
+            moments.append(own_mass * away)
+            ends = isinstance(piece, Rod) and line.pin in (piece.start, piece.end)
+            title = f"moment of inertia of {which} about its {f'end {line.pin}' if ends else 'centre'}"
+            about = 4 * own if ends else own
+            turning.append(self._shown(about, part_letter("I", i, body, self.problem), "kg*m^2", title))
+            turning.append(ZERO if ends else own_mass * away**2)
+        title = f"distance of the mass centre of {body.name} from {line.pin}"
+        reach = self.ledger.define(f"{line.pin}{center_name}", sp.Add(*moments) / mass, "m", title, positive=True)
+        title = f"moment of inertia of {body.name} about {line.pin}, parallel axes"
+        about = self.ledger.define(f"I_{line.pin}", sp.Add(*turning), "kg*m^2", title, positive=True)
+        title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
+        inertia = self.ledger.define(self._named("I", body), about - mass * reach**2, "kg*m^2", title, positive=True)
+        own_parts = tuple((*masses, u.center) for masses, u in parts)
+        center, theta = line.at(reach), parts[0][1].theta
+        turned = (line.pin, about)
+        return BodyModel(body.name, shape, True, mass, inertia, center, center_name, theta, parts=own_parts, pivot=turned)
 
     def _named_place(self, index: int, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], body: Body) -> Uniform:
         """A part with letters for the coordinates of its mass centre, along an axis on which one of them is long."""
@@ -316,6 +362,9 @@ class MassReader:
     def _coordinate(
         self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body
     ) -> sp.Expr:
+        first, *others = (getattr(u.center, axis) for _, u in parts)
+        if all(self._vanishes(place - first) for place in others):
+            return first
         moment = sp.Add(*(m * getattr(u.center, axis) for (m, _), u in parts))
         if self._vanishes(moment):
             return ZERO

@@ -231,6 +231,8 @@ class Quantities:
         for name in self._bodies(q):
             body = self.scene.bodies[name]
             mass, inertia = growth(self.scene, self.evaluator, name)
+            if body.pivot is not None and q.things == (name, body.pivot[0]):
+                return constant(body.pivot[1])
             found = found + inertia
             if q.things != (name,):
                 about = self.place(q.things[-1])

@@ -34,6 +34,7 @@ from planar_cli.report.offsets import offsets
 from planar_cli.report.open_lines import NOT_NEEDED, open_line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
+from planar_cli.report.rolled_parts import along_and_across
 from planar_cli.report.rolled_points import in_plain_lengths
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
@@ -364,5 +365,6 @@ def _apart(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str
     """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG."""
     parts = in_plain_lengths(direction, turning)
     turned = sp.sympify(direction.x).has(sp.sin, sp.cos) or sp.sympify(direction.y).has(sp.sin, sp.cos)
-    arm = len(parts) > 1 and not turned and distance_drawn(direction, turning, instant, body) is not None
-    return [(direction, turning)] if arm else parts
+    if len(parts) == 1 or turned or distance_drawn(direction, turning, instant, body) is None:
+        return parts
+    return along_and_across(direction, turning, instant.trial.system, body) or [(direction, turning)]

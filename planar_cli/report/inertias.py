@@ -126,13 +126,13 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
     """symbol = formula = numbers = value."""
     settled = phrases.has_numbers(symbol) and not is_sought(symbol, phrases.ledger)
     sides: list[Inline | Line] = [phrases.math(symbol)]
-    value = phrases.shown(symbol)
+    value = phrases.shown(symbol) if settled else None
     dimension = phrases.ledger.units[symbol].dimension
     if sized := by_size(symbol, scene, phrases, settled):
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
-        sides += [phrases.math(expr), *(phrases.substituted(expr, value) if settled else ())]
-    return Equation((*sides, value) if settled else tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
+        sides += [phrases.math(expr), *(phrases.substituted(expr, value) if value is not None else ())]
+    return Equation((*sides, value) if value is not None else tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
 
 
 def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) -> list[Line]:
@@ -227,16 +227,18 @@ def _of_body(symbol: sp.Symbol, scene: Scene) -> _Made | None:
 def _of_part(symbol: sp.Symbol, scene: Scene) -> _Made | None:
     """The same of a part about its own mass centre."""
     ledger = scene.ledger
-    which, _, rest = ledger.titles[symbol].removeprefix(OF_BODY).partition(" about its centre")
+    which, _, rest = ledger.titles[symbol].removeprefix(OF_BODY).partition(" about its ")
+    end = rest.startswith("end ")
     whole = ((b, b.shape) for b in scene.problem.bodies if isinstance(b.shape, Composite))
     parts = (named for b, shape in whole for named in zip(part_names(b, scene.problem), shape.pieces, strict=True))
-    piece = next((p for name, p in parts if name == which and not rest), None)
+    piece = next((p for name, p in parts if name == which and (end or rest == "centre")), None)
     size = None if piece is None or piece.inertia is not None else _size(piece)
     # Its mass is a letter of the file, or has one of its own; a length in letters needs no other word.
     letters = ledger.definitions[symbol].free_symbols
     if size is None or len(letters) != 1:
         return None
     (factor, letter), (mass,) = size, letters
+    factor *= 4 if end else 1
     return _Made(sp.S.Zero, factor, mass, letter, ledger.definitions[symbol] / mass / factor)
 
 

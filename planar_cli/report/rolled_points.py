@@ -17,6 +17,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.counted import as_vector
+from planar_cli.report.rolled_parts import told_by_axes
 from planar_cli.report.words import Phrases
 
 OWN_NAME = re.compile(r"C_\d+$")
@@ -61,6 +62,7 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     if omega == 0:
         # At rest its point of contact has no acceleration either.
         sides = (line(Name(f"a_{centre}")), line(phrases.math(as_vector(alpha, system)), " × ", name))
+        sides = (*sides, *told_by_axes(system, body, phrases))
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
     if around := _on_a_circle(system, j, centre, phrases):
@@ -148,7 +150,8 @@ def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], ph
     between = Name(f"r_{other}/{name}")
     turned = line(phrases.math(letter), " × ", between, " - ", phrases.math(omega**2), " ", between)
     note = line(between, " = [", phrases.math(away.x), ", ", phrases.math(away.y), "]")
-    yield Equation((line(Name(f"a_{other}")), line(own, " + ", *turned)), None, note=note)
+    sides = (line(Name(f"a_{other}")), line(own, " + ", *turned), *told_by_axes(system, body, phrases))
+    yield Equation(sides, None, note=note)
 
 
 def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
