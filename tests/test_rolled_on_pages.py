@@ -13,7 +13,9 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.narrate import narrate
 
-ROLLS = "The disk rolls on the floor without slipping: G advances from x = 0 by the arc that has come into contact with"
+ROLLS = (
+    "The disk rolls on the floor without slipping: the arc from P to the point of contact has met the floor point by"
+)
 TEXTBOOK = ROOT / "problems" / "textbook"
 
 
@@ -24,14 +26,33 @@ def _page(path: Path) -> str:
 @pytest.mark.parametrize("stem", ["ex-1-03", "ex-1-04", "ex-1-05"])
 def test_a_wheel_placed_by_an_arc_rolls(stem: str) -> None:
     page = _page(TEXTBOOK / f"{stem}.yaml")
-    assert page.index(ROLLS) < page.index("x_G = r φ")
+    page = " ".join(page.split())
+    assert page.index(ROLLS) < page.index("G has advanced from x = 0 by its length, r φ.") < page.index("x_G = r φ")
     assert "φ: the angle by which the disk has turned, clockwise." in page
-    assert "At φ = 0 P is straight below G (270°)." in " ".join(page.split())
-    assert "x_P = x_G + r cos(270° - φ) = r φ - r sin φ = r (φ - sin φ)" in page
-    assert "y_P = y_G + r sin(270° - φ) = r - r cos φ = r (1 - cos φ)" in page
+    assert "At φ = 0 P is straight below G (270°)." in page
+    assert "r_P/G = [r cos(270° - φ), r sin(270° - φ)] = [-r sin φ, -r cos φ]" in page
+    assert "x_P = x_G - r sin φ = r φ - r sin φ = r (φ - sin φ)" in page
+    assert "y_P = y_G - r cos φ = r - r cos φ = r (1 - cos φ)" in page
     assert "Not used" not in page
     # Where G is follows from that; it is no datum.
     assert "G(r φ, r)" not in page
+
+
+@pytest.mark.parametrize(
+    ("stem", "told"),
+    [
+        ("ex-1-03", "P describes a cycloid. At φ = 0, 2 π, … it touches the floor"),
+        (
+            "ex-1-04",
+            "P is at rest where it touches the floor (φ = 0, 2 π, …); at the top (φ = π) it is twice as fast as G.",
+        ),
+        ("ex-1-05", ""),
+    ],
+)
+def test_what_is_worth_seeing_of_a_point_of_the_rim(stem: str, told: str) -> None:
+    page = _page(TEXTBOOK / f"{stem}.yaml")
+    assert told in page
+    assert ("cycloid" in page) == ("cycloid" in told)
 
 
 def test_a_wheel_that_slips_does_not_roll(tmp_path: Path) -> None:

@@ -103,7 +103,7 @@ def _built(block: Block) -> str:
     """
     if isinstance(block, Paragraph):
         advances = re.search(
-            r": (\w+) advances from x = 0 by the arc", "".join(p.text for p in block.line if isinstance(p, Text))
+            r" so that (\w+) has advanced from x = 0 by its", "".join(p.text for p in block.line if isinstance(p, Text))
         )
         return advances[1] if advances else ""
     lead = block.lead[0] if isinstance(block, Equation) and block.lead else None

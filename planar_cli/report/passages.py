@@ -16,7 +16,7 @@ from planar_cli.report.enough_figures import DEGREE
 from planar_cli.report.frames_apart import HODOGRAPH, PATH, SEEN
 from planar_cli.report.swallowed import with_its_number, with_unit
 from planar_cli.report.words import Phrases
-from planar_cli.solve.passages import CURVE, PLACES, RATES, SECOND_RATES, Passage, Row, Tale, sides_of
+from planar_cli.solve.passages import CURVE, PLACES, RATES, SECOND_RATES, Arm, Passage, Row, Tale, sides_of
 from planar_cli.units import PURE
 
 RESTS_ON = ((PATH, PLACES), (HODOGRAPH, RATES))
@@ -39,7 +39,9 @@ def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
             rates = rows
         if passage.kind == RATES and is_quarter_turn(places, passage.rows) and not rows[-1].note:
             rows[-1] = replace(rows[-1], note=line(AHEAD))
-        yield from rows
+        for row, told in zip(passage.rows, rows, strict=True):
+            yield from () if row.arm is None else [_arm(row.arm, phrases)]
+            yield told
 
 
 def is_quarter_turn(places: Sequence[Row], rates: Sequence[Row]) -> bool:
@@ -107,9 +109,22 @@ def _row(row: Row, phrases: Phrases) -> Equation:
         if row.angle and row.dimension == PURE and row.value and not last.is_Symbol:
             sides.append(Value(row.value / DEGREE, "deg", phrases.figures))
     if row.way:
-        terms = (piece for i, term in enumerate(row.way) for piece in ((" + ", Math(term)) if i else (Math(term),)))
-        sides.insert(1, line(*terms))
+        sides.insert(1, line(*(piece for i, term in enumerate(row.way) for piece in _term(term, first=not i))))
     return Equation(tuple(sides), None, lead, line(*_named(row.words if behind else row.note)))
+
+
+def _term(term: sp.Expr, first: bool) -> tuple[Any, ...]:
+    """A term of a sum that is written as it stands."""
+    less = not first and bool(term.could_extract_minus_sign())
+    return (*(() if first else (" - " if less else " + ",)), Math(-term if less else term))
+
+
+def _arm(arm: Arm, phrases: Phrases) -> Equation:
+    """r_P/G = [r cos(270° - φ), r sin(270° - φ)] = [-r sin φ, -r cos φ]"""
+    name = Name(f"r_{arm.point.replace('_', ',')}/{arm.origin.replace('_', ',')}")
+    vectors = dict.fromkeys((arm.measured, arm.components))
+    shown = [line("[", Math(x), ", ", Math(y), "]") for x, y in vectors]
+    return Equation((name, *shown))
 
 
 def _named(words: str) -> list[Any]:

@@ -20,11 +20,22 @@ curves, and that a wheel rolls, which has no rows.
 
 
 @record
+class Arm:
+    """r_P/G: of both points the names, its components as the file measures them, and worked out."""
+
+    point: str
+    origin: str
+    measured: tuple[sp.Expr, sp.Expr]
+    components: tuple[sp.Expr, sp.Expr]
+
+
+@record
 class Row:
     """Words before a line, and the line: an equation, its sides one after the other, or a formula. `value`: of its last
     side at the instant that is asked for, in base units of `dimension`; an `angle` has none. `sizes`: those of the
     letters in that side. `way`: the terms of a sum that is written after the first side as it stands, nothing in it
-    worked out: x_G + r cos(270° - φ). `note`: a remark beside it.
+    worked out: x_G - r sin φ. `note`: a remark beside it. `arm`: the vector from the point from which the file measures
+    that of the row, on a line before it.
     """
 
     words: str
@@ -35,6 +46,7 @@ class Row:
     sizes: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
     way: tuple[sp.Expr, ...] = ()
     note: str = ""
+    arm: Arm | None = None
 
 
 def sides_of(row: Row) -> tuple[Any, ...]:

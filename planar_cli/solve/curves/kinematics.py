@@ -44,6 +44,7 @@ from planar_cli.solve.passages import (
     RATES,
     ROLLING,
     SECOND_RATES,
+    Arm,
     Passage,
     Row,
     sides_of,
@@ -51,6 +52,7 @@ from planar_cli.solve.passages import (
 )
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.roads import is_curve
 from planar_cli.units import LENGTH, PURE, TIME
 
 GIVEN = "Given, and differentiated:"
@@ -105,17 +107,18 @@ class Story:
         told = [self._function(f) for f in explained(self.functions.found, self.used)]
         known = {sides_of(r)[0] for r in told}
         first = [*told, *(r for r in rows[0] if sides_of(r)[0] not in known)]
-        rolling = self._rolling() if first else ()
-        passages = [Passage(GIVEN, tuple(self._given())), *rolling, Passage(HEADINGS[0], tuple(first), PLACES)]
+        wheels = tuple(rolled(self.quantities)) if first else ()
+        passages = [Passage(GIVEN, tuple(self._given())), *(Passage(w.told(), (), ROLLING) for w in wheels)]
+        passages += [Passage(HEADINGS[0], tuple(first), PLACES)]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Given:", tuple(self._rates(bool(rows[2])))))
         passages += [Passage(HEADINGS[n], tuple(rows[n]), (RATES, SECOND_RATES)[n - 1]) for n in (1, 2)]
+        told_level = max((n for n in (0, 1, 2) if rows[n]), default=2)
+        if not any(is_curve(f.found.what) for f in self.quantities.scene.problem.find):
+            rims = (w.cycloid({thing for thing, _ in wanted}, told_level) for w in wheels)
+            passages += [Passage(rim, (), ROLLING) for rim in rims if rim]
         passages += [p for point, own in along_paths(asked, polar) for p in self._path_passages(point, own)]
         return tuple(p for p in (*passages, *around) if p.rows or p.kind == ROLLING)
-
-    def _rolling(self) -> Iterator[Passage]:
-        """That a wheel which the file places by an arc rolls."""
-        yield from (Passage(r.told(), (), ROLLING) for r in rolled(self.quantities))
 
     def _origin(self, thing: str) -> str:
         """The point that moves and from which the file measures another; "" where there is none."""
@@ -136,21 +139,26 @@ class Story:
         return {**(self._origins(found) if found else {}), **found}
 
     def _from_origin(self, name: str, closed: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
-        """x_G + r cos(270° - φ) as the file measures P from G, and r φ - r sin φ, which that is."""
+        """x_G - r sin φ where the file measures P from G, and r φ - r sin φ, which that is."""
         axis, _, thing = name.partition("_")
         origin = self._origin(thing)
         if not origin or axis not in ("x", "y"):
             return (), ()
         at = self._jet(getattr(self.quantities.place(origin), axis))
         base, rest = self.clean(self.regime.closed(at.value)), self.clean(closed - self.regime.closed(at.value))
-        if base == 0:
-            return (), ()
+        return ((sp.Symbol(f"{axis}_{origin}", real=True), rest), (sp.Add(base, rest),)) if base != 0 else ((), ())
+
+    def _arm(self, name: str) -> Arm | None:
+        """r_P/G, before x_P, where the file measures P from G."""
+        axis, _, thing = name.partition("_")
+        place = self._measured(thing) if axis == "x" and self._origin(thing) else None
+        if place is None:
+            return None
         scene = self.quantities.scene
-        place = self._measured(thing)
-        assert place is not None
-        turned = (sp.cos if axis == "x" else sp.sin)(scene.value(place.angle), evaluate=False)
-        reach = sp.Mul(scene.value(place.distance), turned, evaluate=False)
-        return (sp.Symbol(f"{axis}_{origin}", real=True), reach), (sp.Add(base, rest),)
+        size, angle = scene.value(place.distance), scene.value(place.angle)
+        x, y = (sp.Mul(size, wave(angle, evaluate=False), evaluate=False) for wave in (sp.cos, sp.sin))
+        parts = self.clean(size * sp.cos(angle)), self.clean(size * sp.sin(angle))
+        return Arm(thing, place.origin, (x, y), parts)
 
     def _on_line(self, name: str) -> tuple[sp.Expr, ...]:
         """x_P = y_P/tan θ or y_P = x_P tan θ, r_P = y_P/sin θ or x_P/cos θ, where the file puts P at a height, or at a
@@ -206,10 +214,10 @@ class Story:
                 return
             formula, symbol = self.clean(expr), sp.Symbol(f"{stem}{DOTS[n]}", real=True)
             way, between = self._from_origin(name, closed) if n == 0 else ((), self._by_chain(before, formula))
-            way = way or (self._on_line(name) if n == 0 else ())
+            way, arm = (way or (self._on_line(name) if n == 0 else ())), (self._arm(name) if n == 0 else None)
             between = tuple(b for b in between if b != formula)
             line = (symbol, *between, formula) if between else sp.Eq(symbol, formula, evaluate=False)
-            yield None if formula == symbol else replace(self._row(line, formula, n, angular), way=way)
+            yield None if formula == symbol else replace(self._row(line, formula, n, angular), way=way, arm=arm)
             before = formula
 
     def _by_chain(self, closed: sp.Expr, formula: sp.Expr) -> tuple[sp.Expr, ...]:

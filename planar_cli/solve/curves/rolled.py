@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import sympy as sp
 
@@ -35,22 +35,47 @@ class Rolled:
     """The coordinate by which it turns as that grows; "": it turns by no coordinate itself."""
     clockwise: bool = False
     """In which sense it does."""
-    rim: tuple[tuple[str, str], ...] = ()
+    seen: tuple[tuple[str, str], ...] = ()
     """The points that the file measures from its centre at a direction that turns with it, and where each of them is
-    while that coordinate is zero: straight below.
+    while that coordinate is zero.
     """
+    rim: tuple[str, ...] = ()
+    """Those of them on the rim that touch the surface then."""
+    radius: str = ""
+    """The letter of its radius; "": it is no letter."""
 
     def told(self) -> str:
-        """That it rolls, and how it turns."""
+        """How it turns, and that its centre advances by the arc that has touched."""
         body, surface = with_article(self.body), with_article(self.surface)
-        rolls = f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: "
         start = " from x = 0" if self.from_origin else ""
-        advances = f"{self.centre} advances{start} by the arc that has come into contact with {surface}."
+        long = f", `{self.radius}` `{self.angle}`" if self.radius and self.angle else ""
+        arc = f"the arc from {self.rim[0]} to the point of contact" if self.rim else "the arc that has touched"
+        rolls = (
+            f"{body[:1].upper()}{body[1:]} rolls on {surface} without slipping: {arc} has met {surface} point by "
+            f"point, so that {self.centre} has advanced{start} by its length{long}."
+        )
         if not self.angle:
-            return rolls + advances
+            return rolls
         sense = "clockwise" if self.clockwise else "counterclockwise"
-        places = "".join(f" At `{self.angle}` = 0 {point} is {where}." for point, where in self.rim)
-        return f"{rolls}{advances} `{self.angle}`: the angle by which {body} has turned, {sense}.{places}"
+        places = "".join(f" At `{self.angle}` = 0 {point} is {where}." for point, where in self.seen)
+        return f"`{self.angle}`: the angle by which {body} has turned, {sense}.{places} {rolls}"
+
+    def cycloid(self, points: Collection[str], level: int) -> str:
+        """What curve the point of its rim among these describes (`level` 0), how its velocity compares with that of the
+        centre (1); "" where there is no such point, or more is told.
+        """
+        rim, surface = [p for p in self.rim if p in points], with_article(self.surface)
+        if len(rim) != 1 or level > 1:
+            return ""
+        lowest, top = f"`{self.angle}` = 0, 2 π, …", f"`{self.angle}` = π"
+        if level == 1:
+            twice = f"at the top ({top}) it is twice as fast as {self.centre}"
+            return f"{rim[0]} is at rest where it touches {surface} ({lowest}); {twice}."
+        high = f", 2 `{self.radius}` above {surface}" if self.radius else ""
+        return (
+            f"{rim[0]} describes a cycloid. At {lowest} it touches {surface} and is at rest for a moment; "
+            f"at {top} it is highest{high}."
+        )
 
 
 def rolled(quantities: Quantities) -> Iterator[Rolled]:
@@ -74,12 +99,16 @@ def rolled(quantities: Quantities) -> Iterator[Rolled]:
                 zero = {s: 0 for s in centre.x.free_symbols if s.name in {c.name for c in scene.problem.coordinates}}
                 starts = bool(zero) and normal.x == 0 and centre.x.subs(zero) == 0
                 angle, clockwise = _turned_by(scene, centre, normal, reach)
-                rim = tuple(_rim(scene, shape.center, angle))
-                yield Rolled(body.name, shape.center, surface.name, starts, angle, clockwise, rim)
+                seen = tuple(_seen(scene, shape.center, angle))
+                level = normal.x == 0 and identically_zero(centre.y - contact.y - radius)
+                below = SIDES[3].format(shape.center)
+                rim = tuple(p for p, where in seen if level and where == below and _on_rim(scene, p, radius))
+                letter = radius.name if radius.is_Symbol else ""
+                yield Rolled(body.name, shape.center, surface.name, starts, angle, clockwise, seen, rim, letter)
 
 
-def _rim(scene: Scene, centre: str, angle: str) -> Iterator[tuple[str, str]]:
-    """Where points on the rim start that turn with it, if straight up, down or to a side."""
+def _seen(scene: Scene, centre: str, angle: str) -> Iterator[tuple[str, str]]:
+    """Where points start that turn with it, if straight up, down or to a side."""
     zero = {q: 0 for q in scene.ledger.coordinates if q.name == angle}
     for point in scene.problem.points:
         place = point.place
@@ -88,6 +117,12 @@ def _rim(scene: Scene, centre: str, angle: str) -> Iterator[tuple[str, str]]:
             at = sp.Mod(simplified(direction.subs(zero) * 2 / sp.pi), 4)
             if zero and direction.free_symbols == zero.keys() and at in SIDES:
                 yield point.name, SIDES[at].format(centre)
+
+
+def _on_rim(scene: Scene, point: str, radius: sp.Expr) -> bool:
+    """Does the file measure a point by the radius?"""
+    place = next(p.place for p in scene.problem.points if p.name == point)
+    return isinstance(place, Polar) and identically_zero(scene.value(place.distance) - radius)
 
 
 def _turned_by(scene: Scene, centre: Vec, normal: Vec, reach: sp.Expr) -> tuple[str, bool]:
