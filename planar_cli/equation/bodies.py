@@ -297,8 +297,8 @@ class MassReader:
             piece, which = shape.pieces[i - 1].shape, names[i - 1]
             away = distance
             if distance.is_number or longer(distance, SHORT):
-                letter, title = part_letter("d", i, body, self.problem), f"from {line.pin} to the mass centre of {which}"
-                away = self._shown(distance, letter, "m", title)
+                title = f"from {line.pin} to the mass centre of {which}"
+                away = self._shown(distance, part_letter("d", i, body, self.problem), "m", title)
             moments.append(own_mass * away)
             ends = isinstance(piece, Rod) and line.pin in (piece.start, piece.end)
             title = f"moment of inertia of {which} about its {f'end {line.pin}' if ends else 'centre'}"
@@ -312,9 +312,8 @@ class MassReader:
         title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
         inertia = self.ledger.define(self._named("I", body), about - mass * reach**2, "kg*m^2", title, positive=True)
         own_parts = tuple((*masses, u.center) for masses, u in parts)
-        center, theta = line.at(reach), parts[0][1].theta
-        turned = (line.pin, about)
-        return BodyModel(body.name, shape, True, mass, inertia, center, center_name, theta, parts=own_parts, pivot=turned)
+        where = (line.at(reach), center_name, parts[0][1].theta)
+        return BodyModel(body.name, shape, True, mass, inertia, *where, parts=own_parts, pivot=(line.pin, about))
 
     def _named_place(self, index: int, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], body: Body) -> Uniform:
         """A part with letters for the coordinates of its mass centre, along an axis on which one of them is long."""

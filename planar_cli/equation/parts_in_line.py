@@ -29,7 +29,8 @@ class PartsInLine:
 
     def at(self, distance: sp.Expr) -> Vec:
         """The point of the line at a distance from the pin."""
-        return self.origin + self.along * distance
+        away: Vec = self.along * distance
+        return Vec(self.origin.x + away.x, self.origin.y + away.y)
 
 
 def pin_of(body: str, problem: Problem) -> str:
@@ -56,6 +57,6 @@ def _unit(reach: Vec, vanishes: Callable[[sp.Expr], bool]) -> Vec | None:
     if vanishes(reach.x) and vanishes(reach.y):
         return None
     length = sp.sqrt(simplified(reach.dot(reach)))
-    if length.is_Pow or length.is_Mul and any(p.is_Pow and p.exp.is_Rational and p.exp.q == 2 for p in length.args):
+    if any(p.is_Pow and p.exp.is_Rational and p.exp.q == 2 for p in sp.Mul.make_args(length)):
         return None
     return Vec(simplified(reach.x / length), simplified(reach.y / length))

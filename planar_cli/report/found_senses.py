@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.problem.facts import Push
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import FORCE
 
 
 def acts_backward(
@@ -41,6 +42,9 @@ def _found(
     """The value of such a force. With letters, or in a motion, the sense may change from one place to another."""
     trial = instant.trial
     if push.kind not in ("normal", "friction") or not expr.is_Symbol or expr in used or not trial.outcomes:
+        return None
+    if phrases.ledger.units[expr].dimension != FORCE:
+        # The numbers of a blow are told by its own equations.
         return None
     guided = any(j.kind == "guide" and j.name == push.joint for j in trial.system.scene.problem.joints)
     if phrases.symbolic or phrases.lettered or phrases.drawn is not None or (push.kind == "normal" and not guided):

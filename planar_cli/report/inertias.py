@@ -132,7 +132,8 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
         sides += [phrases.math(expr), *(phrases.substituted(expr, value) if value is not None else ())]
-    return Equation((*sides, value) if value is not None else tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
+    sides += [] if value is None else [value]
+    return Equation(tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
 
 
 def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) -> list[Line]:

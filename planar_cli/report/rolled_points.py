@@ -61,8 +61,8 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
     note = line(name, " = [", phrases.math(arm.x), ", ", phrases.math(arm.y), "]")
     if omega == 0:
         # At rest its point of contact has no acceleration either.
-        sides = (line(Name(f"a_{centre}")), line(phrases.math(as_vector(alpha, system)), " × ", name))
-        sides = (*sides, *told_by_axes(system, body, phrases))
+        turned = line(phrases.math(as_vector(alpha, system)), " × ", name)
+        sides = (line(Name(f"a_{centre}")), turned, *told_by_axes(system, body, phrases))
         yield Equation(sides, None, line(f"{body} rolls without slipping:"), note)
         return
     if around := _on_a_circle(system, j, centre, phrases):
