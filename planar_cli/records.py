@@ -91,10 +91,18 @@ def _first_time(made: Any, names: Sequence[str], written: Mapping[str, Any], fro
     """`__init__`, which is compiled when it has been called so often that it pays, or is called in a wrong way."""
     members: dict[str, Field[Any]] = {}
     left = RARE
+    # Most records are made from their fields in order; the last ones may have values of their own.
+    plain = not any(isinstance(value, Field) for value in written.values()) and not hasattr(made, "__post_init__")
+    defaults = [written.get(n) for n in names]
+    fewest = sum(n not in written for n in names)
 
     def initialize(self: Any, *args: Any, **named: Any) -> None:
         nonlocal left
         left -= 1
+        if plain and not named and fewest <= len(args) <= len(names) and left > 0:
+            for name, value in zip(names, (*args, *defaults[len(args) :]), strict=True):
+                object.__setattr__(self, name, value)
+            return
         members.update({} if members else {n: _field(written, n) for n in names})
         if left > 0 and _enter(self, members, args, named):
             return
