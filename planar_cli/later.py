@@ -27,7 +27,7 @@ IN_SYMPY = {
     "": "algebras combinatorics combinatorics.tensor_can discrete geometry interactive parsing plotting tensor",
     "integrals": "laplace transforms",
     "polys": "numberfields polyquinticconst ring_series",
-    "printing": "glsl julia maple mathematica mathml octave smtlib",
+    "printing": "glsl gtk julia maple mathematica mathml octave preview smtlib",
     "series": "formal fourier",
     "simplify": "hyperexpand",
     "solvers": "ode polysys",

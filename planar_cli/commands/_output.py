@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Mapping
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import harmless
 from planar_cli.streams import echo
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 DEVICES = (("/", "dev"), ("/", "proc"))
 NO_FILE = "it is a pipe or a device, no ordinary file; leave `-o` out and write `> FILE` behind the command"
@@ -24,11 +27,13 @@ def write(text: str, output: str | None, styled: bool = False) -> None:
     if output in (None, "-"):
         echo(shown, end="")
         return
-    _replace(Path(output or ""), shown.encode())
+    write_bytes(shown.encode(), output or "")
 
 
 def write_files(files: Mapping[str, bytes], folder: str) -> None:
     """Write files below a folder, which is made where it is not there. Their names never lead out of it."""
+    from pathlib import Path
+
     root = Path(folder)
     for name, data in files.items():
         target = root.joinpath(*name.split("/"))
@@ -43,6 +48,8 @@ def write_files(files: Mapping[str, bytes], folder: str) -> None:
 
 def write_bytes(data: bytes, output: str) -> None:
     """Write to the file `output`."""
+    from pathlib import Path
+
     _replace(Path(output), data)
 
 
