@@ -113,7 +113,7 @@ def test_a_load_that_swings_on_a_drum() -> None:
 
 def test_what_is_asked_of_several_states_is_told_by_states() -> None:
     page = Terminal(200).render(narrate(worked(ROOT / "problems" / "textbook" / "ex-1-09.yaml")[0]))
-    assert "does not slip on the wheel: it moves by the arc r_h θ; differentiated:" in page
+    assert "does not slip on the wheel: the way of A is the arc on it, s_A = r_h θ; differentiated:" in page
     assert "θ: the angle by which the wheel has turned, counterclockwise" in page
     assert (
         page.index("At 1:")

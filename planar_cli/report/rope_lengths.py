@@ -13,7 +13,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.keys import RopeStop
 from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import GROUND, with_article
-from planar_cli.report.blocks import Line, line
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.spoken import begun
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -64,8 +64,9 @@ def wound(w: Written, system: System, written: Sequence[Written]) -> str:
 
 
 def _by_arc(w: Written, system: System, phrases: Phrases, twice: bool) -> Line:
-    """`The cable keeps its length and does not slip on the wheel: it moves by the arc r_h θ; differentiated:` where it
-    is wound on one body that turns about a fixed axle and v = ± r ω; nothing on a page of masses, which tells no angle.
+    """`The cable keeps its length and does not slip on the wheel: the way of A is the arc on it, s_A = r_h θ;
+    differentiated:` where it is wound on one body that turns about a fixed axle and v = ± r ω; nothing on a page of
+    masses, which tells no angle.
     """
     joints, bodies = _wound(w, system)
     scene = system.scene
@@ -84,11 +85,18 @@ def _by_arc(w: Written, system: System, phrases: Phrases, twice: bool) -> Line:
     residual = expanded(_of_all(w, system) if twice else w.left - w.right)
     radius = residual.coeff(edge.spin)
     speed = residual - radius * edge.spin
-    speeds = {s for e in system.tree.edges for s in (e.slide, e.rise) if s is not None}
-    if edge.parent != GROUND or not edge.joining.only_turns or radius == 0 or not {speed, -speed} & speeds:
+    ends = {s: e.body for e in system.tree.edges for s in (e.slide, e.rise) if s is not None}
+    drawn = next((s for s in (speed, -speed) if s in ends), None)
+    if edge.parent != GROUND or not edge.joining.only_turns or radius == 0 or drawn is None:
         return ()
-    arc = phrases.math((-radius if radius.could_extract_minus_sign() else radius) * angle.symbol)
-    return line(f"{wound(w, system, (w,))} it moves by the arc ", arc, f"; {DERIVED}{' twice' if twice else ''}:")
+    end = scene.center_name(ends[drawn]) or ends[drawn]
+    way = sp.Symbol(f"s_{end}", real=True)
+    if way.name in scene.ledger.symbols and all(c.symbol != way or c.drawn != 0 for c in displacement.coordinates):
+        return ()
+    # v = ± r ω of the end, counted as its velocity is.
+    arc = (-radius if speed == drawn else radius) * angle.symbol
+    told = line("the way of ", Name(end), " is the arc on it, ", phrases.math(way), " = ", phrases.math(arc))
+    return line(f"{wound(w, system, (w,))} ", *told, f"; {DERIVED}{' twice' if twice else ''}:")
 
 
 def _wound(w: Written, system: System) -> tuple[tuple[Joint, ...], tuple[str, ...]]:
