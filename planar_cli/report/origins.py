@@ -22,7 +22,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import HAPPENS, at, turning
-from planar_cli.report.turning_values import DERIVATIVE, over_time
+from planar_cli.report.turning_values import over_time, why_there
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
 from planar_cli.solve.between.trace import (
@@ -69,7 +69,7 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     if e.kind == "link" and e.words.endswith(" follows") and (told := changes(e)):
         return line(f"From {e.since} to {e.stop}, by the kinematics, ", *told, ":")
     words = kept(e.words) if e.kind == "loop" else e.words
-    words += f", {DERIVATIVE}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
+    words += f", {why_there(e)}" if over_time(e) else components_of(e.words) if e.kind == "given" else ""
     return spoken(f"From {e.since} to {e.stop}, {words}:" if e.since else at(e.stop, words), names)
 
 

@@ -10,11 +10,13 @@ from planar_cli.report.data import GIVEN
 GROUPS = (line("Velocities:"), line("Accelerations:"))
 
 
-def is_restated(blocks: Sequence[Block]) -> bool:
-    """Do the blocks of a general position only say `letter = datum`, none of them in another unit?"""
+def is_restated(blocks: Sequence[Block], converted: bool = False) -> bool:
+    """Do the blocks of a general position only say `letter = datum`, none of them in another unit? `converted`: or in
+    that of the page too.
+    """
     data = [b for b in blocks if isinstance(b, Equation)]
     headings = [b for b in blocks if isinstance(b, Heading)]
     groups = [b for b in blocks if isinstance(b, Paragraph)]
     whole = len(data) + len(headings) + len(groups) == len(blocks)
-    plain = all(b.lead == GIVEN and len(b.sides) == 2 for b in data)
+    plain = all(b.lead == GIVEN and len(b.sides) <= 2 + converted for b in data)
     return whole and bool(data) and plain and len(headings) == 1 and all(b.line in GROUPS for b in groups)

@@ -4,6 +4,7 @@ smallest value.
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
 
 import sympy as sp
@@ -16,12 +17,20 @@ from planar_cli.solve.instant.roots import Root
 
 LARGEST, SMALLEST = " is largest", " is smallest"
 SAME = Decimal("1e-20")
-DERIVATIVE = "where its derivative is zero"
+DERIVATIVE, EQUALLY_FAST = "where its derivative is zero", "where both have the same velocity"
+GAP = re.compile(r"([xys])(?:_\w+|\(\w+\)) - \1(?:_\w+|\(\w+\)) is (?:largest|smallest)")
 
 
 def over_time(e: Relation) -> bool:
     """Is it the condition of a largest or smallest value over time?"""
     return e.kind == "extreme" and e.words.endswith((LARGEST, SMALLEST))
+
+
+def why_there(e: Relation) -> str:
+    """Where something is largest or smallest: its derivative is zero; that of a difference of two places along one
+    axis, x_A - x_B, where both are equally fast.
+    """
+    return EQUALLY_FAST if GAP.fullmatch(e.words) else DERIVATIVE
 
 
 def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import derivative, letters, longer, simplified
@@ -23,14 +25,17 @@ def square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
     return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None
 
 
-STATE = "__"
-"""In the name of a letter of one state."""
+STATE, TIME = "__", "t__"
+"""In the name of a letter of one state; what that of its time begins with."""
+SQUARE = 2
 
 
 def linear_step(
     pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
 ) -> tuple[int, sp.Symbol, sp.Expr] | None:
     """An equation that is linear in an unknown which it really contains; the shortest formula."""
+    if len(pool) > 1 and (by_time := _by_the_time(pool, left, value)) is not None:
+        return by_time
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
         for index, residual in enumerate(pool):
@@ -47,6 +52,42 @@ def linear_step(
     # A constant that is sought is left for the last: the letters of all states rest on it.
     _, index, x, formula = min(found, key=lambda f: (STATE not in f[2].name, f[0], f[2].name))
     return index, x, formula
+
+
+def _by_the_time(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """The first of places and speeds that are put in as functions of the one time that is unknown, where a linear or
+    quadratic equation for the time is left: 30 t = 1/2 · 4 (t - 2)². None: it is no such thing.
+    """
+    times = [x for x in left if x.name.startswith(TIME)]
+    if len(times) != 1 or any(longer(r, LONGEST) for r in pool):
+        return None
+    rest, waiting, first = list(pool), [x for x in left if x not in times], None
+    while waiting:
+        plain = [f for f in _explicit(rest, waiting, left) if not value.is_zero(derivative(rest[f[1]], f[2]))]
+        if not plain:
+            return None
+        _, index, x, formula = min(plain, key=lambda f: (f[0], f[2].name))
+        first = first or (index, x, formula)
+        rest.pop(index)
+        rest = [r.xreplace({x: formula}) for r in rest]
+        waiting.remove(x)
+    last = sp.fraction(together(rest[0]))[0] if len(rest) == 1 else sp.S.Zero
+    return first if last.is_polynomial(*times) and 0 < sp.degree(last, times[0]) <= SQUARE else None
+
+
+def _explicit(
+    pool: Sequence[sp.Expr], waiting: Sequence[sp.Symbol], left: Sequence[sp.Symbol]
+) -> list[tuple[int, int, sp.Symbol, sp.Expr]]:
+    """What is linear in one of the letters, with a factor that is known: how long its formula is, which equation it is,
+    the letter, the formula.
+    """
+    found = []
+    for x, (index, residual) in itertools.product(waiting, enumerate(pool)):
+        rate = derivative(residual, x)
+        if rate != 0 and not letters(rate) & set(left):
+            formula = -expanded(residual - rate * x) / rate
+            found.append((int(sp.count_ops(formula)), index, x, formula))
+    return found
 
 
 def same_as(told: Sequence[Result], before: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
