@@ -42,3 +42,31 @@ def test_where_no_balance_stands_above_it_says_its_own() -> None:
     page = _page("s: x(wagon) @ 2, v: v(wagon).x @ 2")
     assert "Impulse and momentum from 1 to any time t: v_P = F t / (M + q t)" in page
     assert "Likewise" not in page
+
+
+BOAT = """
+title: Man on a boat
+plane: vertical
+given: {m: 70 kg, M: 180 kg, s: 4 m, T: 5 s}
+points: {Q: [0, 0], P: [-2 m, 0.4 m]}
+surfaces: {deck: {through: P, angle: 0 deg, body: boat}}
+bodies: {boat: {points: [Q], center: Q, mass: M}, man: {particle: P, mass: m}}
+joints:
+  - guide: {body: boat, along: 0 deg, name: water}
+  - guide: {point: P, along: deck, name: feet}
+motion: [v(man/boat).x = (6*s/T)*(t/T)*(1 - t/T)]
+states: {start: [t = 0, at rest], one: [t = 1 s], mid: [t = T/2], end: [t = T]}
+find: {moved: x(boat) @ end - x(boat) @ start, v: v(boat).x @ mid, F: (mass(boat)*a(boat).x) @ one, K: KE(all) @ mid}
+"""
+
+
+def test_a_balance_to_another_state_tells_it_too() -> None:
+    problem, wrong = load_text(BOAT)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "Likewise at any time, with t for t_mid: v_Q = 6 m s t (t - T) / ((M + m) T³)" in page
+    assert "∫[0 → T] (6 m s t (t - T) / ((M + m) T³)) dt" in page
+    # A displacement, and a mass times an acceleration, have a direction; each stands under its state.
+    assert "that is 1.12 m to the left" in page
+    assert "F = 29.03 N to the left" in page
+    assert page.index("At mid: ") < page.index("At one: ") < page.index("F = M a_Q,one")

@@ -12,8 +12,8 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.counting import operations
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified, trigonometric
+from planar_cli.problem.expression import Function, Grouped, Quantity
 from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.expression import Quantity
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
@@ -332,7 +332,8 @@ class AskedTelling:
 def _at(request: Request) -> str:
     """The state at which something is asked; "" of several or none."""
     what = request.find.found.what
-    found = {n.at for n in walk(what) if isinstance(n, Quantity | Letter) and isinstance(n.at, str)}
+    nodes = (n for n in walk(what) if isinstance(n, Quantity | Letter | Grouped | Function))
+    found = {n.at for n in nodes if isinstance(n.at, str)}
     return found.pop() if len(found) == 1 else ""
 
 

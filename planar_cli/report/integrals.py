@@ -7,9 +7,14 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
+from planar_cli.equation.factoring import factored
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
 from planar_cli.units import RATE, VELOCITY
 
+LONGEST = 60
+"""Of a longer integrand no common factor is looked for."""
 General = Mapping[sp.Symbol, sp.Symbol]
 """By the symbol of a state, that of the general position."""
 
@@ -23,10 +28,20 @@ def plain_integral(side: sp.Expr, e: Relation, route: RouteTrace, general: Gener
     def renamed(integral: Any) -> Any:
         variable, low, high = integral.limits[0]
         plain = sp.Symbol(names.get(variable.name, variable.name), real=True)
-        inside = integral.function.xreplace({variable: plain}).xreplace(route.plain)
+        inside = _one_fraction(integral.function.xreplace({variable: plain}).xreplace(route.plain))
         return sp.Integral(inside, (plain, low.xreplace(route.plain), high.xreplace(route.plain)))
 
     return side.replace(lambda x: isinstance(x, sp.Integral), renamed)
+
+
+def _one_fraction(inside: sp.Expr) -> sp.Expr:
+    """Terms over the same sum as one product: 6 m s t (t - T)/((M + m) T³)."""
+    terms = sp.Add.make_args(inside)
+    under = [{d for d in sp.Mul.make_args(sp.fraction(t)[1]) if d.as_base_exp()[0].is_Add} for t in terms]
+    if len(terms) < 2 or longer(inside, LONGEST) or not set.intersection(*under):
+        return inside
+    found = factored(simplified(inside))
+    return found if operations(found) < operations(inside) else inside
 
 
 def over_coordinates(formula: sp.Expr, general: General) -> sp.Expr:

@@ -11,15 +11,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise, takewhile
 
-from planar_cli.report.asked_of_states import HENCE
-from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Paragraph
+from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Paragraph, Text
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.restated import is_restated
 from planar_cli.report.steps import STEP, STRETCH
 
 ANALYSIS = "Kinematic analysis"
 TITLES = ("Motion over time", "Motion")
-STATES = "states "
+STATES, HENCE = "states ", "Hence"
 
 
 def in_one_motion(blocks: Sequence[Block]) -> Sequence[Block]:
@@ -45,7 +44,7 @@ def in_one_motion(blocks: Sequence[Block]) -> Sequence[Block]:
 
 def _asked_in_turn(blocks: Sequence[Block]) -> list[Block]:
     """What stands under `Hence:` right behind the last line on which it rests, where a heading follows that."""
-    at = blocks.index(HENCE) if HENCE in blocks else len(blocks)
+    at = next((i for i, b in enumerate(blocks) if _is_hence(b)), len(blocks))
     asked = list(takewhile(lambda b: isinstance(b, Equation), blocks[at + 1 :]))
     before, left = list(blocks[:at]), list[Block]()
     for line in asked:
@@ -53,10 +52,15 @@ def _asked_in_turn(blocks: Sequence[Block]) -> list[Block]:
         rests = [i for i, b in enumerate(before) if {n for s in _sides(b)[:1] for n in names_in(s)} & used]
         behind = max(rests, default=at) + 1
         if isinstance(next(iter(before[behind:]), None), Paragraph):
-            before[behind:behind] = [HENCE, line]
+            before[behind:behind] = [blocks[at], line]
         else:
             left.append(line)
-    return [*before, *([HENCE, *left] if left else []), *blocks[at + 1 + len(asked) :]]
+    return [*before, *([blocks[at], *left] if left else []), *blocks[at + 1 + len(asked) :]]
+
+
+def _is_hence(block: Block) -> bool:
+    first = block.line[0] if isinstance(block, Paragraph) else None
+    return isinstance(first, Text) and first.text.startswith(HENCE)
 
 
 def _sides(block: Block) -> tuple[Inline | Line, ...]:

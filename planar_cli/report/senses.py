@@ -11,13 +11,14 @@ import sympy as sp
 from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.problem.expression import Part, PointPair, Quantity, Side
+from planar_cli.problem.expression import Binary, Grouped, Name, Number, Part, PointPair, Quantity, Side
 from planar_cli.report.numbers import rotation_words, vector_words
 from planar_cli.report.sides import number_of
 from planar_cli.report.slopes import Slope, direction_of, slope_words
 from planar_cli.solve.solution import Found
-from planar_cli.units import ANGULAR_MOMENTUM
+from planar_cli.units import ANGULAR_MOMENTUM, FORCE, MOMENTUM
 
+AXES = ("x", "y")
 WAYS = ("to the right", "upward", "to the left", "downward")
 TURNS = ("omega", "alpha", "moment", "H")
 MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
@@ -102,6 +103,11 @@ def _sign(formula: sp.Expr, acute: Collection[sp.Symbol]) -> int:
 
 def _words(found: Found, positive: bool) -> str:
     what = found.find.found.what if found.find is not None else None
+    what = what.operand if isinstance(what, Grouped) else what
+    if isinstance(what, Binary):
+        if (axis := _displaced(what)) is not None:
+            return WAYS[axis + (0 if positive else 2)]
+        what = _times_mass(what, found)
     if not isinstance(what, Quantity):
         return ""
     turns = what.word in TURNS or (what.word == "impulse" and found.unit.dimension == ANGULAR_MOMENTUM)
@@ -118,6 +124,32 @@ def _words(found: Found, positive: bool) -> str:
         quarter = _quarter(part)
         return "" if quarter is None else WAYS[(quarter + (0 if positive else 2)) % 4]
     return ""
+
+
+def _displaced(what: Binary) -> int | None:
+    """The axis, x 0 and y 1, along which a thing has moved between two states: x(b) @ 2 - x(b) @ 1; None: it is no such
+    difference.
+    """
+    end, start = what.left, what.right
+    if what.operator != "-" or not isinstance(end, Quantity) or not isinstance(start, Quantity):
+        return None
+    same = (end.word, end.things) == (start.word, start.things) and not end.parts and not start.parts
+    return AXES.index(end.word) if same and end.word in AXES and end.at != start.at else None
+
+
+def _times_mass(what: Binary, found: Found) -> Quantity | None:
+    """The acceleration or velocity that is asked times a mass, which has its direction; None: it is another product."""
+    kinds = {"a": FORCE, "v": MOMENTUM}
+    sides = (what.left, what.right) if what.operator == "*" else ()
+    moved = [s for s in sides if isinstance(s, Quantity) and kinds.get(s.word) == found.unit.dimension]
+    rest = [s for s in sides if s not in moved]
+    massive = len(rest) == 1 and (isinstance(rest[0], Name | Quantity) or _is_above_zero(rest[0]))
+    return moved[0] if len(moved) == 1 and massive else None
+
+
+def _is_above_zero(side: Side) -> bool:
+    """Is it a positive number?"""
+    return isinstance(side, Number) and side.value > 0
 
 
 def _quarter(part: Part) -> int | None:

@@ -6,6 +6,8 @@ Likewise at any time, with t for t_2:   v = F t/(M + q t)
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import sympy as sp
 
 from planar_cli.equation.factoring import factored
@@ -46,11 +48,29 @@ def _at_any_time(e: Relation, found: MotionTrace) -> tuple[sp.Symbol, sp.Expr, s
     if speed is None or t is None:
         return None
     rate = derivative(e.span.explicit, t)
-    relations = (r for leg in route.steps for r in leg.relations if (r.since, r.stop) == (e.since, e.stop))
-    balances = (r for r in relations if isinstance(r.source, BalanceTrace) and r.kind == MOMENTUM)
-    growing = (r for r in balances if derivative(r.residual, speed).has(t))
-    told = next((r for r in growing if identically_zero(r.residual.xreplace({speed: rate}))), None)
+    relations = [r for leg in route.steps for r in leg.relations if r.since == e.since]
+    balances = [r for r in relations if isinstance(r.source, BalanceTrace) and r.kind == MOMENTUM]
+    here = [r for r in balances if r.stop == e.stop and derivative(r.residual, speed).has(t)]
+    told = next((r for r in here if identically_zero(r.residual.xreplace({speed: rate}))), None)
+    if told is None:
+        told, t, rate = next(_elsewhere(balances, e, (speed, t, rate), found), (None, t, rate))
     if told is None:
         return None
     rest = {s: route.plain.get(s, s) for s in rate.free_symbols if s != t}
     return general[speed], factored(simplified(rate.xreplace(rest).xreplace({t: general[t]}))), t, told
+
+
+def _elsewhere(
+    balances: Sequence[Relation], e: Relation, own: tuple[sp.Symbol, sp.Symbol, sp.Expr], found: MotionTrace
+) -> Iterator[tuple[Relation, sp.Symbol, sp.Expr]]:
+    """Balances from the same state to others that give the speed there by the same function of time, with the times of
+    these states and the function there. `own`: the speed, the time and the rate of the place at the end of `e`.
+    """
+    speed, t, rate = own
+    for balance in balances:
+        there = {general: s for s, general in found.general.items() if s.name.endswith(f"__{balance.stop}")}
+        moved = {s: there[g] for s in (speed, t) if (g := found.general[s]) in there}
+        if balance.stop == e.stop or len(moved) < len((speed, t)) or not balance.residual.has(moved[t]):
+            continue
+        if identically_zero(balance.residual.xreplace({moved[speed]: rate.xreplace(moved)})):
+            yield balance, moved[t], rate.xreplace(moved)

@@ -322,7 +322,7 @@ class Router:
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
-            step = linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL)
+            step = linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL, not self.symbolic)
             if step is None:
                 break
             index, x, formula = step

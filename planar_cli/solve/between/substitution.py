@@ -31,11 +31,13 @@ SQUARE = 2
 
 
 def linear_step(
-    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int, by_time: bool = False
 ) -> tuple[int, sp.Symbol, sp.Expr] | None:
-    """An equation that is linear in an unknown which it really contains; the shortest formula."""
-    if len(pool) > 1 and (by_time := _by_the_time(pool, left, value)) is not None:
-        return by_time
+    """An equation that is linear in an unknown which it really contains; the shortest formula. `by_time`: or places as
+    functions of the one time that is unknown.
+    """
+    if by_time and len(pool) > 1 and (placed := _by_the_time(pool, left, value)) is not None:
+        return placed
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
         for index, residual in enumerate(pool):
