@@ -66,6 +66,7 @@ from planar_cli.report.slopes import slopes_of
 from planar_cli.report.slots_beside import slots_beside
 from planar_cli.report.sought_at_state import with_sought_names
 from planar_cli.report.special_case import special_case
+from planar_cli.report.stated_angles import with_stated_angles
 from planar_cli.report.stated_text import stated_text
 from planar_cli.report.steps import SOLVING, without_ritual
 from planar_cli.report.stretches import only_after, stretches
@@ -155,7 +156,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
-    named = with_loads_by_letter(named, problem)
+    named = with_stated_angles(with_loads_by_letter(named, problem), problem)
     page = checked_once(told_likewise(with_letters_apart(without_restated_data(named), problem), problem))
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
@@ -178,8 +179,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         from planar_cli.report.motion_phrases import motion_phrases, settled_phrases
 
         phrases = motion_phrases(part.motion, figures)
-    whole = _tale(part, phrases, steps + 1, whole=True)
-    blocks += whole
+    blocks += (whole := _tale(part, phrases, steps + 1, whole=True))
     if part.motion is not None:
         assert telling is not None
         moving = list(_motion_blocks(part, telling, voice, why, steps + bool(whole), count))
