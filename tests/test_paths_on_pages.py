@@ -44,7 +44,7 @@ def test_an_angle_by_the_components_across_the_line_of_sight() -> None:
 def test_a_curve_in_letters_keeps_its_formulas() -> None:
     page = _page("particles/skier-in-a-parabolic-dip")
     assert "y″ = 2 c = 2 · 0.00625 = 0.0125/ft" in page
-    assert "a_P = a_Pt e_t + v_P²/ρ e_n" in page
+    assert "a_t = a_Pt = -14.40 ft/s², that is 14.40 ft/s² against the direction of motion" in page
 
 
 def test_a_speed_counts_the_way_that_the_body_moves() -> None:

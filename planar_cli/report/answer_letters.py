@@ -29,7 +29,8 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     relation = ":" if found.word or found.curve is not None else "="
     if part.tale is not None and (letter := part.tale.letters.get(found.name)) is not None:
         named = plain_name(found.name) == plain_name(letter.name)
-        return Answer(found.name, said if named else line(Math(letter), " = ", said), relation)
+        whole = said if named else line(Math(letter), " = ", *_signed(found, phrases), said)
+        return Answer(found.name, whole, relation)
     asked = _asked(found, part)
     symbol, size = _symbol(asked)
     if asked is not None and asked == symbol and _seeks_extremes(part) and (happens := what_happens(symbol, part)):

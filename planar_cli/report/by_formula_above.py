@@ -66,7 +66,8 @@ def by_formula_above(
         return own
     letter = found.letter
     named = line(Name(found.zero.name) if letter is None else Math(letter), " = 0")
-    head = Heading("STEP 1", "The formula above, set to zero", named)
+    reason = "contact is lost where " if found.presses else ""
+    head = Heading("STEP 1", "The formula above, set to zero", line(reason, *named))
     kept = [b for b in own if not isinstance(b, Check | Heading | Paragraph | Equation | Forces | Table | Result)]
     answers = [b for b in kept if isinstance(b, Answer)]
     checks = [b for b in own if isinstance(b, Check) and any(INDEPENDENT in getattr(p, "text", "") for p in b.line)]
@@ -104,6 +105,12 @@ class _Asked:
         (expr,) = self.zero.asked if len(self.zero.asked) == 1 else (sp.S.Zero,)
         letter = -expr if expr.could_extract_minus_sign() else expr
         return letter if isinstance(letter, sp.Symbol) else None
+
+    @property
+    def presses(self) -> bool:
+        """Is it a normal force?"""
+        what = self.zero.find.found.what if self.zero.find is not None else None
+        return isinstance(what, Quantity) and what.word == "N" and not what.parts
 
     def named(self, expr: sp.Expr) -> sp.Expr:
         """The letter that the general solution has for an expression: a_G for R α; the expression where it has none."""

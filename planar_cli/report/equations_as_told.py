@@ -15,6 +15,7 @@ from planar_cli.report.polar_parts import with_polar_parts
 from planar_cli.report.rolls_at_state import with_rolling_told
 from planar_cli.report.single_forces import with_single_forces
 from planar_cli.report.speeds_of_constants import with_constants_for_speeds
+from planar_cli.report.tangent_letters import with_tangent_letters
 from planar_cli.solve.solved_problem import PartSolution
 
 
@@ -26,4 +27,4 @@ def equations_as_told(part: PartSolution) -> PartSolution:
         with_one_velocity(with_flight_axes(with_constants_for_speeds(with_polar_parts(with_offset_normals(part)))))
     )
     shared = with_own_accelerations(shared)
-    return with_single_forces(with_across_speeds(with_known_put_in(with_alike_put_in(shared))))
+    return with_single_forces(with_tangent_letters(with_across_speeds(with_known_put_in(with_alike_put_in(shared)))))

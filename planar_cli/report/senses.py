@@ -121,6 +121,8 @@ def _words(found: Found, positive: bool) -> str:
         if part.kind == "across" and isinstance(part.direction, PointPair):
             named = f"{part.direction.origin}{part.direction.to}"
             return f"perpendicular to {named}, {'counter' if positive else ''}clockwise from it"
+        if part.kind == "t":
+            return f"{'in' if positive else 'against'} the direction of motion" if what.word == "a" else ""
         quarter = _quarter(part)
         return "" if quarter is None else WAYS[(quarter + (0 if positive else 2)) % 4]
     return ""

@@ -19,7 +19,11 @@ from planar_cli.report.formula import is_canonical
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import significant
 
-SAID = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)\s?(?:°|deg\b|degrees?\b)")
+NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+TO = re.compile(
+    r"(?<![\w.])(\d+(?:\.\d+)?)\s?(?:°|deg\b|degrees?\b)[^.,;]{0,20}\b(?:vertical|local horizontal|normal)\b"
+)
+"""10 degrees to the vertical, 8 deg above the local horizontal: from another line than the x axis of the file."""
 LINES = ("line", "sides", "lead", "note", "left", "right", "rows", "aside")
 RIGHT, FIGURES = 90, 6
 FUNCTIONS = {sp.sin: sp.cos, sp.cos: sp.sin}
@@ -27,14 +31,16 @@ FUNCTIONS = {sp.sin: sp.cos, sp.cos: sp.sin}
 
 def with_stated_angles(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     """The blocks of a page with such angles; as they are where the text speaks of no angle but those of the file."""
-    said = {sp.Rational(x) for x in SAID.findall(problem.text or "")}
-    if not said:
+    text = " ".join((problem.text or "").split())
+    to = {sp.Rational(x) for x in TO.findall(text)}
+    if not to:
         return list(blocks)
+    said = {sp.Rational(x) for x in NUMBER.findall(text)}
     held = {
         f for b in blocks for p in pieces_of(b) if isinstance(p, Math) for f in p.expr.atoms(sp.sin, sp.cos, sp.tan)
     }
     turned = {f: f.args[0] * 180 / sp.pi for f in held if f.args[0].is_number}
-    angles = {d for d in turned.values() if d.is_Rational and 45 < d < RIGHT and d not in said and RIGHT - d in said}
+    angles = {d for d in turned.values() if d.is_Rational and 45 < d < RIGHT and d not in said and RIGHT - d in to}
     angles -= {d for f, d in turned.items() if isinstance(f, sp.tan)}
     angles = {d for d in angles if not any(_tells(b, d) for b in blocks)}
     if not angles:
