@@ -146,6 +146,8 @@ class Moving:
     """Is that by rolling? Where a coordinate tells the place of its mass centre, this is why it turns as it does."""
     place: tuple[sp.Expr, ...] = ()
     """x and y of the mass centre [m], where energies are told of it."""
+    resting: tuple[str, sp.Expr] | None = None
+    """The point that is its instantaneous centre at the end, with the velocity in general [m/s], along one axis."""
 
 
 @record

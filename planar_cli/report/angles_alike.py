@@ -1,4 +1,6 @@
-"""Bodies whose angles are one coordinate but for the sign: α_BC = -α_AB, as ω_BC = -ω_AB at all times."""
+"""Bodies whose angles are one coordinate but for the sign: α_BC = -α_AB, as ω_BC = -ω_AB at all times; and why a body
+turns the other way than the coordinate: r_C/B = [l cos θ, -l sin θ], so that BC is inclined at θ the other way.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,8 @@ import sympy as sp
 
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.equation.system import System
-from planar_cli.report.blocks import Block, Paragraph, line
+from planar_cli.problem.scene import Rod
+from planar_cli.report.blocks import Block, Name, Paragraph, line
 from planar_cli.report.numeric import DIFFERENTIATED
 from planar_cli.report.results import numbered
 from planar_cli.report.words import Phrases
@@ -22,6 +25,8 @@ def alike_told(
     """Why two angular accelerations are alike, where the angles that the file gives say so of the velocities; empty:
     they do not. `number`: the printed number of an equation of a stage.
     """
+    if w.source == DIFFERENTIATED:
+        return _the_other_way(w, system, phrases)
     speeds = {a: v for v, a in system.rates().items()}
     pair = by_name(w.residual.free_symbols & speeds.keys())
     if w.source != "closure" or len(pair) != 2:
@@ -37,6 +42,25 @@ def alike_told(
         return []
     own, its = (phrases.math(x) for x in (speeds[other], sign * speeds[one]))
     return [Paragraph(line(f"By {numbered(sorted({before, after}))}, ", own, " = ", its, " at all times, so that:"))]
+
+
+def _the_other_way(w: Written, system: System, phrases: Phrases) -> list[Block]:
+    """Why ω of a body is -θ̇, by two points of it whose places the file gives by θ; empty: it is another relation."""
+    scene = system.scene
+    body = next((b for b in scene.problem.bodies if w.lead == f"angle of {b.name}"), None)
+    if body is None or not isinstance(body.shape, Rod) or body.shape.end is None:
+        return []
+    one, other = body.shape.start, body.shape.end
+    if not {one, other} <= scene.formulas.keys():
+        return []
+    reach = scene.formulas[other] - scene.formulas[one]
+    x, y = simplified(reach.x.value), simplified(reach.y.value)
+    angles = [f.args[0] for f in sp.sympify(x).atoms(sp.cos)]
+    if len(angles) != 1 or not angles[0].is_Symbol or simplified(y * sp.cos(angles[0]) + x * sp.sin(angles[0])) != 0:
+        return []
+    place = line(Name(f"r_{other}/{one}"), " = [", phrases.math(x), ", ", phrases.math(y), "]")
+    turned = line(f", so that {body.name} is inclined at ", phrases.math(angles[0]), " the other way:")
+    return [Paragraph(line(*place, *turned))]
 
 
 def _rate(speed: sp.Symbol, stages: Sequence[Stage], number: Callable[[Stage, int], int]) -> tuple[sp.Expr, int] | None:

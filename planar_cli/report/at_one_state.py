@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
+from planar_cli.report.by_components import with_components
 from planar_cli.report.gathered import gathered
 from planar_cli.report.known_put_in import rates_alike
 from planar_cli.report.raw_moments import without_nothing
@@ -86,7 +87,7 @@ def where_asked(
     angles = [line(Math(s), " = ", phrases.math(a)) for s, a in places.items() if motion.ledger.units[s].angle]
     where = line(f"{place(state)}, ", *(piece for i, a in enumerate(angles) for piece in (", " if i else "", *a)), ":")
     start = next((i for i, b in enumerate(blocks) if _is(b, ACCELERATIONS) or _is(b, KINETICS)), len(blocks))
-    found: list[Block] = list(blocks[:start])
+    found, alike = list[Block](blocks[:start]), rates_alike(instant)
     for block in blocks[start:]:
         if _is(block, ACCELERATIONS):
             found.append(Paragraph(line("Accelerations ", *where)))
@@ -94,10 +95,10 @@ def where_asked(
         put = _put(block, places, phrases)
         if put is None:
             return blocks
-        found.append(put)
+        found.append(with_components(put, instant, places, alike, phrases))
         if _is(block, KINETICS):
             found.append(Paragraph(line(*_capital(where))))
-    return gathered(found, rates_alike(instant), phrases)
+    return gathered(found, alike, phrases)
 
 
 def _capital(words: Line) -> Line:

@@ -5,11 +5,16 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Protocol
 
+from planar_cli.equation.plain import longer
+from planar_cli.principles.base import Moving
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Line, line
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.told import Told
+from planar_cli.report.words import Phrases
 
 NEARLY = Decimal("1e-12")
+LONGEST = 5
+"""A velocity of more operations is no reason that is seen."""
 
 
 class Centre(Protocol):
@@ -25,6 +30,14 @@ class Centre(Protocol):
     def place(self) -> tuple[Decimal, Decimal]: ...
     @property
     def letters(self) -> Vec | None: ...
+
+
+def reason_of(made: Moving, phrases: Phrases) -> Line:
+    """Why a mass centre has its velocity: of an instantaneous centre, why it rests, v_C = -2 l θ̇ sin θ = 0."""
+    if made.resting is None or longer(made.resting[1], LONGEST):
+        return line(made.why) if made.why else ()
+    point, speed = made.resting
+    return line(f"{made.why}: ", Name(f"v_{point}"), " = ", phrases.math(speed), " = 0")
 
 
 def beside(c: Centre, told: Told) -> Line:

@@ -19,6 +19,7 @@ from planar_cli.principles.base import Moving, Storage
 from planar_cli.records import record
 from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
+from planar_cli.report.centre_reasons import reason_of
 from planar_cli.report.centre_speeds import centre_lines
 from planar_cli.report.clean import is_clean
 from planar_cli.report.common_centre import common_centre
@@ -118,7 +119,7 @@ class EnergyTelling(WeightTelling):
         told = [(Math(own), *self._speed(expr, kind, made)) for kind, own, expr in speeds if own != expr]
         # The size of a letter may be told by that letter.
         told = [(own, *others) for own, *others in told if others != [own]]
-        why = line(made.why) if speeds[0][0] == "v" and made.why else ()
+        why = reason_of(made, self.phrases) if speeds[0][0] == "v" else ()
         # A ball's mass centre goes round a trough whether it rolls or not; that it rolls says how it turns.
         reason = 1 if len(told) > 1 and made.rolls else 0
         yield from self._centre_lines(made)
@@ -159,7 +160,7 @@ class EnergyTelling(WeightTelling):
             yield Equation((lead, self.phrases.math(put)))
             return
         for made, speeds in told:
-            why = line(made.why) if made.why else ()
+            why = reason_of(made, self.phrases)
             shown = [
                 (kind, own, self._signed(expr))
                 for kind, own, expr in speeds
@@ -172,8 +173,20 @@ class EnergyTelling(WeightTelling):
         masses = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}
         formula = sp.Add(*(masses[kind] * own**2 / 2 for kind, own, _ in speeds), evaluate=False)
         # Of equal bodies the letters of one would not do for the others.
-        formulas = (self.phrases.math(formula),) if len(told) == 1 else ()
+        formulas = (self.phrases.math(formula),) if len(told) == 1 else self._alike(told)
         yield Equation((lead, *formulas, self.phrases.math(put)))
+
+    def _alike(self, told: Sequence[tuple[Moving, list[tuple[str, sp.Symbol, sp.Expr]]]]) -> tuple[Line, ...]:
+        """1/2 m (1/2 l θ̇)² + 1/2 (1/12 m l²) θ̇² of bodies of which that is the same; empty: it is not, or is long."""
+        found = set()
+        for made, speeds in told:
+            size = {kind: -e if e.could_extract_minus_sign() else e for kind, _, e in speeds}
+            inertia = self.phrases.ledger.behind(made.inertia) if made.inertia.is_Symbol else made.inertia
+            found.add((made.mass, size.get("v"), inertia, size.get("omega")))
+        if len(found) > 1 or None in next(iter(found)) or any(longer(e, FEW) for e in next(iter(found))):
+            return ()
+        mass, v, inertia, omega = (self.phrases.math(e) for e in next(iter(found)))
+        return (line("1/2 ", mass, " (", v, ")² + 1/2 (", inertia, ") ", self.phrases.math(omega.expr**2)),)
 
     def _centre_lines(self, made: Moving) -> Iterator[Block]:
         """The place of a mass centre and its rates, where its speed is a root of both."""

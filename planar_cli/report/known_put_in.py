@@ -4,7 +4,7 @@ they are: of two equal rods that fold alike, α_BC = -α_AB and I_AB = I_BC = 1/
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -46,7 +46,7 @@ def _instant(instant: InstantSolution) -> InstantSolution:
     known = _known(last, instant)
     if given and not known:
         return replace(instant, stages=(*first, last))
-    return replace(instant, stages=(*first, _stage(last, known))) if known else instant
+    return replace(instant, stages=(*first, _without_idle(_stage(last, known), known))) if known else instant
 
 
 def _given(stage: Stage, instant: InstantSolution) -> Known:
@@ -97,6 +97,28 @@ def _stage(stage: Stage, known: Known, in_letters: bool = False) -> Stage:
         return replace(stage, blocks=tuple(_block(b, known, _put) for b in stage.blocks))
     drawn = {b: [(v, _exactly(e, known)) for v, e in parts] for b, parts in stage.accelerations.items()}
     return replace(stage, blocks=tuple(_block(b, known, _exactly) for b in stage.blocks), accelerations=drawn)
+
+
+def _without_idle(stage: Stage, known: Known) -> Stage:
+    """A letter that no equation of forces has any more is told by its relation, α_BC = -α_AB, and not solved for."""
+    held = {s for b in stage.blocks for w in b.equations if w.law in OF_FORCES for s in w.residual.free_symbols}
+    held |= {s for x in stage.lines for s in x.expression.free_symbols}
+    blocks = [own for b in stage.blocks for own in _parted(b, known.keys() - held)]
+    return replace(stage, blocks=tuple(blocks))
+
+
+def _parted(block: SolvedBlock, idle: Collection[sp.Symbol]) -> Iterator[SolvedBlock]:
+    """The relations that tell such letters alone, then what is left to solve."""
+    for x in (x for x in block.lines if x.symbol in idle and len(block.equations) > 1 and len(x.equations) == 1):
+        own = next((w for w in block.equations if w.number == x.equations[0] and w.law == "relation"), None)
+        others = [y for y in block.lines if y.symbol != x.symbol]
+        if own is not None and not any(x.symbol in y.formula.free_symbols for y in others):
+            told = replace(own, left=x.symbol, right=x.formula)
+            yield SolvedBlock((told,), (x.symbol,), (), (replace(x, letters=()),))
+            rest = tuple(w for w in block.equations if w is not own)
+            unknowns = tuple(u for u in block.unknowns if u != x.symbol)
+            block = SolvedBlock(rest, unknowns, block.letters, tuple(others))
+    yield block
 
 
 def _block(block: SolvedBlock, known: Known, put: Put) -> SolvedBlock:

@@ -21,6 +21,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
 
+CENTRE = " is the instantaneous centre of "
 SEVERAL = 3
 """Of fewer equal bodies the common mass centre is not looked at."""
 
@@ -30,7 +31,7 @@ def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> Ene
     if not b.law.moving:
         return None
     acting = _acting(course, b)
-    own = (replace(m, why=_why(m, acting[-1], b.stop, value)) for m in b.law.moving)
+    own = (_with_reason(m, acting[-1], b.stop, value) for m in b.law.moving)
     moving = tuple(_at(m, partial(_place, acting[-1], b, m.body)) for m in own)
     found = []
     for words, brought in b.brought:
@@ -70,6 +71,18 @@ def _acting(course: StatedMotion, b: StateBalance) -> tuple[Regime, ...]:
     return tuple(course.regimes[names.index(b.since.name) : names.index(b.stop.name)])
 
 
+def _with_reason(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> Moving:
+    """With why its mass centre has its velocity; of a point that rests there alone also what velocity it has."""
+    why = _why(m, regime, stop, value)
+    point, centre, _ = why.partition(CENTRE)
+    system = regime.general.trial.system
+    if not centre or why == m.why or system.motion is None:
+        return replace(m, why=why)
+    v = system.motion.velocity(system.scene.point(point), m.body)
+    speeds = [e for e in (simplified(regime.closed(v.x)), simplified(regime.closed(v.y))) if e != 0]
+    return replace(m, why=why, resting=(point, speeds[0]) if len(speeds) == 1 else None)
+
+
 def _why(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
     """Why a mass centre has its velocity; of what hangs on a wheel that rolls, its own instantaneous centre first."""
     system = regime.general.trial.system
@@ -92,7 +105,7 @@ def centre_of(m: Moving, regime: Regime, stop: Stop, value: Valuation) -> str:
         if m.body in owners and point != m.center:
             v = motion.velocity(scene.point(point), m.body)
             if rests(v.x, v.y):
-                return f"{point} is the instantaneous centre of {m.body}"
+                return f"{point}{CENTRE}{m.body}"
     return ""
 
 
