@@ -15,6 +15,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.origins import known_from
 from planar_cli.report.sides import said
 from planar_cli.report.state_words import at
+from planar_cli.report.turning_by_speed import turning_by_speed
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result, RouteStep
 
@@ -43,6 +44,9 @@ def datum_blocks(
         said_there = stated_in(found.problem, e.stop, e.words) if e.kind == "given" else None
         stated = said_there if _is_number(r, phrases[0]) else None
         middle = between(stated, r.unknown, r.value, phrases[1]) if len(chain) == 2 else ()
+        if turns := turning_by_speed(e, r, said_there, found, phrases[1]):
+            yield turns
+            continue
         sides = (chain[0], *([middle] if middle else []), *chain[1:])
         if headed and (_is_datum_of_file(r, found) or (len(sides) == 2 and _is_repeated(said_there, r, found))):
             continue

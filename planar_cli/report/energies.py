@@ -129,7 +129,7 @@ class EnergyTelling(WeightTelling):
         else:
             # The speed of the last state may be a letter that has been told: a package that goes with its belt.
             for i, sides in enumerate(told):
-                yield self._speed_line(sides, why if i == reason else ())
+                yield self._speed_line(sides, why if i == reason and self._explains(sides) else ())
         masses, texts = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}, {}
         for kind, dimension in (("v", MASS), ("omega", INERTIA)):
             if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
@@ -140,6 +140,11 @@ class EnergyTelling(WeightTelling):
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
         self.letters[f"T of {body}"] = put if self._short(put) else None if texts else formula
         yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
+
+    @staticmethod
+    def _explains(sides: tuple[Any, ...]) -> bool:
+        """Is there more than a value beside a speed, of which a reason could be told?"""
+        return any(isinstance(s, Math) and s.expr.free_symbols for s in sides[1:])
 
     def _speed_line(self, sides: tuple[Any, ...], why: Line) -> Equation:
         """One speed, with its unit where numbers stand beside an unknown, and why it is so."""
@@ -168,7 +173,8 @@ class EnergyTelling(WeightTelling):
             ]
             reason = "omega" if made.rolls and any(kind == "omega" for kind, _, _ in shown) else "v"
             for kind, own, expr in shown:
-                yield Equation((Math(own), self.phrases.math(expr)), None, note=why if kind == reason else ())
+                explains = kind == reason and expr.free_symbols
+                yield Equation((Math(own), self.phrases.math(expr)), None, note=why if explains else ())
         made, speeds = told[0]
         masses = {"v": made.mass, "omega": inertia_of(made.body, made.inertia, self.phrases)}
         formula = sp.Add(*(masses[kind] * own**2 / 2 for kind, own, _ in speeds), evaluate=False)

@@ -23,7 +23,7 @@ def steps_before(
     """
     if found.turnings or not regime.stretches:
         return []
-    alone = state_of(found, regime)
+    alone = state_of(found, regime) or last_by_energy(found, regime, legs)
     start = _place(alone, found) if alone else min(_place(since, found) for since, _ in regime.stretches)
     known = {x for leg in early for x in leg.unknowns} | found.route.plain.keys()
     led: list[RouteStep] = []
@@ -38,6 +38,21 @@ def steps_before(
     needed = {s for leg in led if not leg.is_datum for s in leg.needs}
     kept = [leg for leg in led if not leg.is_datum or needed & set(leg.unknowns)]
     return sorted(kept, key=lambda leg: _last(leg, found))
+
+
+def last_by_energy(found: MotionTrace, regime: RegimeTrace, legs: Sequence[RouteStep]) -> str:
+    """The last state of a motion of one regime whose forces and accelerations are the same all the time, where balances
+    alone lead to its states, so that nothing rests on these; "": there is none. With the accelerations first, two ways
+    to the same speeds would stand side by side.
+    """
+    if len(found.regimes) > 1 or not regime.constants or regime.resting is None:
+        return ""
+    if regime.resting & {s.name for s in regime.constants}:
+        return ""
+    asked = {s for finds in regime.asked.values() for parts in finds.values() for e in parts for s in e.free_symbols}
+    balanced = all(isinstance(e.source, BalanceTrace) for leg in legs if not leg.is_datum for e in leg.relations)
+    stops = [stop for _, stop in regime.stretches]
+    return stops[-1] if balanced and stops[-1] and asked and asked <= regime.constants.keys() else ""
 
 
 def in_turn(legs: Sequence[RouteStep], found: MotionTrace) -> list[list[RouteStep]]:

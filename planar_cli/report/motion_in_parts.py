@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
+from typing import Any
 
-from planar_cli.report.blocks import Block, Heading, Math
-from planar_cli.report.in_order_of_time import in_turn, states_of, states_told, steps_before
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Note, Paragraph, line
+from planar_cli.report.in_order_of_time import in_turn, last_by_energy, states_of, states_told, steps_before
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.mentioned import pieces_of
@@ -47,6 +49,50 @@ def early_blocks(
     used = _letters(own)
     kept = without_given([b for b in told if b in own or _letters([b]) & used], before)
     return kept, steps, telling.next - 1
+
+
+def leads_through(telling: MotionTelling, instant: InstantSolution) -> bool:
+    """Do balances alone lead through all states, so that they stand before forces that are the same all the time?"""
+    found = telling.found
+    legs = needed_steps(found.route, telling.wanted)
+    return bool(last_by_energy(found, found.regime(instant), legs)) and set(legs) <= {*telling.early}
+
+
+def with_assumed_first(
+    blocks: Sequence[Block], early: Sequence[Block], told: Sequence[Block]
+) -> tuple[list[Block], list[Block]]:
+    """Before what leads through all states, the last of the blocks, what is assumed of the instant that follows, as it
+    holds for all of it; and the rest of the instant.
+    """
+    assumed = list(takewhile(lambda b: isinstance(b, Note), told))
+    return [*blocks[: len(blocks) - len(early)], *assumed, *early], list(told[len(assumed) :])
+
+
+def same_all_the_time(found: MotionTrace, instant: InstantSolution) -> list[Block]:
+    """That what is asked at the end of a stretch has its value all the time."""
+    regime = found.regime(instant)
+    later = {stop for _, stop in regime.stretches} - {since for since, _ in regime.stretches}
+    finds = [parts for state in later & regime.asked.keys() for parts in regime.asked[state].values()]
+    same = [s for s in regime.constants if any(s in parts for parts in finds)]
+    if not same:
+        return []
+    listed: list[Any] = []
+    for i, s in enumerate(same):
+        listed += [*([" and " if i == len(same) - 1 else ", "] if i else []), Math(s)]
+    ((since, _), *_), (*_, (_, until)) = regime.stretches, regime.stretches
+    span = " at every instant." if len(found.regimes) == 1 else f" all the time from {since} to {until}."
+    return [Paragraph(line(*listed, " is" if len(same) == 1 else " are", " the same", span))]
+
+
+def placed(moving: Sequence[Block], blocks: Sequence[Block], place: int | None, motion: MotionTrace) -> list[Block]:
+    """The last lines of a motion behind all blocks, or at the place where the way through its states ends, if they need
+    no forces, no heading and no numbers of equations.
+    """
+    forces = {s.name for regime in motion.regimes for s in regime.constants}
+    numbered = any(isinstance(b, Heading) or (isinstance(b, Equation) and b.number is not None) for b in moving)
+    if place is None or numbered or _letters(moving) & forces:
+        return [*blocks, *moving]
+    return [*blocks[:place], *moving, *blocks[place:]]
 
 
 def _letters(blocks: Iterable[Block]) -> set[str]:

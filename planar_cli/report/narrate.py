@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.alike import with_equals_together
@@ -83,7 +82,6 @@ from planar_cli.solve.solved_problem import PartSolution, Solution
 
 if TYPE_CHECKING:
     from planar_cli.report.motion import MotionTelling
-    from planar_cli.solve.between.trace import MotionTrace
 
 
 @record
@@ -172,10 +170,11 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         telling = motion_telling(part.motion, figures, why)
     notes = presumed_notes(part, phrases_of(part.instants[0], figures), positive) if part.instants else []
     before = ToldBefore()
-    blocks, steps, count = _of_instants(part, telling, voice, why, (told, notes, before))
+    blocks, steps, count, place = _of_instants(part, telling, voice, why, (told, notes, before))
     phrases = settled = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
+        from planar_cli.report.motion_in_parts import placed
         from planar_cli.report.motion_phrases import motion_phrases, settled_phrases
 
         phrases = motion_phrases(part.motion, figures)
@@ -189,7 +188,8 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), [*before.data, *blocks])
             blocks, moving = with_laws_solved(blocks, moving, part.instants[-1].value, part.motion.varying)
         moving += grips_in_letters(part.motion, phrases) if why is None else ()
-        blocks += () if part.tale is not None and part.tale.valued else moving
+        moving = moving if part.tale is None or not part.tale.valued else []
+        blocks = placed(moving, blocks, place, part.motion)
     blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)
     blocks = with_size_and_angle(blocks, (f for f in part.found if why in (None, f.name)), phrases, part)
@@ -216,12 +216,13 @@ def _of_instants(
     voice: Voice,
     why: str | None,
     said: tuple[set[tuple[str, ...]], Iterable[Note], ToldBefore],
-) -> tuple[list[Block], int, int]:
-    """All instants, each after what happens before its forces act; how many steps and numbered equations there are.
-    `said`: effects that were listed before, what is presumed, and what earlier parts of the motion have told.
+) -> tuple[list[Block], int, int, int | None]:
+    """All instants, each after what happens before its forces act; how many steps and numbered equations there are, and
+    where balances end that led through all states before the forces (None: none did). `said`: effects that were listed
+    before, what is presumed, and what earlier parts of the motion have told.
     """
     blocks: list[Block] = []
-    steps = count = 0
+    steps, count, place = 0, 0, None
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
@@ -232,14 +233,22 @@ def _of_instants(
         if instant.quiet or (part.tale is not None and part.tale.whole):
             continue
         if telling is not None:
-            from planar_cli.report.motion_in_parts import early_blocks
+            from planar_cli.report.motion_in_parts import (
+                early_blocks,
+                leads_through,
+                same_all_the_time,
+                with_assumed_first,
+            )
 
             early, steps, count = early_blocks(telling, instant, (steps, count), [*said[2].data, *blocks])
             blocks += early
         numbers = (steps, count) if part.motion is not None else (0, 0)
         told, steps, count = _instant_blocks(part, instant, voice, why, said[2], numbers)
-        blocks += told
-    return blocks, steps, count
+        if telling is not None and early and leads_through(telling, instant):
+            blocks, told = with_assumed_first(blocks, early, told)
+            place = len(blocks)
+        blocks += [*told, *(same_all_the_time(telling.found, instant) if telling is not None else ())]
+    return blocks, steps, count, place
 
 
 def _student_checks(
@@ -282,13 +291,14 @@ def _instant_blocks(
     numbered equations there are then. `numbers`: how many of them stand before it.
     """
     from planar_cli.report.integrated import is_solved_in_steps
+    from planar_cli.report.motion_phrases import constant_phrases
 
-    phrases = phrases_of(instant, voice.figures)
+    phrases, constants = phrases_of(instant, voice.figures), None
     if part.motion is not None:
         ways = part.motion.regime(instant).ways
         phrases = replace(phrases, ways=ways, drawn=where_told(part.motion, instant))
+        constants = constant_phrases(part.motion, instant, phrases)
     wanted = needed_of(part, instant, why)
-    constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
     mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
     blocks = telling.blocks(mine if part.motion is None else ())
@@ -366,16 +376,6 @@ def phrases_in(part: PartSolution, figures: int) -> Phrases:
 
     us = part.followed is not None and part.followed.run.problem.us
     return phrases_without_letters(figures, us)
-
-
-def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phrases) -> Phrases:
-    """The phrases for what is the same all the time in one regime of a motion: only that has a number in them."""
-    regime, ledger = motion.regime(instant), phrases.ledger
-    settled = motion.value.without(motion.value.drawn)
-    given = {s: n for s in (*ledger.values, *ledger.definitions) if (n := settled.known(s)) is not None}
-    numbers = {letter: number for letter, (_, number) in regime.constants.items()}
-    formulas = {letter: formula for letter, (formula, _) in regime.constants.items()}
-    return replace(phrases, value=Valuation({**given, **numbers}).defining(formulas), symbolic=False)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:
