@@ -20,7 +20,7 @@ def _page(name: str) -> str:
 @pytest.mark.parametrize(
     ("name", "row"),
     [
-        ("friction/heaviest-weight-before-a-box-slips", "load:  m_load g ↓,  T ↑   =   m_load a_Hy ↑\n"),
+        ("friction/heaviest-weight-before-a-box-slips", "load:  W ↓,  T ↑   =   m_load a_Hy ↑\n"),
         ("particles/unknown-counterweight", "weight:  m_B g ↓,  T ↑   =   m_B a_By ↑\n"),
     ],
 )
@@ -83,7 +83,7 @@ def test_a_guide_that_carries_a_weight_is_drawn() -> None:
 
 def test_a_normal_force_of_a_check_has_its_sum_of_forces() -> None:
     page = _page("friction/heaviest-weight-before-a-box-slips")
-    assert "N_A = m_cart g + N_B = 42 lbf > 0" in page
+    assert "N_A = N_B + W_A = 42 lbf > 0" in page
     assert " · N_B = 12 lbf > 0" in page
     assert "N_C = m g = 490.5 N > 0" in _page("textbook/ex-4-05")
 

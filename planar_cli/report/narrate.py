@@ -75,6 +75,7 @@ from planar_cli.report.turning_rates import with_turning_rates
 from planar_cli.report.uses import uses_of
 from planar_cli.report.velocities_first import asked_told
 from planar_cli.report.wanted import needed_of
+from planar_cli.report.weights_by_letter import with_weights_by_letter
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.solution import Found, InstantSolution
@@ -136,7 +137,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             if why is None and not headed:
                 blocks += changed_notes(problem, case, own, (first, mine), voice.figures)
         own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))), meanings)
-        own = by_its_line(without_primes(list(without_ritual(own))))
+        own = with_weights_by_letter(by_its_line(without_primes(list(without_ritual(own)))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
         elif voice.audience == "lesson":
@@ -374,8 +375,7 @@ def phrases_in(part: PartSolution, figures: int) -> Phrases:
         return phrases_of(part.instants[-1], figures)
     from planar_cli.report.read_off import phrases_without_letters
 
-    us = part.followed is not None and part.followed.run.problem.us
-    return phrases_without_letters(figures, us)
+    return phrases_without_letters(figures, part.followed is not None and part.followed.run.problem.us)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:
