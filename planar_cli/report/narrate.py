@@ -57,6 +57,7 @@ from planar_cli.report.polar_names import with_polar_names
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.restated import is_restated
+from planar_cli.report.roots_of_cases import with_roots_of_cases
 from planar_cli.report.said import said_once, says_nothing
 from planar_cli.report.size_and_angle import with_size_and_angle
 from planar_cli.report.sizes import with_signs
@@ -117,8 +118,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         # Of a case in which nothing is asked there is nothing to tell.
-        asked = [f for f in part.found if why in (None, f.name)] or (why is None and not part.case)
-        if not asked:
+        if not any(why in (None, f.name) for f in part.found) and (why is not None or part.case):
             continue
         own = with_equals_together(with_bars(list(with_tangents(part_blocks(part, voice, why, told))), part.found))
         if part.motion is not None and why is None:
@@ -132,11 +132,11 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             if headed:
                 blocks = without_foretold(blocks, part, solution)
                 own = [b for b in shorter if not stood_above(b, blocks)]
-            headed = headed and all(g in problem.given for g in case.given)
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-            if why is None and not headed:
+            if why is None and not (headed and all(g in problem.given for g in case.given)):
                 blocks += changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = without_idle_lines(carried_out(in_one_line(list(defined_once(own)))), meanings)
+        own = with_roots_of_cases(list(defined_once(own)), part, solution.parts)
+        own = without_idle_lines(carried_out(in_one_line(own)), meanings)
         own = with_weights_by_letter(by_its_line(without_primes(list(without_ritual(own)))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)

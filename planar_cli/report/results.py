@@ -18,6 +18,7 @@ from planar_cli.solve.solution import InstantSolution
 
 SIGNS = {">=": "≥", "<=": "≤"}
 """Inequalities in the notation of the page; all others as they are written."""
+OTHER_ROOTS, BEFORE_REASON = "other roots: ", " ("
 SAME = Decimal("1e-20")
 """Roots of one equation, found twice with sixty digits, agree to this part of them."""
 
@@ -40,10 +41,10 @@ def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> li
     reason = _reason(instant, choice, phrases)
     if not reason:
         return []
-    parts: list[Any] = ["other roots: "]
+    parts: list[Any] = [OTHER_ROOTS]
     for i, root in enumerate(left):
         parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
-    return [Paragraph(line(*parts, " (", reason, ")"))]
+    return [Paragraph(line(*parts, BEFORE_REASON, reason, ")"))]
 
 
 def _is_speed(instant: InstantSolution, x: SolvedLine) -> bool:

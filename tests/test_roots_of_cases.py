@@ -1,0 +1,23 @@
+"""A root that another case asks for is not dropped: it is that of the other case."""
+
+from __future__ import annotations
+
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def test_both_courses_of_a_boat() -> None:
+    page = Terminal(100).render(narrate(worked(FILES["boat-with-two-courses"])[0]))
+    assert "the other root, 126.9°, is that of case slow" in page
+    assert "the other root, 53.13°, is that of case fast" in page
+    assert "other roots" not in page
+
+
+def test_a_root_that_no_case_asks_for() -> None:
+    page = Terminal(100).render(narrate(worked(FILES["whirling-collar"])[0]))
+    assert "other roots: -1.621 rad/s (given: w > 0)" in page
