@@ -80,3 +80,12 @@ def test_relative_motion_is_named_once() -> None:
     page = page_of_file("thrown-and-dropped")
     assert page.count("Relative motion") == 1
     assert "With the same acceleration the relative velocity is constant." in page
+
+
+def test_a_steady_velocity_stands_in_the_heading_of_its_motion() -> None:
+    page = page_of_file("body-bead-on-turning-parabola")
+    assert "From 1 to 2, constant velocity of P along ξ, ξ̇ = u:" in page
+    assert "For ξ of P" not in page
+    # The speed along the wire is told by its components; no step finds it before.
+    assert "sliding = √(ξ̇² + η̇²) = √(0.4² + 0.48²) = 0.6248 m/s" in page
+    assert page.count("STEP") == 1

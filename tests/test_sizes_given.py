@@ -18,7 +18,7 @@ def test_the_sum_stands_before_its_components() -> None:
 
 def test_the_smallest_speed_is_sought_and_not_given() -> None:
     page = page_of_file("boat-with-two-courses")
-    told = "by (2), (3): w_min = u/(2 sin β) This is smallest where sin β is largest: (5) sin β = 1"
+    told = "by (2), (3): w_min = u/(2 sin β) This is smallest where sin β is largest, and sin β ≤ 1: (5) sin β = 1"
     assert told in page
     assert "derivative" not in page
     assert "-90°" not in page

@@ -89,11 +89,12 @@ def _alone_in(function: sp.Expr, z: sp.Symbol, sense: int, phrases: Phrases) -> 
 def _without_calculus(
     own: Any, sense: int, wave: sp.Expr, first: Sequence[Block], last: Block, phrases: Phrases
 ) -> list[Block]:
-    """w_min = u/(2 sin β), smallest where sin β is largest: sin β = 1."""
+    """w_min = u/(2 sin β), smallest where sin β is largest, and sin β ≤ 1: sin β = 1."""
     if not isinstance(last, Equation):
         return [*first, last]
     extreme = "largest" if sense > 0 else "smallest"
-    words = line("This is ", extreme, " where ", phrases.math(wave), " is largest:")
+    own_wave = phrases.math(wave)
+    words = line("This is ", extreme, " where ", own_wave, " is largest, and ", own_wave, " ≤ 1:")
     return [*first, Paragraph(words), replace(last, sides=(phrases.math(wave), phrases.math(sp.S.One)))]
 
 

@@ -32,7 +32,7 @@ def without_idle_symmetry(blocks: Sequence[Block]) -> list[Block]:
         assert isinstance(last, Text)
         sentence = replace(block, line=(*block.line[:-1], Text(f"{last.text.removesuffix(':')}.")))
         kept[i : i + 2] = [sentence]
-        kept = _without_places([_renumbered(b, number) for b in kept], after)
+        kept = _without_places([renumbered(b, number) for b in kept], after)
     return kept
 
 
@@ -62,7 +62,7 @@ def _is_unused_meaning(block: Block, spoken: Counter[str]) -> bool:
     return sum(spoken[n] for n in families) <= len(own)
 
 
-def _renumbered(block: Any, gone: int) -> Any:
+def renumbered(block: Any, gone: int) -> Any:
     """A block with the number that its equations have when one before them is left out."""
     if isinstance(block, Equation):
         number = block.number - 1 if block.number is not None and block.number > gone else block.number

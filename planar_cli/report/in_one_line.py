@@ -17,12 +17,37 @@ from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
 STRETCH = re.compile(r"(From|At) ")
+STEADY = re.compile(r"From .*, constant (angular )?velocity")
 AT = re.compile(r"At ([\w, ]+):")
 
 
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    return with_vectors(with_places_carried_on(list(under_one_heading(blocks))))
+    return with_vectors(with_places_carried_on(list(under_one_heading(with_velocities_in_heads(blocks)))))
+
+
+def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
+    """`From 1 to 2, constant velocity of P along x, ẋ = u:` for the velocity under a heading of its own before that."""
+    found: list[Block] = []
+    for block in blocks:
+        match found[-2:]:
+            case [Paragraph() as law, Equation(number=None, lead=(), note=()) as rate] if _is_steady(law, block):
+                assert isinstance(block, Paragraph)
+                *before, last = block.line
+                assert isinstance(last, Text)
+                sides = [p for i, side in enumerate(rate.sides) for p in (" = " if i else ", ", side)]
+                found[-2:] = [Paragraph(line(*before, last.text.removesuffix(":"), *sides, ":"))]
+            case _:
+                found.append(block)
+    return found
+
+
+def _is_steady(law: Paragraph, block: Block) -> bool:
+    """Is a law told, and are the words of a motion at this velocity the next ones?"""
+    if not isinstance(block, Paragraph) or not _words(law).startswith("For ") or STEADY.match(_words(block)) is None:
+        return False
+    last = block.line[-1]
+    return isinstance(last, Text) and last.text.endswith(":")
 
 
 def under_one_heading(blocks: Iterable[Block]) -> Iterator[Block]:

@@ -78,6 +78,8 @@ class TurningAxes:
                 yield from self._opened(turned, letters, sizes, n, state)
         one, other = ((XI, ETA), (V_XI, V_ETA), (A_XI, A_ETA))[level]
         name, dimension = asked.find.name, DIMENSIONS[level]
+        if len(what.things) > 1:
+            one, other = RATES[:2]
         if what.parts:
             yield self._line((line(Name(name)),), sp.sqrt(one**2 + other**2), sizes, asked)
             return
@@ -209,17 +211,29 @@ def _turned(found: MotionTrace, asked: Request) -> Turned | None:
     what = asked.find.found.what
     if found.symbolic or len(found.regimes) != 1 or not isinstance(what, Quantity) or what.word not in LEVELS:
         return None
-    if len(what.things) != 1 or not isinstance(what.at, str) or [p.kind for p in what.parts] not in ([], ["mag"]):
+    parts = [p.kind for p in what.parts]
+    if not isinstance(what.at, str) or parts not in ([], ["mag"]) or (what.word, parts) == ("r", ["mag"]):
         return None
-    if what.parts and what.word == "r":
+    if len(what.things) > 1 and ((what.word, parts) != ("v", ["mag"]) or not _told_besides(found, what)):
         return None
     regime = found.regimes[0]
     system = regime.solution.trial.system
     body = what.things[0] if what.things[0] in system.scene.bodies else system.scene.owner(what.things[0])
     edges = {e.body: e for e in system.tree.edges}
-    if body not in edges or {"xi", "eta"} & set(system.scene.ledger.symbols):
+    if (
+        body not in edges
+        or what.things[1:] not in ((), (edges[body].parent,))
+        or {"xi", "eta"} & set(system.scene.ledger.symbols)
+    ):
         return None
     return _on_curve(found, regime, edges[body], edges)
+
+
+def _told_besides(found: MotionTrace, what: Quantity) -> bool:
+    """Is the velocity or acceleration of the same thing asked too, whose lines tell ξ̇ and η̇?"""
+    others = (r.find.found.what for r in found.requests)
+    same = (q for q in others if isinstance(q, Quantity) and (q.things, q.at) == (what.things[:1], what.at))
+    return any(q.word in ("v", "a") for q in same)
 
 
 def _on_curve(found: MotionTrace, regime: RegimeTrace, edge: Edge, edges: dict[str, Edge]) -> Turned | None:
