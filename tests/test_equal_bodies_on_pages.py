@@ -23,7 +23,7 @@ def page(stem: str) -> str:
     ("ex-4-11", "G is the common mass centre of AB, AC, BD, CD, midway between A and D."),
     ("ex-4-11", "U of the weights of AB, AC, BD, CD = 4 m g (y_G,1 - y_G,2) = 2 m g x_max"),
     ("ex-4-17", "moments of inertia of OA, AB: I_OA = I_AB = 1/12 m l² = 1/12 · 1 · 0.5² = 0.02083 kg·m²"),
-    ("two-hinged-bars-that-collapse", "T_2 of AB, BC, each = 1/2 m (1/2 l θ̇_2)² + 1/2 (1/12 m l²) θ̇_2² = 1/6 m l² θ̇_2²"),
+    ("two-hinged-bars-that-collapse", "T_2 of AB, BC, each = 1/2 m (1/2 l θ̇_2)² + 1/2 (1/12 m l²) θ̇_2² = 1/6 m l²"),
     ("two-hinged-bars-that-collapse", "U of the weights of AB, BC, each = 1/2 m g l sin θ_0"),
 ])  # fmt: skip
 def test_equal_bodies_are_told_once(stem: str, line: str) -> None:

@@ -82,7 +82,7 @@ def test_a_rolling_body_is_summed_about_its_contact() -> None:
     assert "terms with ω² are of the second order in it and left out" in page
     assert "a_G = a_O + α × r_G/O = y_G α ←" in page
     assert "= m y_G α ← at G, I α ↺" in page
-    assert "ΣM_C: -m g (r - y_G) δ = m y_G² α + I α" in page
+    assert "ΣM_C: -m g (r - y_G) δ = I_C α" in page
     assert "Solved for δ̈, this is the equation of motion: (1): δ̈ + m g (r - y_G) δ / (m y_G² + I) = 0" in page
     assert "is stable, as y_G < r: displaced, it returns" in page
     assert "is unstable, as y_G > r: displaced, it moves further away" in page

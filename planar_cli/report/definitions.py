@@ -14,7 +14,7 @@ from planar_cli.report.blocks import Block, Equation, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.geometry import measured
-from planar_cli.report.inertias import alike_together, by_size, is_sought
+from planar_cli.report.inertias import about_apex, alike_together, by_size, is_sought
 from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
@@ -114,6 +114,8 @@ class DefinitionTelling:
             valued = self.phrases.symbolic and any(isinstance(side, Value) for side in sides)
             rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))
             sides = (sides[0], sized[0], *rest)
+        if ledger.titles[symbol].startswith("moment of inertia") and not hidden:
+            sides = (sides[0], *about_apex(symbol, self.scene, self.phrases), *sides[1:])
         if root := measured(expr, self.phrases):
             sides = (sides[0], root, value)
         if is_length and not self.phrases.symbolic and (hidden or not is_clean(ledger, expr, dimension=LENGTH)):

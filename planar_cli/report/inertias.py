@@ -12,7 +12,7 @@ from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import are_zero, longer, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.part_names import part_names
-from planar_cli.problem.scene import Body, Composite, Piece, Rod, Round
+from planar_cli.problem.scene import Body, Composite, Piece, Rod, Round, Sector
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Text, Value, line
 from planar_cli.report.clean import is_clean
@@ -128,6 +128,7 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
     sides: list[Inline | Line] = [phrases.math(symbol)]
     value = phrases.shown(symbol) if settled else None
     dimension = phrases.ledger.units[symbol].dimension
+    sides += about_apex(symbol, scene, phrases)
     if sized := by_size(symbol, scene, phrases, settled):
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
@@ -154,6 +155,40 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
         texts = {s: _text(phrases.shown(s)) for s in (made.mass, made.own) if s != 0}
         told.append(line(Math(formula, {length: _text(size), **texts})))
     return told
+
+
+def about_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> list[Line]:
+    """1/2 m r² - m (4 r/(3 π))² of a half disk or another sector: about its apex, less that of its mass centre; empty
+    of other bodies and where numbers alone would stand in it.
+    """
+    found = _sector(symbol, scene)
+    if found is None:
+        return []
+    shape, mass = found
+    radius, span = (sp.sympify(scene.value(side)) for side in (shape.radius, shape.span))
+    reach = simplified(4 * radius * sp.sin(span / 2) / (3 * span))
+    if not mass.is_Symbol or reach.is_number or longer(reach, FEW) or longer(radius, FEW):
+        return []
+    m = phrases.math(mass)
+    return [line("1/2 ", m, " ", phrases.math(radius**2), " - ", m, " (", phrases.math(reach), ")²")]
+
+
+def _sector(symbol: sp.Symbol, scene: Scene) -> tuple[Sector, sp.Expr] | None:
+    """The sector of which a letter is the moment of inertia about its mass centre, with its mass."""
+    title = scene.ledger.titles[symbol].removeprefix(OF_BODY).removesuffix(" about its centre")
+    for body in scene.problem.bodies:
+        model = scene.bodies[body.name]
+        given = body.inertia is not None or body.gyration is not None
+        if isinstance(body.shape, Sector) and model.inertia == symbol and not given:
+            return body.shape, model.mass
+        if not isinstance(body.shape, Composite):
+            continue
+        named = zip(part_names(body, scene.problem), body.shape.pieces, model.parts, strict=False)
+        for name, piece, (mass, _, _) in named:
+            own = piece.inertia is None and piece.gyration is None
+            if name == title and isinstance(piece.shape, Sector) and own:
+                return piece.shape, mass
+    return None
 
 
 def _by_distance(made: _Made, ledger: Ledger) -> list[Line]:

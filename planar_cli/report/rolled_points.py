@@ -69,7 +69,7 @@ def rolling(system: System, body: str, phrases: Phrases) -> Iterator[Block]:
         speed, inward, why = around
         yield Equation(speed, None, line(f"{body} rolls without slipping:"))
         return (yield Equation(inward, None, note=why))
-    if round_centre := _centre_on_a_line(system, j, phrases):
+    if round_centre := centre_on_a_line(system, j, phrases):
         return (yield from _from_the_centre(system, body, round_centre, phrases))
     normal = motion.accelerations[body].linear
     size = _size(normal.x, normal.y)
@@ -114,7 +114,7 @@ def _sized(length: sp.Expr, phrases: Phrases) -> sp.Expr | None:
     return found if number > 0 else simplified(-found)
 
 
-def _centre_on_a_line(system: System, j: Joining, phrases: Phrases) -> tuple[str, Vec, Vec] | None:
+def centre_on_a_line(system: System, j: Joining, phrases: Phrases) -> tuple[str, Vec, Vec] | None:
     """The named centre of a round outline that rolls on a straight line, its arm from the contact, and its place; None:
     there is none, or the line moves. It keeps its distance from the line, so that it has no acceleration across it.
     """

@@ -14,6 +14,7 @@ from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Mat
 from planar_cli.report.linearised import DEVIATION
 from planar_cli.report.near_rest import SECOND_ORDER, near_the_rest, sides_near
 from planar_cli.report.oscillation import RATES
+from planar_cli.report.restoring_arms import rocking
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
@@ -36,6 +37,7 @@ def in_small_deviations(
     by_number = _sums(telling, linear)
     whole = {} if near is None else sides_near(telling, near, DEVIATION)
     blocks = blocks if near is None else near_the_rest(blocks, near, instant, phrases)
+    rocks = None if near is None else rocking(near, instant, phrases, telling.solving.constants)
     found: list[Block] = []
     for block in _unsolved(blocks):
         if isinstance(block, Equation) and block.number in by_number:
@@ -43,8 +45,10 @@ def in_small_deviations(
             sides = (phrases.math(by_number[block.number]), *block.sides[1:])
             found.append(replace(block, sides=sides, note=()))
         elif isinstance(block, Equation) and block.number in whole:
-            found[-1:] = [_aside(found[-1])]
-            found.append(replace(block, sides=tuple(map(phrases.math, whole[block.number])), note=()))
+            found[-1:] = [*(() if rocks is None else rocks.told), _aside(found[-1])]
+            left, right = whole[block.number]
+            sides = (left, right if rocks is None or rocks.right is None else rocks.right)
+            found.append(replace(block, sides=tuple(map(phrases.math, sides)), note=()))
         elif isinstance(block, Equation) and (pull := _pull(block, linear)) is not None:
             told = phrases.math(pull.constant + _varying(pull))
             found.append(replace(block, sides=(block.sides[0], told), lead=_first_order(block.lead), note=()))
