@@ -6,7 +6,6 @@ import contextlib
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 MEMORY = 2 * 1024**3
 """Bytes beside what the process has taken before."""
@@ -43,6 +42,7 @@ def _taken() -> int:
     import resource
 
     try:
-        return int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0]) * resource.getpagesize()
+        with open("/proc/self/statm", encoding="ascii") as told:
+            return int(told.read().split()[0]) * resource.getpagesize()
     except (OSError, ValueError, IndexError):
         return 0
