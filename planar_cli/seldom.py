@@ -13,8 +13,8 @@ IN_FOLDERS = {
         linear_in_speed pieces polish
     """,
     "equation": """
-        cancelled_angles curves determined driven_rest driving led line_names machine nearness of_all
-        on_two_points polar product_to_sum quadrature tipping trigonometry turning ways_told
+        cancelled_angles curves determined driven_rest driving led line_names machine meeting nearness of_all
+        on_two_points polar product_to_sum quadrature tipping trigonometry turning waves ways_told
     """,
     "homework": """
         curves
@@ -35,12 +35,12 @@ IN_FOLDERS = {
         free_motions gathered given_momenta grooves harmonic_check hidden_data inertia_check inside_integrals
         integrated law_check laws_solved letter_check meanings meeting_check modes modes_of_blows motion_phrases
         nil_impulses on_circle only_reaction opened_sums origins oscillation_check parts passages passing
-        points_by_bodies polar_check presses products projected put_into raw_moments reciprocals rests_on
-        results_once rolled_contacts rolled_speeds rope_ends rope_rates round_check shared_friction shown
-        slip_senses slips_at_start small_deviations special_case speeds_of_momenta squared standing
-        stated_bounds stated_text stretches swallowed system_sum ties time_check track_check turn_check
-        turned_diagrams turning_back turning_rates velocity_check vibrations what_happens what_it_needs
-        with_units works written_places
+        points_by_bodies polar_check presses products projected put_in put_into raw_moments reciprocals rests_on
+        results_once rolled_contacts rolled_parts rolled_speeds rope_ends rope_rates round_check shared_friction
+        shown slip_senses slips_at_start small_deviations special_case speeds_of_momenta squared standing
+        state_words stated_bounds stated_text stretches swallowed system_sum ties time_check track_check
+        turn_check turned_diagrams turning_axes turning_back turning_rates turning_values velocity_check
+        vibrations what_happens what_it_needs with_units works written_places
     """,
     "simulate": """
         heat stops
@@ -56,9 +56,9 @@ IN_FOLDERS = {
         natural_letters one_freedom rolled unsigned
     """,
     "solve.diagnosis": """
-        beginning cases directions_left_open driven_jumps failures false_inequalities held_in_blows impacts
-        lacking limits_of_modes meant missed no_value open_data other_masses placed turns_off undated unheld
-        words
+        beginning cases choosing directions_left_open driven_jumps failures false_inequalities held_in_blows
+        impacts lacking limits_of_modes meant missed no_value open_data other_masses placed turns_off undated
+        unheld words
     """,
     "solve.following": """
         by_ways continuation gaps

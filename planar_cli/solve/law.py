@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import sympy as sp
 
-from planar_cli.calculus.vibrations import Vibration
-from planar_cli.equation.displacement import Coordinate
 from planar_cli.records import record
+
+if TYPE_CHECKING:
+    from planar_cli.calculus.vibrations import Vibration
+    from planar_cli.equation.displacement import Coordinate
 
 RELATIVE = "relative"
 """The kind of a relation that says how one thing moves relative to another with the same acceleration."""

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.joints.base import Joint, distinct
-from planar_cli.motion.trajectory import Outcome
-from planar_cli.problem.scene import Problem
+
+if TYPE_CHECKING:
+    from planar_cli.motion.trajectory import Outcome
+    from planar_cli.problem.scene import Problem
 
 CODES = ("PL539", "PL714", "PL715", "PL717", "PL718")
 """With which a motion ends that is not told on."""

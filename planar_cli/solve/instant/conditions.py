@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.plain import longer
-from planar_cli.problem.facts import Test
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import TINY, Trial
 from planar_cli.solve.instant.parting import parting
-from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.worked import unknowns_of
+
+if TYPE_CHECKING:
+    from planar_cli.problem.facts import Test
+    from planar_cli.solve.instant.seeker import Sought
 
 LONGEST = 60
 """A condition of more operations is left as it comes."""

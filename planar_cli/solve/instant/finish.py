@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from decimal import Decimal
 from functools import partial
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import by_name, in_factors, letters, longer, replaced, rounded_inside
-from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.equation.tipping import tipping
 from planar_cli.errors import Diagnostic, NoSolution, refuse
@@ -21,13 +20,10 @@ from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
-from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnosis.words import listed, names_of
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.instant.conditions import conditions, conditions_beside
 from planar_cli.solve.instant.drawn_senses import as_one_letter
-from planar_cli.solve.instant.instant import Instant, Trial
-from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.solve.instant.translating import translating
 from planar_cli.solve.instant.truth import holds
@@ -35,6 +31,13 @@ from planar_cli.solve.instant.unreached import not_reached, unreached
 from planar_cli.solve.instant.verify import Disagreement, verify
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
+
+if TYPE_CHECKING:
+    from planar_cli.equation.displacement import Coordinate
+    from planar_cli.equation.quantities import Quantities
+    from planar_cli.problem.scene import Find
+    from planar_cli.solve.instant.instant import Instant, Trial
+    from planar_cli.solve.instant.seeker import Sought
 
 SAME = Decimal("1e-20")
 """Two branches whose constants differ by less, as a part of them, are one."""

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import display
 from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, Mark, NoSolution
@@ -22,10 +22,13 @@ from planar_cli.problem.not_negative import distances
 from planar_cli.problem.walk import walk
 from planar_cli.solve.diagnosis.choosing import relation_between
 from planar_cli.solve.diagnosis.words import in_unit
-from planar_cli.solve.instant.branches import Choice
-from planar_cli.solve.instant.instant import Instant
-from planar_cli.solve.instant.seeker import Sought
 from planar_cli.units import parse_unit
+
+if TYPE_CHECKING:
+    from planar_cli.equation.exact import Valuation
+    from planar_cli.solve.instant.branches import Choice
+    from planar_cli.solve.instant.instant import Instant
+    from planar_cli.solve.instant.seeker import Sought
 
 CLOSE = Decimal("1e-25")
 """Numbers that differ by no more than this share of their size are the same."""
