@@ -50,4 +50,9 @@ def test_what_lies_after_the_last_state_needs_no_word() -> None:
 
 
 def test_an_integral_told_with_numbers_has_its_function_of_time() -> None:
-    assert "y_L,1 = 0.6 (t_1 - 1.273 sin(π t_1/4)) in m" in page_of_file("body-hoist-starting-softly")
+    page = page_of_file("body-hoist-starting-softly")
+    assert page.count("y_L = 0.6 (t - 4 sin(π t/4)/π) in m") == 1
+    assert "y_L,1 = 0.6 (1 - 4 sin 45° / π) = 0.05981 m" in page
+    assert "α_1 = 3 π/8 sin 45° = 0.8330 rad/s²" in page
+    assert "α_max = 3 π/8 = 1.178 rad/s²" in page
+    assert "At any time: the tension in rope = 2943 + 141.4 sin(π t/4) in N At max" in page

@@ -17,6 +17,7 @@ from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
+from planar_cli.report.at_a_time import at_a_time
 from planar_cli.report.at_equilibrium import place_put_in
 from planar_cli.report.at_its_state import at_its_state
 from planar_cli.report.at_state import told_at_states
@@ -268,6 +269,8 @@ class AskedTelling:
             own = untold(formula, self.found)
             made = [] if own is None or own.is_number else [own]
             return [self.phrases.math(e) for e in (formula, *made)] if span is None else []
+        if span is None and values and (put := at_a_time(formula, self.found)) is not None:
+            return [self.phrases.math(put)]
         if span is None and (frequency := by_frequency(formula, self.found, phrases)):
             return frequency
         if values and (longer(formula, FEW) or not self._is_clean(formula, unit)):

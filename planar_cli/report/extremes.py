@@ -7,13 +7,22 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import Kind
+from planar_cli.equation.plain import longer
 from planar_cli.report.between import BetweenTelling
-from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Text, line
 from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.put_in import partly
+from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
+from planar_cli.report.turning_values import over_time
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import AimTrace, MotionTrace, Relation, RouteStep
-from planar_cli.units import PURE, pretty_unit
+from planar_cli.units import FORCE, PURE, pretty_unit
+
+FORCES = ("the tension", "the normal force", "the friction")
+LONGEST = 24
+"""A longer function of the time is not told."""
 
 
 def aims_told(e: Relation, leg: RouteStep, telling: Any) -> Iterator[Block]:
@@ -23,6 +32,27 @@ def aims_told(e: Relation, leg: RouteStep, telling: Any) -> Iterator[Block]:
     elif e.aim is not None:
         telling.aims.append((e.aim.law, telling.next))
         yield from aim_blocks(e.aim, leg, telling.found, telling.between, telling.number())
+    elif e.of is not None and over_time(e):
+        yield from _force_over_time(e, telling)
+
+
+def _force_over_time(e: Relation, telling: Any) -> Iterator[Block]:
+    """A force that is largest or smallest in time as a function of the time, which no line has told by then: the
+    tension in rope = 2943 + 141.4 sin(π t/4). Nothing of what depends on other letters of the state too.
+    """
+    found, quantity = telling.found, e.of
+    words = spoken(e.words.rpartition(" is ")[0], found.ledger.symbols)
+    if quantity is None or not isinstance(words[0], Text) or not words[0].text.startswith(FORCES):
+        return
+    own = quantity.free_symbols & found.general.keys()
+    time = found.general[next(iter(own))] if len(own) == 1 else None
+    if time is None or longer(quantity, LONGEST) or found.ledger.roles[time].kind is not Kind.TIME:
+        return
+    formula = quantity.xreplace(dict.fromkeys(own, time))
+    shown = partly(formula, {time}, telling.numeric) or telling.phrases.math(formula)
+    unit = pretty_unit(coherent_unit(FORCE, us=found.ledger.us).text)
+    yield Paragraph(line("At any time:"))
+    yield Equation((words, shown), None, (), line(f"in {unit}") if shown.values else ())
 
 
 def aim_blocks(

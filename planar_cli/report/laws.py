@@ -69,6 +69,8 @@ class LawTelling:
         self._told: set[tuple[sp.Symbol, sp.Expr]] = set()
         self.natural: set[sp.Symbol] = set()
         """The natural frequencies that were told."""
+        self.places: set[tuple[sp.Symbol, str]] = set()
+        """Coordinates that were told as functions of the time, with the states from which."""
         self._moved: set[tuple[sp.Symbol, str]] = set()
         self._by_terminal: set[tuple[sp.Symbol, sp.Expr]] = set()
 

@@ -24,7 +24,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.energies_told import as_told
-from planar_cli.report.evaluated_integrals import evaluated
+from planar_cli.report.evaluated_integrals import by_its_function, evaluated
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.first_state import first_state_first
 from planar_cli.report.flights import FlightTelling
@@ -192,7 +192,7 @@ class MotionTelling:
                 return (yield Equation(self._chain(leg.results[0]), None, line(at(e.stop)), line(e.words)))
             if single and is_explicit(e, leg, route, ledger):
                 yield from self._law(e)
-                chain = with_number(leg, self._chain, route, self.phrases)
+                chain = by_its_function(e, route, self) or with_number(leg, self._chain, route, self.phrases)
                 return (yield from (self._head(e, *chain), *self._integral(e, route), Equation(chain, self.number())))
             if single and (by_rate := list(rate_first(e, leg, route, self.numeric, self.next, self.rates))):
                 self.next += 1
@@ -305,8 +305,8 @@ class MotionTelling:
         if span.unevaluated and (e.kind != "t(q)" or span.explicit is not None):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        yield from integral_blocks(sides, {*self.varying, *self._open}, e, self.phrases)
-        yield from evaluated(e, route, self.found, self.phrases)
+        told = evaluated(e, sides, route, self, self._laws.places)
+        yield from integral_blocks(sides, {*self.varying, *self._open}, e, self.phrases) if told is None else told
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""

@@ -139,7 +139,7 @@ def _stated(motion: StatedMotion) -> list[Equation]:
         for d in motion.demands[s.name]:
             if d.kind == "extreme" and not motion.is_set(s):
                 rate = stop.at(motion.readers[s.name].regime.derivative(d.residual))
-                found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
+                found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark, of=stop.at(d.residual)))
     for name, (expr, words) in motion.modes.turnings.items():
         found.append(Equation(motion.stops[name].at(expr), "turn", words, name))
     first = motion.first

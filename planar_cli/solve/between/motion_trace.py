@@ -239,7 +239,7 @@ class _Tracer:
         data = e.kind in DATA
         here = in_centres(self.course, e, self._level)
         return Relation(
-            e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told, here
+            e.residual, e.kind, e.words, e.stop, e.since, data, e.span, e.law, source, e.offered, told, here, e.of
         )
 
     def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:

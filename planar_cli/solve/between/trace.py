@@ -154,6 +154,8 @@ class Relation:
     """What is largest or smallest by it."""
     told: sp.Expr | None = None
     """The residual in letters that have lines of their own, as the coordinates of mass centres; None: as it is."""
+    of: sp.Expr | None = None
+    """What is largest or smallest in time where it holds."""
 
     @property
     def is_of_motion(self) -> bool:

@@ -63,6 +63,8 @@ class Equation:
     """The principles of which it is a law, by their words; none for data, geometry and blows."""
     told: bool = False
     """Is it told by a line of its own, even where it only gives something another name?"""
+    of: sp.Expr | None = None
+    """What is largest or smallest in time where it holds, in the letters of the state."""
 
     @property
     def cost(self) -> float:
