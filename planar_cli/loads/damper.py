@@ -69,8 +69,10 @@ class Damper(Load):
         along = reach / scene.length(reach)
         bodies = tuple(scene.owner(p) for p in self.between)
         rate = (scene.velocity(end, bodies[1]) - scene.velocity(start, bodies[0])).dot(along)
-        if scene.vanishes(rate):
+        coefficient = scene.value(self.coefficient)
+        # A case may leave out the damper of the others by a coefficient of zero.
+        if scene.vanishes(rate) or scene.vanishes(coefficient):
             return ()
-        tension = scene.value(self.coefficient) * rate
+        tension = coefficient * rate
         ends = ((bodies[0], start, along), (bodies[1], end, -along))
         return tuple(Wrench(self.name, "damper", b, at, d * tension, 0, tension) for b, at, d in ends)

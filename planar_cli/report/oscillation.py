@@ -21,7 +21,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace, Verdict
 from planar_cli.solve.between.trace import MotionTrace
 
-STRONG = "The damping is so strong that nothing oscillates."
+CRITICAL = "It is critically damped, ζ = 1."
 LONG = 40
 """A formula of more operations is told by its number, if it has one."""
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
@@ -81,10 +81,12 @@ def oscillation_blocks(
     period: str = "T",
     general: Line = (),
     linear: bool = False,
+    ratio: bool = True,
 ) -> Iterator[Block]:
     """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed; `period`: how the
     file calls the period; `general`: what it is called where frequency and period stay formulas, as they have to tell
-    a constant first; `linear`: the sums above are told to the first order in the deviation.
+    a constant first; `linear`: the sums above are told to the first order in the deviation; `ratio`: the damping ratio
+    is told here, as nothing asks for it.
     """
     state = found.state
     laws = [(rate, _law(law, value, phrases, symbolic)) for rate, law in found.motion]
@@ -98,7 +100,7 @@ def oscillation_blocks(
             lead, there, why = still
             yield Equation((phrases.math(laws[0][0]), there, phrases.math(sp.S.Zero)), None, lead, why)
     if len(found.motion) == 1:
-        yield from _single(found, value, phrases, symbolic, period, general, linear)
+        yield from _single(found, value, phrases, symbolic, period, general, linear, ratio)
     else:
         if found.modes is None or not found.modes.matrix:
             yield from _several(found)
@@ -130,7 +132,14 @@ def period_line(found: OscillationTrace, value: Valuation, phrases: Phrases, nam
 
 
 def _single(
-    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str, general: Line, linear: bool
+    found: OscillationTrace,
+    value: Valuation,
+    phrases: Phrases,
+    symbolic: bool,
+    name: str,
+    general: Line,
+    linear: bool,
+    ratio: bool,
 ) -> Iterator[Block]:
     w2, c = _stiffness(found, linear), found.damping
     speed, rate = RATES
@@ -159,13 +168,28 @@ def _single(
         return
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
     if c != 0:
+        if value.is_zero(square):
+            yield Paragraph(line(CRITICAL))
+        elif ratio and "zeta" not in phrases.ledger.reserved:
+            yield _damping_ratio(c, value(w2).sqrt(), value, phrases, symbolic)
         if value(square) <= 0:
-            critical = value.is_zero(square)
-            yield Paragraph(line("It is critically damped." if critical else STRONG))
             return
         natural = sp.Symbol("omega_d", real=True)
         yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
     yield _line(name, found.period, value, "s", phrases, symbolic, (2 * sp.pi / natural, value(sp.sqrt(square))))
+
+
+def _damping_ratio(c: sp.Expr, frequency: Decimal, value: Valuation, phrases: Phrases, symbolic: bool) -> Equation:
+    """ζ = c/(2 ω_0) = numbers = value, and of which kind the damping is by it. `c`: the factor of the rate in the
+    linear equation, 1/s; `frequency`: ω_0, 1/s.
+    """
+    natural = sp.Symbol("omega_0", real=True)
+    formula, ratio = phrases.neat(c / (2 * natural)), value(c) / (2 * frequency)
+    sides = [phrases.math(sp.Symbol("zeta")), phrases.math(formula)]
+    put = None if symbolic else phrases.numbers(formula, {natural: frequency}, turns=False)
+    shown = () if symbolic else (Value(ratio, ""),)
+    note = line("ζ < 1: light damping" if ratio < 1 else "ζ > 1: heavy damping")
+    return Equation((*sides, *([] if put is None else [put]), *shown), None, (), note)
 
 
 def _stiffness(found: OscillationTrace, linear: bool) -> sp.Expr:
@@ -229,7 +253,17 @@ def _verdict(found: OscillationTrace, value: Valuation, phrases: Phrases, linear
         sign = {"stable": "positive", "unstable": "negative"}.get(found.verdict.kind)
         why = [] if sign is None else [", as the coefficient of ", phrases.math(DEVIATION), f" is {sign}"]
     said = f"The equilibrium {found.state} is {found.verdict.kind}"
-    return line(said, *why, f"{_because(found.verdict)}.")
+    return line(said, *why, f"{_because(found.verdict)}", *_how(found, value, phrases), ".")
+
+
+def _how(found: OscillationTrace, value: Valuation, phrases: Phrases) -> Line:
+    """How it returns where it is damped: its amplitude falls as e^(-c t/2), or it does not swing."""
+    if len(found.motion) != 1 or found.damping == 0 or not found.verdict.stable or found.verdict.power > 1:
+        return ()
+    if value(found.square) <= 0:
+        return line(" without swinging")
+    fall = sp.exp(-found.damping * sp.Symbol("t", positive=True) / 2)
+    return line(", and its amplitude falls as ", phrases.math(fall))
 
 
 def _because(verdict: Verdict) -> str:

@@ -64,7 +64,22 @@ def _told(found: OscillationTrace, motion: MotionTrace, phrases: Phrases) -> Lin
         one,
         ") = ",
         Value(square.sqrt(), "rad/s", phrases.figures),
+        *_damped(found, motion, square.sqrt(), phrases),
     )
+
+
+def _damped(found: OscillationTrace, motion: MotionTrace, natural: Decimal, phrases: Phrases) -> Line:
+    """ω_d from ω_0 and the damping ratio, where it swings in spite of its damping."""
+    c, square = motion.value.known(found.damping), motion.value.known(found.square)
+    ratio = Decimal(0) if c is None else c / (2 * natural)
+    if not ratio or square is None or square <= 0:
+        return ()
+    zeta, damped = sp.symbols("zeta omega_d", positive=True)
+    formula = sp.Mul(NATURAL, sp.sqrt(1 - zeta**2), evaluate=False)
+    put = phrases.numbers(formula, {NATURAL: natural, zeta: ratio}, turns=False)
+    shown = () if put is None else (" = ", put)
+    size = Value(square.sqrt(), "rad/s", phrases.figures)
+    return line(", ", phrases.math(damped), " = ", phrases.math(formula), *shown, " = ", size)
 
 
 def _square(symbol: sp.Symbol, phrases: Phrases) -> Line:

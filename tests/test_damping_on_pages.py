@@ -1,0 +1,28 @@
+"""Damped oscillations on the page: the damping ratio, how it returns, and a damper that a case leaves out."""
+
+from __future__ import annotations
+
+from worked import page_of_file
+
+
+def test_the_damping_ratio_says_of_which_kind_it_is() -> None:
+    page = page_of_file("bar-with-spring-and-damper").partition("CASE damped")[2]
+    assert "ζ = 3 c/(8 m ω_0) = 3 · 20 / (8 · 3 · 14.14) = 0.1768 ζ < 1: light damping" in page
+    assert "displaced, it returns, and its amplitude falls as exp(-3 c t/(8 m))." in page
+    assert "ω_d = ω_0 √(1 - ζ²) = 14.14 √(1 - 0.1768²) = 13.92 rad/s" in page
+
+
+def test_an_asked_damping_ratio_is_told_once() -> None:
+    page = page_of_file("stiffness-and-damping-from-a-record")
+    assert page.count("ζ = ln(1.6)/(T ω_0)") == 1
+
+
+def test_critical_damping_has_no_line_of_its_ratio() -> None:
+    page = page_of_file("hinged-beam-critical-damping")
+    assert "It is critically damped, ζ = 1." in page
+    assert "displaced, it returns without swinging." in page
+
+
+def test_a_damper_of_no_strength_is_not_drawn() -> None:
+    page = page_of_file("bar-with-spring-and-damper").partition("CASE undamped")[2].partition("CASE damped")[0]
+    assert "F_coil ↓ at A, O_x → at O" in page
