@@ -97,7 +97,6 @@ class NumericTelling:
         """`general`: writes letters of a motion in which nothing varies, with the units of the numbers among them."""
         self.phrases, self.general = phrases, general
         self._put: set[tuple[int, int]] = set()
-        self._placed: dict[int, dict[sp.Symbol, int]] = {}
         self.components: dict[tuple[int, int], Across | None] = {}
         """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
@@ -301,10 +300,6 @@ class NumericTelling:
         formula = next(f for x, f in by_its_letter(block, stage) if x.symbol == one.symbol)
         return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
-    def _places(self, stage: Stage) -> dict[sp.Symbol, int]:
-        """The order of the unknowns of a stage."""
-        return self._placed.setdefault(id(stage.algebra), places_of(stage.algebra, self.phrases.ledger))
-
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:
         """What the file gives of this stage."""
@@ -317,7 +312,15 @@ class NumericTelling:
         inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
         left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in sides)
         apart = w.law == "relation"
-        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart, self._places(stage))
+        found = in_numbers(
+            left,
+            right,
+            unknowns,
+            self.phrases,
+            self._dimension(w, stage),
+            apart,
+            places_of(stage.algebra, self.phrases.ledger),
+        )
         if found is None:
             return None
         # In the derivative of what the file gives, a number may hide a unit: a distance for each radian.
@@ -351,7 +354,9 @@ class NumericTelling:
         own = stage.algebra.unknowns
         named = {s for s, e in stage.algebra.explicit.items() if e.free_symbols & own}
         unknowns = {*own, *stage.zero, *named}
-        return opened_sides(sides, unknowns - self._data(stage), self.phrases, row, self._places(stage))
+        return opened_sides(
+            sides, unknowns - self._data(stage), self.phrases, row, places_of(stage.algebra, self.phrases.ledger)
+        )
 
     def collected(self, w: Written, stage: Stage, sides: tuple[Any, ...], note: Line) -> tuple[Equation, ...]:
         """The line below such an equation, unless it stands collected where it is solved."""
