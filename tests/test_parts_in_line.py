@@ -27,6 +27,7 @@ def test_distances_along_the_line_of_a_pendulum() -> None:
     assert "I_O = m_2 d_2² + I_1 + I_2 = 4 · 0.9² + 0.4267 + 0.02 = 3.687 kg·m²" in text
     assert "I = I_O - m OG²" in text
     assert "ΣM_O: -√3/2 m g OG = I_O α" in text
+    assert "a_G = α × r_G/O - ω² r_G/O = OG α e_t + OG ω² e_n" in text
     assert "x_G" not in text
 
 

@@ -8,6 +8,7 @@ from worked import page_of_file
 def test_a_half_disk_in_letters() -> None:
     """I_C = 3/2 m R² - 2 m R · 4 R/(3 π) = (9 π - 16) m R²/(6 π)."""
     text = page_of_file("half-disk-rocking")
+    assert "half disk, from O to its mass centre: OG = 4 R/(3 π)" in text
     assert "I = 1/2 m R² - m (4 R/(3 π))² = (1/2 - 16/(9 π²)) m R²" in text
     assert "turned by δ it is 4 R sin δ / (3 π) ≈ 4 R δ/(3 π) to the right of C: the weight turns it back" in text
     assert "I_C = m (R - 4 R/(3 π))² + I = (9 π - 16) m R² / (6 π)" in text

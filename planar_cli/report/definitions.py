@@ -14,7 +14,7 @@ from planar_cli.report.blocks import Block, Equation, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.geometry import measured
-from planar_cli.report.inertias import about_apex, alike_together, by_size, is_sought
+from planar_cli.report.inertias import about_apex, alike_together, by_size, from_apex, is_sought
 from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
@@ -125,5 +125,6 @@ class DefinitionTelling:
             sides = sides[:2]
         return [
             *rate_of_length(symbol, expr, self.system, self.phrases),
+            *from_apex(symbol, self.scene, self.phrases),
             Equation(sides, None, line(ledger.titles[symbol].removeprefix(GROOVE) + ":")),
         ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -171,6 +171,22 @@ def about_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> list[Line]:
         return []
     m = phrases.math(mass)
     return [line("1/2 ", m, " ", phrases.math(radius**2), " - ", m, " (", phrases.math(reach), ")²")]
+
+
+def from_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> Iterator[Equation]:
+    """OG = 4 R/(3 π), before the moment of inertia of a body that is one half disk or another sector."""
+    body = next((b for b in scene.problem.bodies if scene.bodies[b.name].inertia == symbol), None)
+    if body is None or not isinstance(body.shape, Sector) or not about_apex(symbol, scene, phrases):
+        return
+    span = sp.sympify(scene.value(body.shape.span))
+    reach = simplified(4 * sp.sympify(scene.value(body.shape.radius)) * sp.sin(span / 2) / (3 * span))
+    own = sp.Symbol(f"{body.shape.apex}{centre_of(scene, body.name)}", positive=True)
+    sides: list[Inline | Line] = [Math(own), phrases.math(reach)]
+    if phrases.has_numbers(reach):
+        value = phrases.of_dimension(phrases.value(reach), LENGTH)
+        sides += [*phrases.substituted(reach, value), value]
+    shape = "half disk" if simplified(span - sp.pi) == 0 else "sector"
+    yield Equation(tuple(sides), None, line(f"{shape}, from {body.shape.apex} to its mass centre:"))
 
 
 def _sector(symbol: sp.Symbol, scene: Scene) -> tuple[Sector, sp.Expr] | None:

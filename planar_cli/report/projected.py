@@ -28,6 +28,7 @@ from planar_cli.report.along_slots import (
 )
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.component_sums import components_told, turned_with
+from planar_cli.report.counted import as_vector
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.given_vectors import size_of
 from planar_cli.report.numbers import significant
@@ -59,10 +60,24 @@ def known_sides(told: Told, body: str, at: Vec, arm: Vec, level: str) -> tuple[L
     """[x, y] of what is known as soon as it is told, with its numbers before it; else nothing."""
     vector = vector_at(told, body, at, level)
     if not is_known(told, vector, level):
-        return ()
+        return _about_pivot(told, body, at, level)
     put = components_told(turned_with(told, body, arm, level), told.phrases.figures)
     value = told.phrases.vector(told.phrases.certain(vector.x), told.phrases.certain(vector.y), RATES[level])
     return (put, value) if put else (value,)
+
+
+def _about_pivot(told: Told, body: str, at: Vec, level: str) -> tuple[Line, ...]:
+    """OG α e_t + OG ω² e_n of the mass centre of a body of parts in line with its pin: as in its diagram."""
+    scene, motion = told.system.scene, told.motion
+    model = scene.bodies[body]
+    reach = None if model.pivot is None else scene.ledger.symbols.get(f"{model.pivot[0]}{model.center_name}")
+    if level == "velocity" or reach is None or at != model.center:
+        return ()
+    alpha, omega = as_vector(motion.accelerations[body].angular, told.system), motion.velocities[body].angular
+    parts: list[Any] = [] if alpha == 0 else [told.phrases.math(reach * alpha), " ", Name("e_t")]
+    if omega != 0:
+        parts += [" + " if parts else "", told.phrases.math(reach * omega**2), " ", Name("e_n")]
+    return (line(*parts),) if parts else ()
 
 
 def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]:
