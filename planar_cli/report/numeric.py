@@ -300,6 +300,9 @@ class NumericTelling:
         formula = next(f for x, f in by_its_letter(block, stage) if x.symbol == one.symbol)
         return solved_for(one.symbol, (one.symbol, formula), (one.symbol, *block.letters), self.phrases)
 
+    def _places(self, stage: Stage) -> dict[sp.Symbol, int]:
+        return places_of(stage.algebra, self.phrases.ledger)
+
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:
         """What the file gives of this stage."""
@@ -312,15 +315,7 @@ class NumericTelling:
         inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
         left, right = (sp.sympify(s).xreplace(inside) / self._length(w) for s in sides)
         apart = w.law == "relation"
-        found = in_numbers(
-            left,
-            right,
-            unknowns,
-            self.phrases,
-            self._dimension(w, stage),
-            apart,
-            places_of(stage.algebra, self.phrases.ledger),
-        )
+        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart, self._places(stage))
         if found is None:
             return None
         # In the derivative of what the file gives, a number may hide a unit: a distance for each radian.
@@ -354,9 +349,7 @@ class NumericTelling:
         own = stage.algebra.unknowns
         named = {s for s, e in stage.algebra.explicit.items() if e.free_symbols & own}
         unknowns = {*own, *stage.zero, *named}
-        return opened_sides(
-            sides, unknowns - self._data(stage), self.phrases, row, places_of(stage.algebra, self.phrases.ledger)
-        )
+        return opened_sides(sides, unknowns - self._data(stage), self.phrases, row, self._places(stage))
 
     def collected(self, w: Written, stage: Stage, sides: tuple[Any, ...], note: Line) -> tuple[Equation, ...]:
         """The line below such an equation, unless it stands collected where it is solved."""
