@@ -27,10 +27,12 @@ from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.law import RELATIVE
 from planar_cli.solve.passages import RATES
+from planar_cli.solve.regimes.kepler import KIND as ANOMALY
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
 MOVING = ("v", "a", "coriolis")
+KEPLER = "Kepler's laws: under an attraction K m/r² energy and angular momentum are constant, the orbit is an ellipse."
 OVER_TIME = "Integration over time."
 
 
@@ -286,6 +288,7 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
         found.laws |= {RELATIVE} if e.kind == RELATIVE else set()
         found.integrated |= e.kind == "followed"
         found.extreme |= e.kind == "extreme"
+        found.over |= {KEPLER} if e.kind == ANOMALY else set()
     found.integrated |= any(p.how in ("integral", "quadrature", "flow") for s in motion.spans for p in s.pieces)
     found.impulses |= any(p.how == "change" for s in motion.spans for p in s.pieces)
     found.swings |= bool(motion.oscillations)

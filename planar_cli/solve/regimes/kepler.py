@@ -23,14 +23,14 @@ from planar_cli.records import record
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.timeline import Stop
 
-KIND = "anomaly"
+KIND, OWN = "anomaly", "anomaly of an ellipse"
 AXIS = "energy v²/2 - K/r = -K/(2 {a}) with the larger half axis {a} of the orbit and the attraction K m/r²"
 ECCENTRICITY = "the orbit is nearest to the centre, r = {a} (1 - {e}) with the eccentricity {e}"
 EQUATION = "Kepler's equation for the eccentric anomaly E"
 DISTANCE = "r = {a} (1 - {e} cos E)"
 DIRECTION = "tan(φ/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
 ANOMALY = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan(φ/2)"
-AGAIN = "a whole period T = 2 π √(a³/K) has passed, so that it is at the start again"
+AGAIN = "{}, as T = 2 π √(a³/K), so that it is at the start again and φ has changed by {} π"
 CLOSE = Decimal("1e-20")
 """A time is a whole number of periods, where it differs from it by no larger part."""
 
@@ -58,9 +58,10 @@ def at_time(
         yield from _equations(ellipse, stop, place, mean, ledger, dated=True)
         return
     r, phi, _ = ellipse.start
+    words = AGAIN.format("a whole period has passed" if turns == 1 else f"{turns} periods have passed", 2 * turns)
     for now, told in ((place[0], r), (place[1], phi + (-1 if ellipse.clockwise else 1) * 2 * sp.pi * turns)):
         yield Equation(
-            now - told, KIND, AGAIN, stop.name, ellipse.since.name, family=(KIND, stop.name, now.name), rank=1
+            now - told, KIND, words, stop.name, ellipse.since.name, family=(KIND, stop.name, now.name), rank=1
         )
 
 
@@ -73,7 +74,7 @@ def at_direction(
 
 def anomalies(equations: Iterable[Equation]) -> tuple[sp.Symbol, ...]:
     """The letters of such equations that are unknowns of their own: a, ε and E."""
-    told = [e for e in equations if e.kind == KIND and e.words != AGAIN]
+    told = [e for e in equations if e.kind == KIND and e.family[0] == OWN]
     return tuple(
         dict.fromkeys(s for e in told for s in sorted(e.residual.free_symbols, key=str) if s.name == e.family[-1])
     )
@@ -120,4 +121,4 @@ def _equations(
         (later, *direction),
     )
     for like, residual, words, name in found:
-        yield replace(like, residual=residual, words=words.format(a=a, e=epsilon), family=(KIND, like.stop, name))
+        yield replace(like, residual=residual, words=words.format(a=a, e=epsilon), family=(OWN, like.stop, name))
