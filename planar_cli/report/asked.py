@@ -31,6 +31,7 @@ from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
 from planar_cli.report.names import plain_name
+from planar_cli.report.needed_friction import limit_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.only_reaction import size_of_only
@@ -177,7 +178,7 @@ class AskedTelling:
                 whole = self._with_unit(answer, closed)
                 sides += [] if longer(closed, LONGEST) else [whole or self.phrases.math(closed)]
             if len(sides) > 1:
-                yield Equation(tuple(sides))
+                yield Equation(tuple(sides), None, note=limit_of(answer, self.system, self.phrases))
 
     def _with_unit(self, answer: Found, expr: sp.Expr) -> Math | None:
         """A formula whose number holds a unit, with that."""
