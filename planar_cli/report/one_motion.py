@@ -14,9 +14,10 @@ from itertools import pairwise, takewhile
 from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Paragraph, Text
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.restated import is_restated
-from planar_cli.report.steps import STEP, STRETCH
 
-ANALYSIS = "Kinematic analysis"
+STRETCH = "MOTION"
+"""The label of the heading of a stretch of a motion."""
+STEP, ANALYSIS = "STEP", "Kinematic analysis"
 TITLES = ("Motion over time", "Motion")
 STATES, HENCE = "states ", "Hence"
 

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.report.blocks import Block, Heading, Text
+from planar_cli.report.one_motion import STEP, STRETCH, in_one_motion
 
-STRETCH = "MOTION"
-"""The label of the heading of a stretch of a motion."""
-STEP, SOLVING, SINGLE = "STEP", "Solving the equations", "1 equation, 1 unknown"
+SOLVING, SINGLE = "Solving the equations", "1 equation, 1 unknown"
 KINETICS, EQUILIBRIUM = "Kinetic analysis", "Equilibrium"
 """The step of the forces: of what moves, and of what does not."""
 
@@ -20,8 +19,6 @@ def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:
     """
     left_out = 0
     if any(isinstance(b, Heading) and b.label == STRETCH for b in blocks):
-        from planar_cli.report.one_motion import in_one_motion
-
         blocks = in_one_motion(blocks)
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
         if not isinstance(block, Heading) or not block.label.startswith(STEP):

@@ -25,9 +25,8 @@ from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionT
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Written
-from planar_cli.solve.law import RELATIVE
+from planar_cli.solve.law import ANOMALY, RELATIVE
 from planar_cli.solve.passages import RATES
-from planar_cli.solve.regimes.kepler import KIND as ANOMALY
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 

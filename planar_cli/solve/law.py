@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from planar_cli.calculus.vibrations import Vibration
     from planar_cli.equation.displacement import Coordinate
 
+ANOMALY = "anomaly"
+"""The kind of the equations of an ellipse under an attraction K m/r²."""
 RELATIVE = "relative"
 """The kind of a relation that says how one thing moves relative to another with the same acceleration."""
 IN_THE_END = "in the end the speed no longer changes"

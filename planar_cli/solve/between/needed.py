@@ -19,9 +19,8 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.instant.written import Written
-from planar_cli.solve.law import Law
+from planar_cli.solve.law import ANOMALY, Law
 from planar_cli.solve.regimes.equations import Equation
-from planar_cli.solve.regimes.kepler import KIND as ANOMALY
 from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop

@@ -20,16 +20,17 @@ import sympy as sp
 from planar_cli.equation.exact import PI
 from planar_cli.equation.ledger import Ledger
 from planar_cli.records import record
+from planar_cli.solve.law import ANOMALY
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.timeline import Stop
 
-KIND, OWN = "anomaly", "anomaly of an ellipse"
+OWN = "anomaly of an ellipse"
 AXIS = "energy v²/2 - K/r = -K/(2 {a}) with the larger half axis {a} of the orbit and the attraction K m/r²"
 ECCENTRICITY = "the orbit is nearest to the centre, r = {a} (1 - {e}) with the eccentricity {e}"
 EQUATION = "Kepler's equation for the eccentric anomaly E"
 DISTANCE = "r = {a} (1 - {e} cos E)"
 DIRECTION = "tan(φ/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
-ANOMALY = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan(φ/2)"
+BY_ANGLE = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan(φ/2)"
 AGAIN = "{}, as T = 2 π √(a³/K), so that it is at the start again and φ has changed by {} π"
 CLOSE = Decimal("1e-20")
 """A time is a whole number of periods, where it differs from it by no larger part."""
@@ -61,7 +62,7 @@ def at_time(
     words = AGAIN.format("a whole period has passed" if turns == 1 else f"{turns} periods have passed", 2 * turns)
     for now, told in ((place[0], r), (place[1], phi + (-1 if ellipse.clockwise else 1) * 2 * sp.pi * turns)):
         yield Equation(
-            now - told, KIND, words, stop.name, ellipse.since.name, family=(KIND, stop.name, now.name), rank=1
+            now - told, ANOMALY, words, stop.name, ellipse.since.name, family=(ANOMALY, stop.name, now.name), rank=1
         )
 
 
@@ -74,7 +75,7 @@ def at_direction(
 
 def anomalies(equations: Iterable[Equation]) -> tuple[sp.Symbol, ...]:
     """The letters of such equations that are unknowns of their own: a, ε and E."""
-    told = [e for e in equations if e.kind == KIND and e.family[0] == OWN]
+    told = [e for e in equations if e.kind == ANOMALY and e.family[0] == OWN]
     return tuple(
         dict.fromkeys(s for e in told for s in sorted(e.residual.free_symbols, key=str) if s.name == e.family[-1])
     )
@@ -104,9 +105,9 @@ def _equations(
     direction = (
         (turned - 2 * sp.atan(wide * sp.tan(big / 2)) - half, DIRECTION, place[1].name)
         if dated
-        else (big - 2 * sp.atan(sp.tan(turned / 2) * sp.sqrt((1 - epsilon) / (1 + epsilon))) - half, ANOMALY, big.name)
+        else (big - 2 * sp.atan(sp.tan(turned / 2) * sp.sqrt((1 - epsilon) / (1 + epsilon))) - half, BY_ANGLE, big.name)
     )
-    start = Equation(sp.S.Zero, KIND, "", ellipse.since.name, rank=1)
+    start = Equation(sp.S.Zero, ANOMALY, "", ellipse.since.name, rank=1)
     later = replace(start, stop=stop.name, since=ellipse.since.name)
     found = (
         (start, 1 / a - (2 / r - v**2 / mu), AXIS, a.name),
