@@ -21,7 +21,7 @@ def page(stem: str) -> str:
 
 @pytest.mark.parametrize(("name", "line"), [
     ("hinged-bars-struck", "AB, momentum along y: (4) ↑ -J_By = m v_G,AB,y,2"),
-    ("six-bar-class-3", "(9) a_G,PC,x = "),
+    ("six-bar-class-3", "a_G,PC = α_PC × r_G,PC/P - ω_PC² r_G,PC/P"),
     ("free-bar-struck-at-its-end", "(1) ↺ H_G: 1/2 S l = I ω_2"),
     ("rod-falling-on-a-smooth-floor", "U of the weight of rod = m g (y_G,1 - y_G,2)"),
 ])  # fmt: skip

@@ -28,7 +28,7 @@ def _page(name: str) -> str:
         # Of a relation between velocities or accelerations, lengths times what was found before.
         (
             "kinematics/four-bar",
-            ["0.3783 ω_DC = 0.1103 (-10) = -1.103", "0.5 · 2.578² + 0.1668 · 10² - 0.13 · 2.916²"],
+            ["0.4729 ω_BC = -0.1219 (-10) = 1.219", "0.1625 · 2.578² + 0.1585 · 10² - 0.4 · 2.916²"],
         ),
         # Where components of known vectors stand before it, these.
         ("textbook/ex-2-09", ["= v_D · n = -0.5 · 0.8619 = -0.4309 m/s", "= -1.44973 - (-1.39282) = -0.05691 m/s²"]),

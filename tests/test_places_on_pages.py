@@ -24,7 +24,7 @@ def _page(stem: str) -> str:
         ("ex-1-02", "x_B = r cos 60° + l = l + r/2"),
         ("ex-1-02", "y_A2 - y_A = r sin(-30°) - r sin 60° = -1/2 (1 + √3) r"),
         ("slider-crank-offset", "r_A/O = [r_OA cos 50°, r_OA sin 50°] = [0.06428, 0.07660] m"),
-        ("four-bar", "r_D/C = [d - x_C, -y_C] = [0.05264, -0.3965] m"),
+        ("four-bar", "r_C/D = [x_C - d, y_C] = [-0.05264, 0.3965] m"),
     ],
 )
 def test_by_the_construction(stem: str, words: str) -> None:

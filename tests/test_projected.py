@@ -80,7 +80,7 @@ def test_no_component_is_told_by_halves() -> None:
 
 
 def test_why_a_component_is_taken_stands_after_the_vectors() -> None:
-    assert "D is fixed, v_D = 0; along BC, where ω_BC does not enter (unit" in _page("kinematics/four-bar")
+    assert "both have the same v_C; along DC, where ω_DC does not enter: e_DC =" in _page("kinematics/four-bar")
 
 
 def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() -> None:
@@ -93,7 +93,12 @@ def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() 
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("kinematics/four-bar", "ω_BC does not enter (unit vector [-0.8947, -0.4466]): (1) 0.3783 ω_DC"),
+        ("kinematics/four-bar", "(k × r_C/B) · e_DC = -0.1316 (-0.2233) + 0.9913 · 0.4474 = 0.4729 m (1) 0.4729 ω_BC"),
+        ("kinematics/four-bar", "r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m"),
+        (
+            "kinematics/watts-sun-and-planet-gear",
+            "the same velocity; along the contact (unit vector [0.8660, -0.5]): (3)",
+        ),
     ],
 )
 def test_a_component_in_numbers_has_its_direction(name: str, words: str) -> None:

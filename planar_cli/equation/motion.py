@@ -113,6 +113,7 @@ class TreeBuilder:
         """Particles that nothing carries and whose velocities and accelerations along y count downward."""
         self.known_senses: frozenset[str] = frozenset()
         """Bodies that are known to begin to turn in the sense in which their angular velocities count."""
+        self.pivots_first = False  # does a rocker hang on its own pivot, v_C = ω × r_C/D, and not on the chain?
         self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 
@@ -147,16 +148,14 @@ class TreeBuilder:
         return sorted(self.bodies, key=lambda b: -ties[b])
 
     def _choose(self, left: list[Joining], placed: set[str]) -> tuple[Joining, str] | None:
-        """The joining with the least freedom that hangs a new body on what is placed. A wheel whose axle the ground
-        leads hangs on the ground, not on a body on which it rolls: by the guide the velocity of its axle is known at
-        once, and that nothing slips is the relation that is left.
-        """
-        best: tuple[tuple[bool, int, int], Joining, str] | None = None
+        """The joining with the least freedom that hangs a new body on what is placed; of a wheel that of its axle."""
+        best: tuple[tuple[bool, int, bool, int], Joining, str] | None = None
         for rank, joining in enumerate(left):
             for body, parent in ((joining.mover, joining.base), (joining.base, joining.mover)):
                 if parent in placed and body not in placed:
                     later = parent != GROUND and joining.rolling is not None and led_by_ground(left, body)
-                    cost = (later, self._freedom(joining, body), rank)
+                    pinned = parent == GROUND and joining.only_turns and self.pivots_first
+                    cost = (later, self._freedom(joining, body), not pinned, rank)
                     if best is None or cost < best[0]:
                         best = (cost, joining, body)
         return None if best is None else (best[1], best[2])

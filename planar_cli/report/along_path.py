@@ -11,8 +11,10 @@ import sympy as sp
 from planar_cli.equation.motion import Edge
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.equation.system import System
+from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.instant.written import Written
 
@@ -59,3 +61,13 @@ def _with_speeds(across: sp.Expr, system: System) -> sp.Expr:
         return across
     found = sp.solve(rows, speeds, dict=True)
     return across.xreplace(found[0]) if len(found) == 1 else across
+
+
+def across_path(j: Joining, v: str) -> Line:
+    """Why the component across the path of the base is taken. `v`: v of velocities, a of accelerations."""
+    assert j.path is not None
+    if j.path.curvature == 0:
+        return line(f"across {j.base}, where ", Name(f"{v}_rel"), " has no component")
+    if v == "v":
+        return line("across the path, where ", Name("v_rel"), " has no component")
+    return line("across the path, where ", Name("a_rel"), " is its normal part")

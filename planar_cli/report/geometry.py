@@ -17,6 +17,7 @@ from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.sides import said
+from planar_cli.report.triangles import with_triangle
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.units import LENGTH
@@ -43,7 +44,9 @@ def in_numbers(scene: Scene, page: Collection[Block], phrases: Phrases) -> Itera
     ends = {end for arm in arms for end in arm.removeprefix("r_").split("/")}
     two = [p for p in scene.problem.points if isinstance(p.place, TwoFacts) and (p.place.distances or p.place.lines)]
     plain = [p.name for p in two if all(sp.sympify(c).is_number for c in _pair(scene, p.name))]
-    yield from places(scene, ends.intersection(plain), phrases)
+    for name in plain:
+        for place in places(scene, ends.intersection({name}), phrases):
+            yield from with_triangle(place, name, scene, phrases)
 
 
 def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[Equation]:
@@ -60,18 +63,20 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[E
         yield Equation(sides, None, line(f"{point.name} is ", *joined, f"{side}:"))
 
 
-def with_coordinates(placed: Iterable[Equation], defined: Iterable[Equation], scene: Scene) -> list[Equation]:
+def with_coordinates(
+    placed: Iterable[Equation], defined: Iterable[Equation], scene: Scene, phrases: Phrases
+) -> list[Block]:
     """Lines of places and of coordinates; where one coordinate is all that a place leaves open, one line of both:
     B is l from A and at y = 0, on the right: x_B = R + √(l² - R²) = 1.531 m.
     """
-    lines, apart = list(defined), list[Equation]()
+    lines, apart = list(defined), list[Block]()
     for place in placed:
         name = next((p.text for p in pieces_of(place.sides[0]) if isinstance(p, Text)), "")
         at, leads = scene.point(name), [line(f"{axis} of {name}:") for axis in ("x", "y")]
         open_yet = {s for p in (at.x, at.y) for s in sp.sympify(p).free_symbols} & set(scene.ledger.definitions)
         own = [b for b in lines if b.lead in leads]
         if len(own) != 1 or len(open_yet) != 1:
-            apart.append(place)
+            apart += with_triangle(place, name, scene, phrases)
             continue
         lines = [replace(b, lead=place.lead) if b is own[0] else b for b in lines]
     return [*apart, *lines]

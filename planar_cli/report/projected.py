@@ -94,7 +94,7 @@ def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]
         known.append(("a_cor", relative.turned() * (2 * spin)))
     carried = vector_at(told, j.base, j.point, level)
     known = [(n, v) for n, v in known if any(told.phrases.certain(p) for p in (v.x, v.y))]
-    unit = _unit(Vec(*w.along), told.phrases)
+    unit = unit_along(Vec(*w.along), told.phrases)
     rate = _carried(unit, carried, level, told)
     if not known or rate is None or any(abs(abs(u) - 1) < NEARLY for u in unit):
         return
@@ -134,7 +134,7 @@ def with_direction(words: list[Block], w: Written, phrases: Phrases) -> list[Blo
         return words
     if not all(phrases.has_numbers(sp.sympify(p)) for p in w.along):
         return words
-    unit = _unit(Vec(*w.along), phrases)
+    unit = unit_along(Vec(*w.along), phrases)
     if any(abs(abs(u) - 1) < NEARLY for u in unit):
         return words
     return [
@@ -239,7 +239,7 @@ def _along(unit: list[Decimal], known: Sequence[Known], dimension: Dimension, ph
     sign = coherent_unit(dimension, us=phrases.ledger.us).text
     for (name, _), shown, size in zip(known, parts, sizes, strict=True):
         result = Value(size, sign, figures)
-        yield Equation((line(Name(name), " · ", Name("n")), _summed(unit, shown, figures), result))
+        yield Equation((line(Name(name), " · ", Name("n")), sum_along(unit, shown, figures), result))
 
 
 def unit_of(direction: Vec, phrases: Phrases) -> Line:
@@ -249,7 +249,8 @@ def unit_of(direction: Vec, phrases: Phrases) -> Line:
     return phrases.vector(phrases.certain(direction.x), phrases.certain(direction.y), PURE)
 
 
-def _unit(normal: Vec, phrases: Phrases) -> list[Decimal]:
+def unit_along(normal: Vec, phrases: Phrases) -> list[Decimal]:
+    """The components of the unit vector along a vector that has numbers."""
     x, y = phrases.certain(normal.x), phrases.certain(normal.y)
     size = (x * x + y * y).sqrt()
     return [x / size, y / size]
@@ -269,7 +270,7 @@ def _carried(unit: Sequence[Decimal], vector: Vec, level: str, told: Told) -> tu
     return None if abs(rest) > NEARLY or abs(factor) < NEARLY or phrases.ledger.us else (unknown, factor)
 
 
-def _summed(unit: list[Decimal], shown: list[Decimal], figures: int) -> Math | Line:
+def sum_along(unit: Sequence[Decimal], shown: Sequence[Decimal], figures: int) -> Math | Line:
     """-0.5 · 0.8619 + 0.8660 · 0.2, without what is zero."""
     pairs = [(e, v) for e, v in zip(unit, shown, strict=True) if v]
     if not pairs:

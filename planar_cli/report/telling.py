@@ -29,7 +29,7 @@ from planar_cli.report.limits_alike import with_limits_alike
 from planar_cli.report.numeric import level_of, vanishing
 from planar_cli.report.numeric_choice import numeric_telling
 from planar_cli.report.polar import polar_blocks
-from planar_cli.report.projected import as_product, with_direction
+from planar_cli.report.projected import as_product
 from planar_cli.report.raw_moments import with_raw_moments
 from planar_cli.report.reasons import Reasons
 from planar_cli.report.relative_motion import is_told
@@ -118,7 +118,7 @@ class Telling:
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
         placed = places(self.scene, self._constructed, self.phrases)
         kinematics = [
-            *with_coordinates(placed, self.definitions.lines(self._used(), "m"), self.scene),
+            *with_coordinates(placed, self.definitions.lines(self._used(), "m"), self.scene, self.phrases),
             *translations(self.instant.trial, self.vectors.zero, self.phrases),
             *self._kinematics(velocity, last, kinetic),
             *self._polar(last),
@@ -146,7 +146,7 @@ class Telling:
             blocks += zero_reactions(self.instant, last, self.phrases, bodies)
             blocks += self._equations([w for w in written if w.source == "extreme"], last)
         if last is not None and self.solving.is_needed(last):
-            blocks.append(self._step(SOLVING, self.solving.count(last, self.count)))
+            blocks += [self._step(SOLVING, self.solving.count(last, self.count))] if kinetic or not kinematics else []
             blocks += self.solving.blocks(last)
         return blocks
 
@@ -333,7 +333,7 @@ class Telling:
         ):
             sides, note = product, ()
         elif self.numeric.put_whole(w, stage):
-            words = with_direction(words, w, self.phrases)
+            words = self.vectors.with_unit(words, w, level)
             sides = (sides[0], sides[-1]) if level == "acceleration" and self.vectors.swings(w) else sides
         return [*words, Equation(sides, number, (), note)]
 

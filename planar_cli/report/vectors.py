@@ -20,18 +20,19 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.along_path import is_along_path, on_path
+from planar_cli.report.along_path import across_path, is_along_path, on_path
 from planar_cli.report.along_slots import unit_beside
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
 from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
-from planar_cli.report.projected import known_sides, projected, unit_of
+from planar_cli.report.projected import known_sides, projected, unit_of, with_direction
 from planar_cli.report.rolled_contacts import on_fixed_axles, rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
 from planar_cli.report.ties import swings, tie_told
 from planar_cli.report.told import Across
+from planar_cli.report.unit_products import with_products
 from planar_cli.report.words import Phrases
 from planar_cli.report.written_places import differentiated, stated_rate
 from planar_cli.solve.instant.instant import Trial
@@ -91,12 +92,11 @@ class VectorTelling:
             return [Paragraph(line(*differentiated(w, level, self.system.scene, self.phrases), *divided, ":"))]
         if w.source == "given" and w.place and (told := stated_rate(w, scene, self.phrases)):
             return [Paragraph(told)]
-        joining, self.components = self._closure(w), None
+        joining, self.components = self.closure(w), None
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
-            called = self._called(joining)
-            tied = tie_told(joining, w, level, called, self.system, self.phrases, self._told)
+            tied = tie_told(joining, w, level, self._called(joining), self.system, self.phrases, self._told)
             return [*self._reach(joining, level), *tied]
         if meshing := on_fixed_axles(joining, w, level, self.system):
             return [Paragraph(meshing)]
@@ -110,22 +110,25 @@ class VectorTelling:
         apart = joining.rolling is not None and joining.base != GROUND and level != "velocity"
         blocks = [*self.point(joining.mover, joining.point, joining.place, level, apart)]
         if joining.base != GROUND and not tied:
-            blocks += self.point(joining.base, joining.point, self._beside(joining), level, apart)
+            other = [*self.point(joining.base, joining.point, self._beside(joining), level, apart)]
+            # What hangs on a chain comes before what turns about a pivot of its own.
+            later = joining.path is None and self.edges[joining.base].parent != GROUND
+            blocks = [*other, *blocks] if later else [*blocks, *other]
             blocks += coincident(self._beside(joining), joining.base, self.valued)
         return blocks
 
     def frame_of(self, w: Written) -> tuple[str, str] | None:
         """The point and the turning body along which it slides, of a relation that holds a Coriolis acceleration."""
-        j = self._closure(w)
+        j = self.closure(w)
         if j is None or j.path is None or j.base == GROUND or j.place not in self.system.scene.points:
             return None
         return (j.place, j.base) if self._symbol(j.base, "velocity") != 0 else None
 
     def swings(self, w: Written) -> bool:
         """Is it the acceleration along a tie whose ends differ by what was told before?"""
-        return w.words != OF_LENGTH and (j := self._closure(w)) is not None and swings(j, self.system)
+        return w.words != OF_LENGTH and (j := self.closure(w)) is not None and swings(j, self.system)
 
-    def _closure(self, w: Written) -> Joining | None:
+    def closure(self, w: Written) -> Joining | None:
         if w.source != "closure":
             return None
         return next((j for j in self.system.tree.closures if j.joint == w.lead and j.place), None)
@@ -146,6 +149,9 @@ class VectorTelling:
         if j.base == GROUND:
             return along_fixed(j, own, level, self.system, self.phrases)
         if j.path is None:
+            if (key := f"same {level} {j.joint}") in self._told:
+                return line("Likewise ", own, " ", side)
+            self._told.add(key)
             return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
         e = unit_beside(self, j)
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel"), *e]
@@ -155,7 +161,7 @@ class VectorTelling:
         touching = next((p.place for p in self.system.pushes if p.joint == j.joint and p.place not in ("", place)), "")
         touching = touching if not touching or self._is_of_file(touching, j.joint) else "the point of contact"
         slides = f"{touching} slides along {j.base}, {place} moves at a fixed distance from it: " if touching else ""
-        relative += ["; along ", Name("n")] if e else ["; ", *self._across(j, v)]
+        relative += ["; along ", Name("n")] if e else ["; ", *across_path(j, v)]
         return line(slides or f"{place} slides along {j.base}: ", *relative)
 
     def _is_of_file(self, place: str, joint: str) -> bool:
@@ -172,16 +178,6 @@ class VectorTelling:
         spins = [self._symbol(b, "velocity") if b != GROUND else sp.S.Zero for b in (j.mover, j.base)]
         return rolls_on_body(j, w, level, side, spins[0] - spins[1], self.phrases)
 
-    @staticmethod
-    def _across(j: Joining, v: str) -> Line:
-        """Why the component across the path of the base is taken."""
-        assert j.path is not None
-        if j.path.curvature == 0:
-            return line(f"across {j.base}, where ", Name(f"{v}_rel"), " has no component")
-        if v == "v":
-            return line("across the path, where ", Name("v_rel"), " has no component")
-        return line("across the path, where ", Name("a_rel"), " is its normal part")
-
     def _component(self, w: Written) -> Line:
         """Which component is taken, and why."""
         if w.words.startswith("so that ") and w.words.endswith(" drops out"):
@@ -189,6 +185,10 @@ class VectorTelling:
             way = f"along {self._arms[name]}, where " if name in self._arms else "in the direction in which "
             return line(way, Name(name), " does not enter")
         return line(w.words)
+
+    def with_unit(self, words: list[Block], w: Written, level: str) -> list[Block]:
+        """The words before a component in numbers, with the unit vector along which it is taken."""
+        return with_products(self, words, self.closure(w), w, level) or with_direction(words, w, self.phrases)
 
     # --- a point -----------------------------------------------------------------------------------------------------
 

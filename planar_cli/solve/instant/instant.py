@@ -124,6 +124,8 @@ class Instant:
         """What makes the unknowns of the motion; the coordinates of a general position keep their own sense."""
         scene, own, heading = self.scene, at_instants(self.scene.problem.method), headings(self.scene, self.statements)
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
+        # Over time the places of a chain are told by the angles of its bodies, from its beginning to its end.
+        builder.pivots_first = scene.displacement is None and not scene.problem.states
         return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:

@@ -1,0 +1,105 @@
+"""The component along a unit vector e of a vector relation between two chains of pinned bodies: where its factors come
+from.
+
+along DC, where ω_DC does not enter:
+    e_DC = [-0.1316, 0.9913]
+    (k × r_B/A) · e_DC = -0.1316 (-0.1732) + 0.9913 · 0.1 = 0.1219 m       the factor of ω_AB and of α_AB
+    r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m              that of ω_AB²
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from decimal import Decimal
+
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
+from planar_cli.report.along_slots import NEARLY
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Text, Value, line
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.projected import sum_along, unit_along
+from planar_cli.report.told import Told
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import LENGTH, PURE
+
+
+@record
+class Arm:
+    """From the point at which a body hangs on another to the one at which the next hangs on it, in the unit of the
+    page.
+    """
+
+    body: str
+    start: str
+    end: str
+    sizes: tuple[Decimal, Decimal]
+
+
+def with_products(told: Told, words: list[Block], j: Joining | None, w: Written, level: str) -> list[Block]:
+    """The words before such a component, with e and the products that it takes; empty: it is of another kind."""
+    last = words[-1] if words else None
+    if j is None or j.path is not None or j.rolling is not None or w.along is None or told.phrases.symbolic:
+        return []
+    if not isinstance(last, Paragraph) or last.line[-1] != Text(":"):
+        return []
+    arms = [*_arms(told, j.mover, j), *_arms(told, j.base, j)] if j.base != GROUND else []
+    unit = unit_along(Vec(*w.along), told.phrases)
+    link = next((arm for arm in arms if _is_along(arm, unit)), None)
+    if link is None or "k" in told.system.scene.ledger.symbols or any(abs(abs(u) - 1) < NEARLY for u in unit):
+        return []
+    x, y = link.sizes
+    unit = [u if x * unit[0] + y * unit[1] > 0 else -u for u in unit]
+    e, first = line(Name(f"e_{link.start}{link.end}")), list[Block]()
+    if (key := f"unit {e}") not in told.valued:
+        told.valued.add(key)
+        first = [Equation((e, told.phrases.vector(unit[0], unit[1], PURE)))]
+    return [*words, *first, *(b for arm in arms for b in _products(told, arm, (e, unit), level, arm is not link))]
+
+
+def _is_along(arm: Arm, unit: Sequence[Decimal]) -> bool:
+    (x, y), (u, v) = arm.sizes, unit
+    return abs(x * v - y * u) < NEARLY * max(abs(x), abs(y))
+
+
+def _arms(told: Told, body: str, j: Joining) -> Iterator[Arm]:
+    """The arms of a chain of pinned bodies, from the ground to the joint; none of a chain of another kind."""
+    edges = {e.body: e for e in told.system.tree.edges}
+    found, at, place = list[Arm](), j.point, j.place
+    while body != GROUND:
+        edge = edges.get(body)
+        if edge is None or edge.joining is None or edge.spin is None or edge.particle:
+            return
+        if edge.joining.path is not None or edge.joining.rolling is not None or edge.joining.drift is not None:
+            return
+        arm = told.system.scene.arms.between(edge.joining.point, at)
+        x, y = (told.phrases.of_dimension(told.phrases.certain(p), LENGTH).number for p in (arm.x, arm.y))
+        found.append(Arm(body, edge.joining.place, place, (x, y)))
+        body, place, at = edge.parent, edge.joining.place, edge.joining.point
+    yield from reversed(found)
+
+
+def _products(told: Told, arm: Arm, along: tuple[Line, Sequence[Decimal]], level: str, enters: bool) -> Iterator[Block]:
+    """(k × r) · e where ω or α of the body stands in the equation, r · e where ω² does; each once. `enters`: it is not
+    the link across which e kills what its own rate gives.
+    """
+    (e, unit), (x, y), motion = along, arm.sizes, told.motion
+    turns, begins = motion.velocities[arm.body].angular, motion.accelerations[arm.body].angular
+    idle = (0, *told.zero)
+    name = Name(f"r_{arm.end.replace('_', ',')}/{arm.start.replace('_', ',')}")
+    if (turns if level == "velocity" else begins) not in idle and enters:
+        yield from _product(told, line("(", Name("k"), " × ", name, ") · ", *e), (-y, x), unit)
+    if level != "velocity" and turns not in idle:
+        yield from _product(told, line(name, " · ", *e), (x, y), unit)
+
+
+def _product(told: Told, name: Line, vector: tuple[Decimal, Decimal], unit: Sequence[Decimal]) -> Iterator[Block]:
+    key = f"product {name}"
+    size = vector[0] * unit[0] + vector[1] * unit[1]
+    if key in told.valued:
+        return
+    told.valued.add(key)
+    sign, figures = coherent_unit(LENGTH, us=told.phrases.ledger.us).text, told.phrases.figures
+    vanishes = abs(size) < NEARLY * max(map(abs, vector))
+    yield Equation((name, sum_along(unit, vector, figures), line("0") if vanishes else Value(size, sign, figures)))

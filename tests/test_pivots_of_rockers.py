@@ -1,0 +1,40 @@
+"""A rocker turns about its own pivot; a point at two distances lies where their triangle says."""
+
+from __future__ import annotations
+
+import pytest
+from worked import page_of_file
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "v_C = v_B + ω_BC × r_C/B",
+        "v_C = ω_DC × r_C/D",
+        "a_C = α_DC × r_C/D - ω_DC² r_C/D",
+        "Likewise v_C along x: (2)",
+        "C is l_BC from B and l_DC from D, the upper one; H: the foot of the perpendicular from C on BD",
+        "BH = (BC² + BD² - DC²)/(2 BD) = (0.5² + 0.5292² - 0.4²) / (2 · 0.5292) = 0.3496 m",
+        "HC = √(BC² - BH²) = √(0.5² - 0.34962²) = 0.3574 m",
+    ],
+)
+def test_a_four_bar(told: str) -> None:
+    page = page_of_file("four-bar")
+    assert told in page
+    assert page.index("v_C = v_B + ω_BC × r_C/B") < page.index("v_C = ω_DC × r_C/D")
+
+
+def test_accelerations_are_solved_where_velocities_are() -> None:
+    page = page_of_file("four-bar")
+    assert "STEP 2" not in page
+    assert "(3): α_BC = 13.533/0.4729 = 28.62 rad/s²" in page
+
+
+def test_the_links_of_a_plate_have_their_own_unit_vectors() -> None:
+    page = page_of_file("six-bar-class-3")
+    assert "(k × r_A/O) · e_QD = 0.4472 (-0.2) + 0.8944 · 0.1 = 0 (k × r_B/A) · e_QD" in page
+    assert "(k × r_C/B) · e_PC = -0.6 (-0.2) + 0.8 · 0.3 = 0.36 m (2) 0.44 ω_AB + 0.36 ω_slab" in page
+
+
+def test_the_rocker_of_a_driven_four_bar_has_moments_about_its_pivot() -> None:
+    assert "↺ ΣM_C: 1/2 m_CB g (d - x_B) + c B_t = I_C α_CB" in page_of_file("four-bar-driven")
