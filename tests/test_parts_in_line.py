@@ -47,5 +47,28 @@ def test_a_coordinate_that_all_parts_share_is_that_letter() -> None:
     text = page_of_file("unbalanced-wheel")
     assert "y_G" not in text
     assert "0.3 - 0.3" not in text
+    assert "F_C/N_C = 5.5015/96.03 = 0.05729 no slipping while |F_C| ≤ μ N_C" in text
     assert "= [R α - x_G ω², -x_G α]" in text
     assert "= m R α → at G, m x_G α ↓ at G, m x_G ω² ← at G, I α ↻" in text
+
+
+ARM = """
+title: Driven arm with a ball
+plane: vertical
+given: {l: 2 ft, R: 3 in}
+points: {O: [1 ft, 1 ft], B: {from: O, distance: l, angle: 60 deg}, C: {from: O, distance: l + R, angle: 60 deg}}
+bodies: {arm: {parts: [{rod: [B, O], mass: 4 lb}, {sphere: C, radius: R, mass: 10 lb}], points: [O, B, C]}}
+joints: [{pin: {at: O, between: [ground, arm]}}]
+unknowns: {M: lbf*ft}
+loads: [{torque: {body: arm, moment: M}}]
+instant: [omega(arm) = 3 rad/s cw, alpha(arm) = 2 rad/s^2]
+find: {M: M}
+"""
+
+
+def test_a_pin_away_from_the_origin(tmp_path: Path) -> None:
+    """OG = (4 · 1 + 10 · 2.25)/14 ft = 1.893 ft, by the letters of the file and not by those of places."""
+    text = page_of_text(tmp_path, ARM)
+    assert "OG = (1/2 m_1 l + m_2 (l + R))/m" in text
+    assert "ΣM_O: M - 1/2 m g OG = I_O α" in text
+    assert "x_1" not in text

@@ -285,7 +285,14 @@ class MassReader:
         own = body.inertia is None and body.gyration is None and all(p.inertia is None for p in shape.pieces)
         if not pin or not own or any(self._varies(mass) for (mass, _), _ in parts):
             return None
-        return parts_in_line(pin, self.points(pin), [u.center for _, u in parts], self._vanishes)
+        centres = [Vec(self._opened(u.center.x), self._opened(u.center.y)) for _, u in parts]
+        return parts_in_line(pin, self.points(pin), centres, self._vanishes)
+
+    def _opened(self, expr: sp.Expr) -> sp.Expr:
+        """In the letters of the file, without those of ours."""
+        while inside := {s: e for s in expr.free_symbols if (e := self.ledger.definitions.get(s)) is not None}:
+            expr = expr.xreplace(inside)
+        return expr
 
     def _turned_in_line(
         self, line: PartsInLine, body: Body, shape: Composite, mass: sp.Expr, parts: list[_Part]

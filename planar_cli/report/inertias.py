@@ -68,8 +68,15 @@ def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases, used: set[sp.Sym
     return [
         inertia_line(symbol, expr, scene, phrases)
         for symbol, expr in ledger.definitions.items()
-        if symbol in wanted and symbol in motion.ledger.definitions and not expr.is_number
+        if symbol in wanted
+        and symbol in motion.ledger.definitions
+        and (not expr.is_number or _is_reach(symbol, ledger))
     ]
+
+
+def _is_reach(symbol: sp.Symbol, ledger: Ledger) -> bool:
+    """Is it the distance of a part from the pin, which a page has no other word for?"""
+    return ledger.titles[symbol].startswith("from ")
 
 
 def _of_blows(motion: MotionTrace, phrases: Phrases, told: Collection[Line]) -> list[Equation]:

@@ -12,7 +12,10 @@ import sympy as sp
 from planar_cli.report.blocks import Answer, Block, Equation, Math, Note, Paragraph, Result, Text, Value
 from planar_cli.report.mentioned import names_in, pieces_of
 
-MADE = ("mass of ", "moment of inertia of ", "x of the mass centre", "y of the mass centre", "from the mass centre to")
+MADE = (
+    *("mass of ", "moment of inertia of ", "x of the mass centre", "y of the mass centre"),
+    *("distance of the mass centre", "from "),
+)
 """Begins the line of what a body is made up of."""
 
 
