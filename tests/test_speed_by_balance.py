@@ -70,3 +70,10 @@ def test_a_balance_to_another_state_tells_it_too() -> None:
     assert "that is 1.12 m to the left" in page
     assert "F = 29.03 N to the left" in page
     assert page.index("At one: ") < page.index("F = M a_Q,one")
+
+
+def test_what_keeps_the_motion_as_given_is_told_with_the_diagrams() -> None:
+    problem, wrong = load_text(BOAT)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "drive_1 → = m a_P → drive_1: the force that keeps the motion as given boat, man:" in page

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
+from planar_cli.report.drives import with_drives_told
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
@@ -23,7 +24,8 @@ AT = re.compile(r"At ([\w, ]+):")
 
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    return with_vectors(with_places_carried_on(list(under_one_heading(with_velocities_in_heads(blocks)))))
+    own = with_velocities_in_heads(with_drives_told(blocks))
+    return with_vectors(with_places_carried_on(list(under_one_heading(own))))
 
 
 def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
