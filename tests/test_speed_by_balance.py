@@ -77,3 +77,13 @@ def test_what_keeps_the_motion_as_given_is_told_with_the_diagrams() -> None:
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert "drive_1 → = m a_P → drive_1: the force that keeps the motion as given boat, man:" in page
+
+
+def test_a_given_relative_velocity_has_its_value_before_the_balance() -> None:
+    problem, wrong = load_text(BOAT)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    given = "v_P,boat,mid = 6 s t_mid (T - t_mid) / T³ = 6 · 4 · 2.5 (5 - 2.5) / 5³ = 1.2 m/s"
+    assert page.count(given) == 1
+    assert page.index(given) < page.index("0 = M v_Q,mid + m (v_P,boat,mid + v_Q,mid)")
+    assert "v_Q,mid = -m v_P,boat,mid / (M + m) = -70 · 1.2 / (180 + 70) = -0.336 m/s" in page

@@ -19,6 +19,7 @@ from planar_cli.report.turning_values import DERIVATIVE, over_time
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     FUNCTION,
+    GIVEN_RATE,
     BalanceTrace,
     ImpactEquation,
     MotionTrace,
@@ -44,8 +45,11 @@ def told_at_once(
     e, r = leg.relations[0], leg.results[0]
     if len(leg.relations) > 1 or len(leg.results) > 1 or not e.stop or r.formula is None:
         return
-    if e.kind == FUNCTION:
-        yield Equation((Math(r.unknown), phrases.math(sp.sympify(r.formula))), None, line(at(e.stop)))
+    if e.kind in (FUNCTION, GIVEN_RATE):
+        formula = sp.sympify(r.formula)
+        value = [phrases.shown(r.unknown, r.value)] if phrases.has_numbers(formula) else []
+        put = phrases.substituted(formula, value[0]) if value else []
+        yield Equation((Math(r.unknown), phrases.math(formula), *put, *value), None, line(at(e.stop)))
         return
     if e.kind == "given" and r.formula in found.general and r.unknown not in found.general:
         # v_0 is the speed in state 1 that the equations have given.

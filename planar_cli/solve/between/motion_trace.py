@@ -33,6 +33,7 @@ from planar_cli.solve.between.near_rest import near_rest
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
+from planar_cli.solve.between.rates_beside import with_rates_beside
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -117,7 +118,7 @@ def motion_trace(
         taken=taken_of(found),
     )
     by_asked = by_the_speed_asked(by_what_is_asked(by_triangles(made) or by_lines(made)))
-    return by_functions(by_terminal_speed(by_what_passes(by_asked)))
+    return with_rates_beside(by_functions(by_terminal_speed(by_what_passes(by_asked))))
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
