@@ -5,18 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 from answered import solve
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.errors import NoSolution
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
 
 
 @pytest.mark.parametrize(
@@ -34,20 +25,20 @@ def _page(stem: str) -> str:
     ],
 )
 def test_each_group_has_its_own(stem: str, headings: list[str]) -> None:
-    page = _page(stem)
+    page = page_of_file(stem)
     for heading in headings:
         assert heading in page
     assert "∫" not in page.partition("Check")[0]
 
 
 def test_nothing_that_does_work_leaves_it_to_momentum() -> None:
-    page = _page("three-carriages")
+    page = page_of_file("three-carriages")
     assert "From 2 to 3, A: conservation of momentum:" in page
     assert "work and kinetic energy" not in page
 
 
 def test_what_a_cord_joins_is_one_group() -> None:
-    page = _page("cylinder-down-a-slope-and-on-along-a-floor")
+    page = page_of_file("cylinder-down-a-slope-and-on-along-a-floor")
     assert "Check work and energy: U = " in page
 
 

@@ -5,26 +5,20 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
-FILES = {p.stem: p for p in PROBLEMS}
 ONE = r"\([uc] \+ [uc]′\)/2 = (\S+) \((\S+) \+ (\S+)\)/2 = (\S+) J; T′ - T = (\S+) - (\S+) = (\S+) J"
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(300).render(narrate(worked(FILES[stem])[0])).split())
 
 
 @pytest.mark.parametrize("stem", ["puck-hits-a-free-rod", "ball-strikes-the-end-of-a-pinned-rod", "ex-4-14"])
 def test_one_impulse(stem: str) -> None:
     """Of ex-4-14 the impulse is found by the momentum of the ball alone: the page had no need of it."""
-    found = re.search(ONE, _page(stem))
+    found = re.search(ONE, page_of_file(stem))
     assert found is not None
     size, before, after, work, last, first, change = (float(x) for x in found.groups())
     assert size * (before + after) / 2 == pytest.approx(work, rel=3e-3)
@@ -34,7 +28,7 @@ def test_one_impulse(stem: str) -> None:
 
 def test_several_impulses() -> None:
     found = re.search(
-        r"Σ J \(u \+ u′\)/2 = (\S+) - (\S+) = (\S+) J; T′ - T = (\S+) - (\S+) =", _page("wheel-over-a-kerb")
+        r"Σ J \(u \+ u′\)/2 = (\S+) - (\S+) = (\S+) J; T′ - T = (\S+) - (\S+) =", page_of_file("wheel-over-a-kerb")
     )
     assert found is not None
     one, other, work, last, first = (float(x) for x in found.groups())
@@ -44,13 +38,13 @@ def test_several_impulses() -> None:
 
 @pytest.mark.parametrize("stem", ["rod-caught-and-let-go", "ball-bouncing-twice"])
 def test_the_blow_before_the_fall_that_leads_to_it(stem: str) -> None:
-    page = _page(stem)
+    page = page_of_file(stem)
     assert "(u + u′)/2" in page
     assert "Check work and energy" not in page
 
 
 def test_none_in_letters() -> None:
-    assert "T′ - T" not in _page("hinged-bars-struck")
+    assert "T′ - T" not in page_of_file("hinged-bars-struck")
 
 
 def test_a_velocity_that_vanishes_has_no_digits() -> None:

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from conftest import PROBLEMS
-from worked import page_of_file, worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.impulse_letters import impulse_letters
@@ -17,11 +17,6 @@ from planar_cli.solve.run import solve_problem
 FILES = {p.stem: p for p in PROBLEMS}
 
 
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
-
-
 @pytest.mark.parametrize(("stem", "row"), [
     ("ex-4-13", "= m AG ω_2 → at G, I ω_2 ↺"),
     ("wheel-over-a-kerb", "= m R ω_2 ↗ at G, I_G ω_2 ↻"),
@@ -30,7 +25,7 @@ def page(stem: str) -> str:
 ])  # fmt: skip
 def test_momenta_after_a_blow_have_letters(stem: str, row: str) -> None:
     """m v_G and I ω, with AG where the distance of the mass centre is a number of the file."""
-    printed = page(stem)
+    printed = page_of_file(stem)
     assert row in printed
     assert not re.search(r"= [\d.]+ [vω]_\S+ [→↑↺]", printed)
 
@@ -41,12 +36,12 @@ def test_momenta_after_a_blow_have_letters(stem: str, row: str) -> None:
 ])  # fmt: skip
 def test_distances_in_a_kinetic_diagram(stem: str, row: str) -> None:
     """A distance that is a number of the file is told by the points between which it lies, else by its length."""
-    assert row in page(stem)
+    assert row in page_of_file(stem)
 
 
 def test_what_hangs_still_is_no_matter_of_numbers() -> None:
     """A ball that hangs at rest stays so until it is struck, so that energy and momentum solve the whole."""
-    printed = page("two-pendulums-that-collide")
+    printed = page_of_file("two-pendulums-that-collide")
     assert "No formula gives" not in printed
     assert "v_B - v_A = e L α̇_A,2" in printed
     assert "v_B = (1 + e) m_A L α̇_A,2 / (m_A + m_B)" in printed
@@ -54,7 +49,7 @@ def test_what_hangs_still_is_no_matter_of_numbers() -> None:
 
 def test_right_angles_in_a_blow() -> None:
     """The directions in which a blow acts are those of the place where it happens."""
-    printed = page("row-of-hanging-balls")
+    printed = page_of_file("row-of-hanging-balls")
     assert "No formula gives" not in printed
     assert "φ_B,2 = φ_B,1 = -90° it stays at rest in equilibrium" in printed
     assert "ball_A: m_ball,A v_A,2 → at A, J_S,string,A,3 ↑ at A, J_N,hit,AB,3 ←" in printed
@@ -68,7 +63,7 @@ def test_right_angles_in_a_blow() -> None:
 ])  # fmt: skip
 def test_bodies_that_move_alike(stem: str, lines: tuple[str, ...]) -> None:
     """By symmetry, angular momentum and energy, with no step of time; a direction that cancels is no unknown."""
-    printed = page(stem)
+    printed = page_of_file(stem)
     assert "No formula gives" not in printed
     assert all(words in printed for words in lines)
 
@@ -91,7 +86,7 @@ def test_unlike_bodies_do_not_move_alike() -> None:
 ])  # fmt: skip
 def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
     """From rest, along a direction in which no force acts."""
-    printed = page(stem)
+    printed = page_of_file(stem)
     assert "mass centre keeps its x:" in printed
     assert line in printed
 
@@ -109,7 +104,7 @@ def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
 ])  # fmt: skip
 def test_moments_of_momentum_in_letters(stem: str, lines: str) -> None:
     """J · AS = I_A ω, as the course writes it, and solved in these letters."""
-    assert lines in page(stem)
+    assert lines in page_of_file(stem)
 
 
 def test_an_impulse_in_numbers_has_a_letter() -> None:
@@ -129,7 +124,7 @@ def test_an_impulse_in_numbers_has_a_letter() -> None:
 
 def test_the_authors_letter_of_a_mass_centre() -> None:
     """The point of the file at which the mass centre of several parts lies, not a name of ours."""
-    printed = page("ex-4-14")
+    printed = page_of_file("ex-4-14")
     assert "AB: J → at A = m_AB v_Gx,2 → at G, I_AB ω_2 ↺" in printed
     assert "G_AB" not in printed
 
@@ -140,34 +135,34 @@ def test_the_authors_letter_of_a_mass_centre() -> None:
     ("satellite-perigee-apogee", "conservation of angular momentum about O, through which F_attraction passes:"),
 ])  # fmt: skip
 def test_why_forces_have_no_angular_impulse(stem: str, words: str) -> None:
-    assert words in page(stem)
+    assert words in page_of_file(stem)
 
 
 def test_energy_about_a_fixed_point() -> None:
     """I_A ω²/2, where the lengths of a body are numbers of the file."""
-    assert "T_2 = 1/2 I_A ω_2² = 1/2 · 16 · 2.8125² = 63.28 J" in page("ex-4-13")
+    assert "T_2 = 1/2 I_A ω_2² = 1/2 · 16 · 2.8125² = 63.28 J" in page_of_file("ex-4-13")
 
 
 def test_a_velocity_that_stays_zero_and_is_in_no_equation_is_not_drawn() -> None:
     """The dumbbell and the ball move along x alone; so does the ball that hits a rod, of whose v_y nothing is told."""
-    told = page("ex-4-14")
+    told = page_of_file("ex-4-14")
     assert "m_C v_Cy" not in told
     assert "m_AB v_Gy" not in told
     # Given tells it, as the file does; no line and no diagram does.
-    assert page("ball-hits-a-hanging-rod").count("v_ball,y") == 2
+    assert page_of_file("ball-hits-a-hanging-rod").count("v_ball,y") == 2
 
 
 def test_an_impulse_that_the_file_says_is_zero_is_not_drawn() -> None:
     """The hinge of a bar that is struck where it feels nothing; with a kick it is drawn."""
-    told = page("bullet-that-does-not-jerk-the-hinge")
+    told = page_of_file("bullet-that-does-not-jerk-the-hinge")
     assert "J_Ox = 0" in told
     assert "J_Ox →" not in told
     assert "J_Oy ↑ at O" in told
-    assert page("ball-hits-a-hanging-rod").count("J_Ax → at A") == 1
+    assert page_of_file("ball-hits-a-hanging-rod").count("J_Ax → at A") == 1
 
 
 def test_a_number_keeps_its_formula_where_its_equation_has_only_numbers() -> None:
-    told = page("weight-on-a-heavy-pulley-that-lands")
+    told = page_of_file("weight-on-a-heavy-pulley-that-lands")
     assert "J_N,thud = 1/5 · 12 · 8.404 = 20.17 N·s" in told
     assert "v_By = 0.2 · 8.404 = 1.681 m/s" in told
 

@@ -5,13 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(("stem", "words"), [
@@ -21,7 +15,7 @@ FILES = {p.stem: p for p in PROBLEMS}
     ("pin-in-two-slotted-rods", "P′: the point fixed to BD that coincides with P"),
 ])  # fmt: skip
 def test_a_primed_point_is_introduced(stem: str, words: str) -> None:
-    page = " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+    page = page_of_file(stem)
     _, _, steps = page.partition("STEP 1")
     first = re.search(rf"{words[0]}′", steps)
     assert first is not None

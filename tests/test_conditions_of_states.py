@@ -3,18 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -24,12 +13,12 @@ def page(stem: str) -> str:
 ])  # fmt: skip
 def test_the_condition_of_a_state(stem: str, lines: str) -> None:
     """Before what follows from it."""
-    assert lines in page(stem)
+    assert lines in page_of_file(stem)
 
 
 def test_a_letter_of_a_state_and_its_constant() -> None:
     """Both have one name in print: nothing is said of that."""
-    assert "φ_0 = φ_0" not in page("swing-from-which-the-cord-just-holds")
+    assert "φ_0 = φ_0" not in page_of_file("swing-from-which-the-cord-just-holds")
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -39,4 +28,4 @@ def test_a_letter_of_a_state_and_its_constant() -> None:
 ])  # fmt: skip
 def test_why_a_root_is_left_out(stem: str, lines: tuple[str, ...]) -> None:
     """By the condition that this root does not meet, in the notation of the page."""
-    assert all(words in page(stem) for words in lines)
+    assert all(words in page_of_file(stem) for words in lines)

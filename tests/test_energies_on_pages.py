@@ -7,7 +7,7 @@ import re
 import pytest
 import sympy as sp
 from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -16,11 +16,6 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
-
-
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -37,7 +32,7 @@ def page(stem: str) -> str:
     ("collar-with-a-slanting-spring", "stretch of the spring coil, δ_2 = √(d² + s_2²) - l_0 = "),
 ])  # fmt: skip
 def test_what_an_energy_is_made_of_has_a_line(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -46,11 +41,11 @@ def test_what_an_energy_is_made_of_has_a_line(stem: str, line: str) -> None:
     ("spinning-wheel-set-down", "Q = ∫[t_1 → t_2] (-μ m g (v_G + R ω)) dt"),
 ])  # fmt: skip
 def test_a_constant_force_times_its_way_is_no_integral(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_a_spring_at_its_own_length_needs_no_stretches() -> None:
-    assert "U of the spring buffer = -1/2 k (s_deepest - a)²" in page("block-down-a-slope-onto-a-buffer")
+    assert "U of the spring buffer = -1/2 k (s_deepest - a)²" in page_of_file("block-down-a-slope-onto-a-buffer")
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -58,11 +53,11 @@ def test_a_spring_at_its_own_length_needs_no_stretches() -> None:
     ("swing-from-which-the-cord-just-holds", "cos φ_0 = 1 - l φ̇_1²/(2 g) = 1 - 2 · 1.85"),
 ])  # fmt: skip
 def test_an_angle_comes_from_its_sine(stem: str, lines: str) -> None:
-    assert lines in page(stem)
+    assert lines in page_of_file(stem)
 
 
 def test_g_is_given_where_energies_are_in_numbers() -> None:
-    assert "g = 9.81 m/s²" in page("ex-4-13")
+    assert "g = 9.81 m/s²" in page_of_file("ex-4-13")
 
 
 def test_a_height_that_the_guide_keeps_is_none() -> None:
@@ -84,7 +79,7 @@ def test_a_height_that_the_guide_keeps_is_none() -> None:
     ("load-wound-up-against-axle-friction", "T_up = m (g + r α_1) = 12 (9.81 + 0.15 (-5.338)) = 108.1 N"),
 ])  # fmt: skip
 def test_a_force_is_told_by_the_acceleration_that_is_known(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -95,7 +90,7 @@ def test_a_force_is_told_by_the_acceleration_that_is_known(stem: str, line: str)
     ("block-between-two-springs", "f = ω_0/(2 π) = 15.81/(2 π) = 2.516 Hz"),
 ])  # fmt: skip
 def test_differences_are_positive_and_squares_are_squares(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -105,20 +100,20 @@ def test_differences_are_positive_and_squares_are_squares(stem: str, line: str) 
     ("leaking-bucket", "y_1 = F t_1/q - F (M - q t_1) ln(M/(M - q t_1)) / q² - 1/2 g t_1²"),
 ])  # fmt: skip
 def test_what_is_known_is_put_in(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_a_law_that_the_equations_gave_is_not_told_again() -> None:
-    assert "The law" not in page("ex-1-06")
-    assert "The law" not in page("ex-1-07")
+    assert "The law" not in page_of_file("ex-1-06")
+    assert "The law" not in page_of_file("ex-1-07")
 
 
 def test_the_root_of_a_time_by_the_start() -> None:
-    assert "ω_0 t_stop = π the first such time after the start (4): t_stop = π √(m/k)" in page("ex-1-07")
-    assert re.search(r"At stop, .{1,2} = 0: \(4\)", page("ex-1-07"))
-    assert "the positive root: t_rest > 0" in page("turntable-run")
+    assert "ω_0 t_stop = π the first such time after the start (4): t_stop = π √(m/k)" in page_of_file("ex-1-07")
+    assert re.search(r"At stop, .{1,2} = 0: \(4\)", page_of_file("ex-1-07"))
+    assert "the positive root: t_rest > 0" in page_of_file("turntable-run")
     # Where the velocity is known already, no root of a time is left to choose.
-    assert "v_half = v0 - g t_half (4): t_half = (v0 - v_half)/g" in page("ex-1-06")
+    assert "v_half = v0 - g t_half (4): t_half = (v0 - v_half)/g" in page_of_file("ex-1-06")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -128,11 +123,11 @@ def test_the_root_of_a_time_by_the_start() -> None:
     ("ex-4-13", "A_x, A_y (A is fixed) do no work:"),
 ])  # fmt: skip
 def test_a_force_between_two_bodies_does_work_on_each(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None:
-    told = page("hoist-driven-by-a-belt")
+    told = page_of_file("hoist-driven-by-a-belt")
     assert "7 unknowns: a_Ly, a_Ky, α_motor,disk, T_motor,disk, α_drum, T_rope,1, T_rope,2; in terms of M" in told
 
 
@@ -142,24 +137,24 @@ def test_what_follows_later_is_told_with_the_unknowns_of_the_equations() -> None
     ("ex-4-17", "1/2 k (s_1² - s_2²) - m g l sin θ_2 ="),
 ])  # fmt: skip
 def test_a_balance_is_in_letters_before_its_numbers(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_a_guide_lays_a_rod_level() -> None:
-    assert "At 2, AB is horizontal: θ_2 = 0 From 1 to 2" in page("ex-4-10")
+    assert "At 2, AB is horizontal: θ_2 = 0 From 1 to 2" in page_of_file("ex-4-10")
 
 
 def test_equations_that_are_counted_are_those_that_are_named() -> None:
     """Not `3 equations` below four numbers."""
-    assert "(5), (6), (8), 3 unknowns: N_C, α_AB, A_y" in page("two-rods-falling-flat")
-    assert "3 equations, 3 unknowns: a_G, α, F_C" in page("ex-4-05")
+    assert "(5), (6), (8), 3 unknowns: N_C, α_AB, A_y" in page_of_file("two-rods-falling-flat")
+    assert "3 equations, 3 unknowns: a_G, α, F_C" in page_of_file("ex-4-05")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
     ("exercise-4-32", "M = 1/3 m l² θ̈ = 1/3 · 5 · 1.5² · 0.1200 = 0.4500 N·m"),
 ])  # fmt: skip
 def test_an_acceleration_that_speeds_tell_comes_before_its_force(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -167,7 +162,7 @@ def test_an_acceleration_that_speeds_tell_comes_before_its_force(stem: str, line
     ("hoist-driven-by-a-belt", "α_drum,2 = r_1 θ̈_motor,disk/r_2 = 0.1 · 10 / 0.4 = 2.5 rad/s²"),
 ])  # fmt: skip
 def test_an_acceleration_that_was_told_is_used_by_its_letter(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -175,8 +170,8 @@ def test_an_acceleration_that_was_told_is_used_by_its_letter(stem: str, line: st
     ("ladder-leaving-the-wall", "From 2 to 3, ladder: conservation of momentum"),
 ])  # fmt: skip
 def test_energy_and_momentum_come_before_an_integrating_factor(stem: str, line: str) -> None:
-    assert line in page(stem)
-    assert "integrating factor" not in page(stem)
+    assert line in page_of_file(stem)
+    assert "integrating factor" not in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -184,7 +179,7 @@ def test_energy_and_momentum_come_before_an_integrating_factor(stem: str, line: 
     ("bob-whose-cord-catches-on-a-nail", "= -6.264 m/s the negative root: it moves to the left"),
 ])  # fmt: skip
 def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize("stem", [
@@ -193,7 +188,7 @@ def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) 
     "sledge-down-a-slope-and-out-over-level-snow",
 ])  # fmt: skip
 def test_that_a_speed_is_positive_needs_no_word(stem: str) -> None:
-    assert "the positive root: it" not in page(stem)
+    assert "the positive root: it" not in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -202,7 +197,7 @@ def test_that_a_speed_is_positive_needs_no_word(stem: str) -> None:
     ("there-and-back", "6 t_slowest - 12 = 0 (3): t_slowest = 12/6 = 2 s"),
 ])  # fmt: skip
 def test_a_derivative_that_vanishes_is_told_before_its_time(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -210,17 +205,17 @@ def test_a_derivative_that_vanishes_is_told_before_its_time(stem: str, line: str
     ("disk-held-by-a-spring", "From 1 on, simple harmonic motion:"),
 ])  # fmt: skip
 def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
-    told = page("block-coming-to-rest-by-dry-friction")
+    told = page_of_file("block-coming-to-rest-by-dry-friction")
     assert "from stops_2 to end, from end to stop: a" not in told
     assert "from turn_1 to turn_2, from stops to stops_2: a = -(μ m g + k x)/m At stop: t_stop" in told
 
 
 def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
-    told = page("ball-leaving-a-dome")
+    told = page_of_file("ball-leaving-a-dome")
     assert "At 2: (7) v_Py,2 = -v_P,2 cos φ_P,2 = -3.719 cos 44.82° = -2.638 m/s" in told
     assert "(9) v_Px,2 = v_P,2 sin φ_P,2 = 3.719 sin 44.82° = 2.621 m/s" in told
     assert told.index("(10) x_P,2 = R cos φ_P,2") < told.index("MOTION from 2 to 3")
@@ -237,35 +232,35 @@ def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:
 ])  # fmt: skip
 def test_rolling_is_why_a_ball_turns_and_a_speed_has_the_sign_of_its_rate(stem: str, line: str) -> None:
     """A mass centre with a coordinate of its own moves as that tells, whether its body rolls or not."""
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_a_speed_that_is_no_product_has_a_place() -> None:
     """x_G and y_G, and their rates, before v_G; each height before the weight falls from it."""
-    told = page("ex-4-17")
+    told = page_of_file("ex-4-17")
     place = "x_G,AB = -3/2 l cos θ, y_G,AB = 1/2 l sin θ "
     assert told.index(place) < told.index("v_G,AB,2 = 1/2 l") < told.index("y_G,OA,2 = 1/2 l sin θ_2")
-    assert "y_G,1 - y_G,2 = x_max/2" in page("ex-4-11")
+    assert "y_G,1 - y_G,2 = x_max/2" in page_of_file("ex-4-11")
 
 
 def test_the_sum_from_which_a_line_goes_on_stands_before_it() -> None:
-    told = page("ex-4-17")
+    told = page_of_file("ex-4-17")
     assert told.index("-1.22625 - 1.22625 + 3.5898 = 1.137 = 0.7708 θ̇_2²") < told.index("√(1.137/0.7708)")
 
 
 def test_the_root_of_a_speed_that_is_the_state_before_itself() -> None:
-    told = page("bob-whose-cord-catches-on-a-nail")
+    told = page_of_file("bob-whose-cord-catches-on-a-nail")
     assert "not ±6.264 m/s: that is state 2 itself; it goes on in the same sense" in told
     assert "At 2, x_bob = 0. At 2: (3) x_P,2 = 0 m (4) y_P,2 = -l = -2 m" in told
 
 
 def test_a_size_in_letters_holds_its_unit() -> None:
-    assert "|a| = (0.08944/m) v²" in page("ex-1-13")
+    assert "|a| = (0.08944/m) v²" in page_of_file("ex-1-13")
 
 
 def test_another_root_that_is_an_earlier_state() -> None:
     # The flight that begins there.
-    assert "= 1.668 s as t_4 ≠ t_1" in page("ball-bouncing-twice")
+    assert "= 1.668 s as t_4 ≠ t_1" in page_of_file("ball-bouncing-twice")
 
 
 def test_the_energy_of_all_is_not_that_of_the_group_that_was_told() -> None:

@@ -5,22 +5,12 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(300).render(narrate(worked(FILES[stem])[0])).split())
+from worked import page_of_file
 
 
 def _checks(stem: str) -> list[str]:
     sides = r"(?:(?:T_|E_k,)\w+ \+ )?U = .*?; (?:T_|E_k,)\w+ = .*?"
-    return re.findall(rf"work and energy: {sides}(?= ·| CASE |$)", _page(stem))
+    return re.findall(rf"work and energy: {sides}(?= ·| CASE |$)", page_of_file(stem))
 
 
 @pytest.mark.parametrize("stem", ["ball-with-backspin", "body-atwood-with-heavy-pulley", "exercise-3-30"])
@@ -52,18 +42,18 @@ def test_both_sides_agree(stem: str) -> None:
     ],
 )
 def test_works_and_energies_are_named(stem: str, words: str) -> None:
-    assert f"work and energy: {words}" in _page(stem)
+    assert f"work and energy: {words}" in page_of_file(stem)
 
 
 def test_none_where_it_is_the_square_of_the_only_speed_again() -> None:
     """v² = v_0² + 2 a s was solved for it, of the only body: m/2 times that tests nothing."""
-    assert "v_start² + 2 a x_stops" in _page("crate-that-stops")
+    assert "v_start² + 2 a x_stops" in page_of_file("crate-that-stops")
     assert not _checks("crate-that-stops")
 
 
 def test_a_way_found_by_its_time_is_tested_by_the_work_done_along_it() -> None:
     """Of the only body too: v = a t and x = 1/2 a t² were solved, not v² = 2 a s."""
-    page = _page("parcel-on-a-belt")
+    page = page_of_file("parcel-on-a-belt")
     assert "x_carried = 1/2 a t_carried²" in page
     assert "v_carried² = 2 a" not in page
     assert _checks("parcel-on-a-belt") == [

@@ -4,19 +4,9 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
-from planar_cli.formats.terminal import Terminal
 from planar_cli.report.alike import told_of_each, weights_of_each
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -27,12 +17,12 @@ def page(stem: str) -> str:
     ("two-hinged-bars-that-collapse", "U of the weights of AB, BC, each = 1/2 m g l sin θ_0"),
 ])  # fmt: skip
 def test_equal_bodies_are_told_once(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)
 
 
 def test_nothing_of_turning_where_all_is_at_rest() -> None:
     """From rest to rest no energy is kinetic: no angular velocity, and no moment of inertia."""
-    printed = page("ex-4-11")
+    printed = page_of_file("ex-4-11")
     assert "T_1 = T_2 = 0" in printed
     assert "ω_AB" not in printed
     assert "inertia" not in printed

@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
+from worked import page_of_file
 
 
 def given(stem: str) -> str:
     """What is given, with single spaces."""
-    page = " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+    page = page_of_file(stem)
     return page.partition(" Given ")[2].partition(" Find ")[0]
 
 

@@ -5,20 +5,12 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
 
 
 @pytest.mark.parametrize(
@@ -33,28 +25,28 @@ def _page(stem: str) -> str:
     ],
 )
 def test_their_lines(stem: str, words: str) -> None:
-    assert words in _page(stem)
+    assert words in page_of_file(stem)
 
 
 def test_each_once() -> None:
     """An energy before and an instant after it rest on the same one."""
-    assert _page("exercise-4-35").count("moment of inertia of rod") == 1
+    assert page_of_file("exercise-4-35").count("moment of inertia of rod") == 1
 
 
 def test_none_that_nothing_uses() -> None:
     """The balance of energies counts with the mass centre, not with the pin."""
-    assert "I_O" not in _page("exercise-4-35")
+    assert "I_O" not in page_of_file("exercise-4-35")
 
 
 def test_a_sought_size_has_no_number_before_it_is_found() -> None:
     """In the second case of the yo-yo the radius of gyration is what is asked."""
-    page = _page("yo-yo")
+    page = page_of_file("yo-yo")
     assert page.count("I_G = m k_G²") == 2
     assert "0.03834² " not in page
 
 
 def test_a_body_of_parts_beside_another_has_letters_of_its_own() -> None:
-    page = _page("dumbbell-hit-by-a-ball")
+    page = page_of_file("dumbbell-hit-by-a-ball")
     assert "m_C = 0.6 kg" in page
     assert "m_dumbbell" in page
 
@@ -78,7 +70,7 @@ def test_what_turns_with_its_guide_is_turned_by_a_couple_of_it() -> None:
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
     assert re.search(r"one: N_one \S+ at A, M ↺ =", page)
-    assert "M_rails" not in _page("gun-on-rails")
+    assert "M_rails" not in page_of_file("gun-on-rails")
 
 
 TWO_WEIGHTS = """

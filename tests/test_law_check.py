@@ -6,8 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read
@@ -15,15 +14,9 @@ from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(300).render(narrate(worked(FILES[stem])[0])).split())
-
 
 def test_mean_speed() -> None:
-    page = _page("car-three-phases")
+    page = page_of_file("car-three-phases")
     found = re.search(
         r"mean velocity times the time, x of the car: \((\S+) \+ (\S+)\)/2 · (\S+) = (\S+) m; x_cruise = (\S+) m",
         page,
@@ -52,7 +45,7 @@ find: {d: x(B) @ 2 - x(B) @ 1}
 def test_energy_by_newton_where_the_acceleration_is_constant() -> None:
     found = re.search(
         r"θ̈ = (.*?) = (\S+) rad/s², constant; 2 θ̈ Δθ = 2 · (\S+) · (\S+) = (\S+) rad²/s²; ω_2² = (\S+)",
-        _page("yo-yo"),
+        page_of_file("yo-yo"),
     )
     assert found is not None
     _, given, a, way, product, square = found.groups()
@@ -67,7 +60,7 @@ def test_simpsons_rule() -> None:
         r"φ̈ = -g sin φ / l; from \w+ to \w+: ∫ φ̈ dφ by Simpson's rule = (\S+)/6"
         r" \((\S+) - 4 · (\S+) \+ (\S+)\) ≈ (\S+) rad²/s²;"
         r" φ̇_1²/2 = (\S+) rad²/s²",
-        _page("swing-from-which-the-cord-just-holds"),
+        page_of_file("swing-from-which-the-cord-just-holds"),
     )
     assert found is not None
     width, first, half, last, result, other = (float(x) for x in found.groups())
@@ -88,20 +81,20 @@ def test_simpsons_rule() -> None:
     ],
 )
 def test_of_a_straight_line_the_mean_of_its_ends(stem: str, words: str, numbers: str) -> None:
-    page = _page(stem)
+    page = page_of_file(stem)
     assert f"{words}, {numbers}" in page
     assert "Simpson" not in page
 
 
 def test_the_law_before_the_balance_by_which_the_speed_was_found() -> None:
-    page = _page("plate-let-go-at-a-corner")
+    page = page_of_file("plate-let-go-at-a-corner")
     assert "∫ θ̈ dθ by Simpson's rule" in page
     assert "Check T_lowest" not in page
 
 
 @pytest.mark.parametrize("stem", ["body-arm-driven-by-its-angle", "block-coming-to-rest-by-dry-friction"])
 def test_the_printed_numbers_give_the_printed_result(stem: str) -> None:
-    found = re.search(r"times the (?:angle|way), \((\S+) ([+-]) (\S+)\)/2 · \(?(\S+?)\)? = (\S+) ", _page(stem))
+    found = re.search(r"times the (?:angle|way), \((\S+) ([+-]) (\S+)\)/2 · \(?(\S+?)\)? = (\S+) ", page_of_file(stem))
     assert found is not None
     first, sign, last, width, result = found.groups()
     mean = (float(first) + float(sign + last)) / 2
@@ -109,7 +102,7 @@ def test_the_printed_numbers_give_the_printed_result(stem: str) -> None:
 
 
 def test_none_in_letters() -> None:
-    page = _page("atwood-let-go")
+    page = page_of_file("atwood-let-go")
     assert "times the time" not in page
     assert ", constant;" not in page
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -16,7 +16,7 @@ FILES = {p.stem: p for p in PROBLEMS}
 
 @pytest.fixture(scope="module")
 def page() -> str:
-    return " ".join(Terminal(300).render(narrate(worked(FILES["body-offset-slider-crank-strokes"])[0])).split())
+    return page_of_file("body-offset-slider-crank-strokes")
 
 
 @pytest.mark.parametrize(

@@ -5,18 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(("name", "line"), [
@@ -26,12 +15,12 @@ def page(stem: str) -> str:
     ("rod-falling-on-a-smooth-floor", "U of the weight of rod = m g (y_G,1 - y_G,2)"),
 ])  # fmt: skip
 def test_the_letters_of_mass_centres(name: str, line: str) -> None:
-    text = page(name)
+    text = page_of_file(name)
     assert line in text
     assert not re.search(r"\b[vaxy]_(?:AB|BC|PC|QD|rod|bar)(?:[xy]|,[xy1-9])", text)
 
 
 def test_a_letter_has_no_prime_where_nothing_on_its_part_of_the_page_is_called_so_without() -> None:
-    text = page("spool-rolls-or-slips")
+    text = page_of_file("spool-rolls-or-slips")
     assert "spool rolls without slipping: a_G = -R α" in text
     assert "′" not in text

@@ -6,11 +6,9 @@ from collections import Counter
 
 import pytest
 from conftest import PROBLEMS, ROOT
-from worked import worked
+from worked import page_of_file, worked
 
-from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
@@ -25,14 +23,14 @@ def test_no_unknown_is_found_twice() -> None:
 
 def test_a_largest_speed_gives_its_place_first() -> None:
     """The rate of v² is a product with v, which does not vanish: what is left has the place alone."""
-    text = " ".join(Terminal(200).render(narrate(worked(FILES["block-down-a-slope-onto-a-buffer"])[0])).split())
+    text = page_of_file("block-down-a-slope-onto-a-buffer")
     assert "s_fastest = m g (sin β - μ cos β) / k + a" in text
     assert text.index("s_fastest = m g (sin β") < text.index("T_fastest =")
 
 
 def test_no_law_of_motion_for_the_impulse_of_a_blow() -> None:
     """Over a blow alone nothing is integrated: the reactions of the motion after it are not asked."""
-    text = " ".join(Terminal(200).render(narrate(worked(FILES["wheel-over-a-kerb"])[0])).split())
+    text = page_of_file("wheel-over-a-kerb")
     assert "J_Kx" in text
     assert "Newton" not in text
 

@@ -3,18 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def page(stem: str) -> str:
-    """The page with single spaces."""
-    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -24,7 +13,7 @@ def page(stem: str) -> str:
     ("bolt-that-drops-in-a-lift", "(2), (3) in (1): H + v_0 t_2 - 1/2 g t_2² = v_0 t_2 + 1/2 a t_2² t_2 = √(2 H"),
 ])  # fmt: skip
 def test_the_time_comes_first(stem: str, lines: str) -> None:
-    assert lines in page(stem)
+    assert lines in page_of_file(stem)
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -33,16 +22,16 @@ def test_the_time_comes_first(stem: str, lines: str) -> None:
 ])  # fmt: skip
 def test_two_equations_that_are_left(stem: str, lines: str) -> None:
     """An angle and a time follow from two equations, with all else put into them."""
-    assert lines in page(stem)
+    assert lines in page_of_file(stem)
 
 
 def test_what_nobody_asks_for_has_no_line() -> None:
     """The impulses at the axles of the bicycle follow from the equations, and nothing rests on them."""
-    assert "J_OBx = -I_f" not in page("ex-4-18")
+    assert "J_OBx = -I_f" not in page_of_file("ex-4-18")
 
 
 def test_a_square_with_a_factor() -> None:
-    assert "loss = (1 - e²) m_1 m_2 (v_1 - v_2)² / (2 (m_1 + m_2))" in page("central-impact-in-letters")
+    assert "loss = (1 - e²) m_1 m_2 (v_1 - v_2)² / (2 (m_1 + m_2))" in page_of_file("central-impact-in-letters")
 
 
 @pytest.mark.parametrize(("stem", "line"), [
@@ -50,4 +39,4 @@ def test_a_square_with_a_factor() -> None:
     ("toppling-pole-that-stops-pressing", "Q = 1/4 m g cos θ_2 = 1/5 m g"),
 ])  # fmt: skip
 def test_a_size_whose_sign_is_known(stem: str, line: str) -> None:
-    assert line in page(stem)
+    assert line in page_of_file(stem)

@@ -5,21 +5,15 @@ from __future__ import annotations
 import re
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
-FILES = {p.stem: p for p in PROBLEMS}
 MOVING = r"power: Σ F v = (.*?) W; d(?:T|E_k)/dt = Σ \(m a v \+ I α ω\) = (.*?) W"
 FROM_REST = r"with these accelerations for 1 s: U = (.*?) J, (?:T|E_k) = (.*?) J"
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
 
 
 def _sum(text: str) -> tuple[float, float]:
@@ -35,7 +29,7 @@ def _sum(text: str) -> tuple[float, float]:
     ("stacked-blocks", FROM_REST),
 ])  # fmt: skip
 def test_both_sides_agree(stem: str, words: str) -> None:
-    found = re.findall(words, _page(stem))
+    found = re.findall(words, page_of_file(stem))
     assert found
     for sides in found:
         (one, result), (other, same) = (_sum(side) for side in sides)
@@ -45,14 +39,14 @@ def test_both_sides_agree(stem: str, words: str) -> None:
 
 @pytest.mark.parametrize("stem", ["atwood-machine", "four-bar", "built-in-beam-with-prop"])
 def test_none_in_letters_without_forces_or_in_equilibrium(stem: str) -> None:
-    page = _page(stem)
+    page = page_of_file(stem)
     assert not re.search(MOVING, page)
     assert not re.search(FROM_REST, page)
 
 
 def test_of_bodies_that_swing_no_second_is_told() -> None:
     """A bar on the floor does not keep its acceleration."""
-    assert "for 1 s" not in _page("ex-4-16")
+    assert "for 1 s" not in page_of_file("ex-4-16")
 
 
 SLIDING = """

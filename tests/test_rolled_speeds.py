@@ -5,15 +5,12 @@ lengths from an instantaneous centre.
 from __future__ import annotations
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
-
-FILES = {p.stem: p for p in PROBLEMS}
 
 WHEEL = """
 title: Wheel
@@ -58,7 +55,7 @@ def test_where_the_turning_is_asked_it_keeps_its_sign() -> None:
 
 
 def test_lengths_from_the_centre_have_their_reasons() -> None:
-    page = " ".join(Terminal(200).render(narrate(worked(FILES["ex-4-07"])[0])).split())
+    page = page_of_file("ex-4-07")
     assert "disk rolls without slipping, C is at rest: (1) ω_disk = v_O/r = 1/0.1 = 10 rad/s clockwise" in page
     assert "above O, at the height of E; I = [0, 0.3121] m" in page
     assert "G is the midpoint of OE, angle OIE is 90°" in page

@@ -3,17 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from conftest import PROBLEMS
-from worked import worked
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-
-FILES = {p.stem: p for p in PROBLEMS}
-
-
-def _page(stem: str) -> str:
-    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
+from worked import page_of_file
 
 
 @pytest.mark.parametrize(
@@ -31,7 +21,7 @@ def _page(stem: str) -> str:
     ],
 )
 def test_forces_are_linear(stem: str, lines: list[str]) -> None:
-    page = _page(stem)
+    page = page_of_file(stem)
     assert "to the first order in δ" in page
     for told in lines:
         assert told in page
@@ -39,14 +29,14 @@ def test_forces_are_linear(stem: str, lines: list[str]) -> None:
 
 
 def test_short_ones_stand_as_they_are() -> None:
-    page = _page("block-between-two-springs")
+    page = page_of_file("block-between-two-springs")
     assert "first order" not in page
     assert "k_2 (b - x - l_2) - k_1 (x - l_1)" in page
 
 
 def test_a_motion_between_states_needs_the_whole_force() -> None:
     """In the case in which it is let go, the page tells the exact forces."""
-    page = _page("bar-with-spring-and-damper")
+    page = page_of_file("bar-with-spring-and-damper")
     first = page.partition("CASE undamped")[0]
     assert "first order" not in first
     assert "first order" in page
@@ -61,24 +51,24 @@ def test_a_motion_between_states_needs_the_whole_force() -> None:
     ],
 )
 def test_energies_check_the_frequency(stem: str, check: str) -> None:
-    assert check in _page(stem)
+    assert check in page_of_file(stem)
 
 
 def test_no_energies_of_an_unstable_equilibrium() -> None:
-    page = _page("inverted-pendulum")
+    page = page_of_file("inverted-pendulum")
     assert "energies near" not in page.partition("CASE soft")[2]
 
 
 def test_a_spring_is_drawn_as_it_lies_at_rest() -> None:
     """To the first order in δ it pulls along the line in which it lies in the equilibrium, level here."""
-    page = _page("disk-held-by-a-spring")
+    page = page_of_file("disk-held-by-a-spring")
     assert "F_V ← at S" in page
-    assert "F_S ↓ at Q" in _page("bar-with-a-mass-on-a-spring")
+    assert "F_S ↓ at Q" in page_of_file("bar-with-a-mass-on-a-spring")
 
 
 def test_a_rolling_body_is_summed_about_its_contact() -> None:
     """What has squares of speeds is of the second order: it is left out with a word, and no vector is torn in two."""
-    page = _page("toy-on-a-round-end").partition("CASE limit")[0]
+    page = page_of_file("toy-on-a-round-end").partition("CASE limit")[0]
     assert "terms with ω² are of the second order in it and left out" in page
     assert "a_G = a_O + α × r_G/O = y_G α ←" in page
     assert "= m y_G α ← at G, I α ↺" in page
@@ -91,7 +81,7 @@ def test_a_rolling_body_is_summed_about_its_contact() -> None:
 
 def test_a_limit_rests_on_the_mass_centre_alone() -> None:
     """Where nothing swings no dynamics is told; the statement stands in the letter of the mass centre."""
-    limit = _page("toy-on-a-round-end").partition("CASE limit")[2]
+    limit = page_of_file("toy-on-a-round-end").partition("CASE limit")[2]
     assert "y_G = r 1/2 m_2 h = 4 m_1 r/(3 π) with y_G put in 2 r² = 3 h² with m_1, m_2 put in" in limit
     assert "(1): h = √6 r/3 = √6 · 0.1 / 3 = 0.08165 m = 81.65 mm" in limit
     assert "Kinetic analysis" not in limit
@@ -100,7 +90,7 @@ def test_a_limit_rests_on_the_mass_centre_alone() -> None:
 
 def test_a_number_that_nothing_needs_is_not_worked_out_again() -> None:
     """Of another height only the lever decides; the moment of inertia is needed for the period alone."""
-    page = _page("toy-on-a-round-end")
+    page = page_of_file("toy-on-a-round-end")
     assert page.count("I = m_1 (y_G - y_1)² + m_2 (y_2 - y_G)² + I_1 + I_2") == 1
     assert page.count("I_2 = m_2") == 1
     assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
