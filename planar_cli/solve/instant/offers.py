@@ -226,12 +226,8 @@ class Offers:
 
     def _killable(self, bodies: tuple[str, ...]) -> list[int]:
         """Columns that are drawn as one line: reactions, and the part of m a that has a known direction."""
-        found = []
-        couples = {self.system.symbols[p.name] for p in self.system.pushes if p.unit == "N*m"}
-        for push in self.system.pushes:
-            symbol = self.system.symbols[push.name]
-            if symbol in self.index and symbol not in couples:
-                found.append(self.index[symbol])
+        forces = [self.system.symbols[p.name] for p in self.system.pushes if p.unit != "N*m"]
+        found = [self.index[symbol] for symbol in forces if symbol in self.index]
         for edge in self.system.tree.edges:
             slides = edge.slide_rate is not None and edge.joining is not None
             if slides and edge.slide_rate in self.index and self._only_translation(edge.slide_rate, bodies):
@@ -249,10 +245,7 @@ class Offers:
 
     def of_group(self, group: Group) -> list[Candidate]:
         """Axes, named points, directions across a line, intersections of two lines."""
-        found = [
-            self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS),
-            self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
-        ]
+        found = self._along_axes(group)
         for direction, words in named_ways(self.system, self.numbers, group.bodies):
             found.append(self._force(group, direction, words, self._form_along(words, group)))
         if not group.turning or (group.bodies[1:] and not self._crossed.isdisjoint(group.bodies)):
@@ -274,6 +267,14 @@ class Offers:
     def _crossed(self) -> frozenset[str]:
         """Particles about whose arms nobody asks."""
         return pressed_across_lines(self.system)
+
+    def along_axes(self, bodies: tuple[str, ...]) -> list[Candidate | None]:
+        """The sums of forces on bodies along x and y, whatever else is offered; None: nothing is left of one."""
+        return self._along_axes(self._group(bodies, {b: self.body_rows(b) for b in bodies}))
+
+    def _along_axes(self, group: Group) -> list[Candidate | None]:
+        ways = ("x", Vec(sp.S.One, sp.S.Zero)), ("y", Vec(sp.S.Zero, sp.S.One))
+        return [self._force(group, way, name, c.AXIS) for name, way in ways]
 
     def _form_along(self, words: str, group: Group) -> float:
         """How it is drawn: along a contact or tie; also across a tie, along the arc on which it leads a particle."""

@@ -20,7 +20,7 @@ def with_partners(plan: Plan, candidates: Collection[Candidate], unknowns: Seque
     """The plan with such sums, the component that is found first leading; as it is where they would not give one
     unknown after the other.
     """
-    alone = {b.unknowns[0]: b for b in plan.blocks if len(b.unknowns) == 1 and _axis(b.equations[0]) is not None}
+    alone = {b.unknowns[0]: b for b in plan.blocks if len(b.unknowns) == 1 and axis_of(b.equations[0]) is not None}
     pairs, order = _pairs(unknowns, system), list(alone)
     put = {
         j: partner
@@ -48,7 +48,7 @@ def _is_put(block: Block, put: Collection[int]) -> bool:
     return len(block.unknowns) == 1 and block.unknowns[0] in put
 
 
-def _axis(e: Candidate) -> str | None:
+def axis_of(e: Candidate) -> str | None:
     """The axis along which forces are summed, "" of another direction or of moments; None: it is no such sum."""
     if e.choice is None or e.condition is not None:
         return None
@@ -70,9 +70,11 @@ def _partner(
     own: Candidate, other: Candidate, axis: str, candidates: Collection[Candidate], bit: int
 ) -> Candidate | None:
     """The sum of forces on the bodies of the other component's, along the own axis; None: it is the one already."""
-    if _axis(other) != axis or (_axis(own) == OTHER[axis] and own.bodies == other.bodies):
+    if axis_of(other) != axis or (axis_of(own) == OTHER[axis] and own.bodies == other.bodies):
         return None
-    return next((c for c in candidates if c.bodies == other.bodies and _axis(c) == OTHER[axis] and c.mask & bit), None)
+    return next(
+        (c for c in candidates if c.bodies == other.bodies and axis_of(c) == OTHER[axis] and c.mask & bit), None
+    )
 
 
 def _bits(block: Block) -> int:

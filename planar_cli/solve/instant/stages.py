@@ -26,6 +26,7 @@ from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.partners import with_partners
 from planar_cli.solve.instant.plan import Plan, Planner
+from planar_cli.solve.instant.symmetric_pulls import with_symmetric_pulls
 from planar_cli.solve.instant.through_given import through_given
 from planar_cli.solve.instant.write import Writer
 from planar_cli.solve.instant.written import Explicit
@@ -135,6 +136,7 @@ class StageMaker:
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
         plan = with_partners(plan, candidates, columns.unknowns, self.system)
+        plan = with_symmetric_pulls(plan, offers.along_axes) if offers.families else plan
         writer = Writer(self.system, columns, self.next_number + len(first), by_axes=bodies_by_axes(plan))
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
