@@ -8,7 +8,6 @@ from worked import page_of_file
 
 @pytest.mark.parametrize(("stem", "lines"), [
     ("swing-from-which-the-cord-just-holds", "At 1, the tension in cord = T_max: m (g + l φ̇_1²) = T_max φ̇_1 = "),
-    ("wheel-over-a-kerb", "At 3, x_G = 0: (R - h) sin θ_3 = √(R² - (R - h)²) cos θ_3 "),
     ("block-down-a-free-wedge", "At 2, y_block = 0: h + s_P,2 sin β = 0 s_P,2 = -h/sin β"),
 ])  # fmt: skip
 def test_the_condition_of_a_state(stem: str, lines: str) -> None:

@@ -21,6 +21,7 @@ from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity
 from planar_cli.report.put_in import Writer, in_known, partly
 from planar_cli.report.reciprocals import with_reciprocals
+from planar_cli.report.whole_roots import with_whole_roots
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import (
@@ -92,7 +93,7 @@ class EnergyPieces:
         """A height or stretch in the given position by the data alone, where that is no longer."""
         if self._is_sought(measure) or not measure.free_symbols & self.drawn.keys():
             return measure
-        found = simplified(measure.xreplace(dict(self.drawn)))
+        found = with_whole_roots(simplified(measure.xreplace(dict(self.drawn))), self.phrases.value)
         # sin 60° is told as that, unless the file has roots in its places.
         places = (e for e in self.drawn.values() if not e.is_number and not e.has(*ARCS))
         waves = any(not e.free_symbols for e in found.atoms(sp.sin, sp.cos, sp.tan)) or found.has(*ARCS)

@@ -213,7 +213,7 @@ def _gives_an_angle(condition: Block, given: Block, spoken: Mapping[str, int]) -
     if not isinstance(condition, Equation) or not isinstance(given, Equation) or condition.number or given.number:
         return False
     own, last = given.sides[0], given.sides[-1]
-    turned = isinstance(own, Math) and own.expr.is_Symbol and isinstance(last, Value) and last.unit == "deg"
+    turned = isinstance(own, Math) and own.expr.is_Symbol and isinstance(last, Value) and last.unit in ("deg", "rad")
     if not turned or not isinstance(own, Math) or condition.lead:
         return False
     name = own.expr.name
