@@ -36,7 +36,7 @@ def _page(stem: str) -> str:
         "↻ H_C: 1/2 q (R + r) t_2² = m (R² + k_G²) ω_2",
         "Answer ω = 15.46 rad/s clockwise",
     ]),
-    ("rigid-bodies/half-cylinder-let-go-on-its-side", ["a_G = α × r_G/C", "m CG α ↘ at G, I α ↻"]),
+    ("rigid-bodies/half-cylinder-let-go-on-its-side", ["a_G = α × r_G/C", "m R α → at G, 4 m R α/(3 π) ↓ at G, I α ↻"]),
     ("rigid-bodies/ring-on-a-pin", [
         "↻ ΣM_O: m g R = I_O α",
         "a_B = α × r_B/O",

@@ -16,7 +16,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, line
 from planar_cli.report.words import Phrases
 
-SHORT, LONGEST = 3, 8
+SHORT, LONGEST = 5, 8
 """A distance, and a component, of more operations is not told so."""
 
 
