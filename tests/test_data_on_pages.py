@@ -66,3 +66,9 @@ def test_what_holds_at_a_state_is_told_in_sentences() -> None:
     assert "1: β = 45°, at rest" in told
     assert "to be found: x_max = " in told
     assert "At meet, x_A = x_B:" in page_of_file("police-chase")
+
+
+def test_a_function_of_the_time_with_numbers_has_its_units() -> None:
+    page = page_of_file("body-hoist-starting-softly")
+    assert "ω = 3 (1 - cos(π t/4)) / 2 given, in rad/s, t in s" in page
+    assert "α = 3 π/8 sin(π t/4) differentiated, in rad/s², t in s" in page

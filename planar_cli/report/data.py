@@ -15,9 +15,11 @@ from planar_cli.problem.expression import Relation
 from planar_cli.records import changing
 from planar_cli.report.as_stated import NEAR, Stated, between, sentence, stated_in
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Value, line
+from planar_cli.report.clean import common_dimension
 from planar_cli.report.sides import number_of, said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
+from planar_cli.units import pretty_unit
 
 GIVEN, DIFFERENTIATED = line("given:"), line("differentiated:")
 LOWER = ((re.compile("^alpha"), "omega"), (re.compile("^a(?=_)"), "v"), (re.compile("_ddot$"), "_dot"))
@@ -40,15 +42,24 @@ class DataTelling:
         if w.times and w.right == 0 and (lower := lower_name(w.left.name)):
             return [Equation((letter, value), number, line(Name(lower), " constant:"))]
         if w.times:
-            return self._differentiated(w, stated, Equation((letter, value), number))
+            return self._differentiated(w, stated, Equation((letter, value), number, (), self._counted_in(w)))
         self.told.add(w.lead)
         if not w.right.is_number or w.right == 0:
             lead = self._unknown(w.right) if self._is_sought(w.right) else GIVEN
-            return [Equation((letter, value, *self._worked_out(w)), number, lead)]
+            told = self._worked_out(w)
+            return [Equation((letter, value, *told), number, lead, () if told else self._counted_in(w))]
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
+
+    def _counted_in(self, w: Written) -> Line:
+        """The units of a function of the time with numbers that have some: ω = 3/2 (1 - cos(π t/4)) in rad/s."""
+        ledger = self.scene.ledger
+        unit = ledger.units.get(w.left) if ledger.symbols.get("t") in w.right.free_symbols else None
+        if unit is None or common_dimension(ledger, w.left, w.right) is not None:
+            return ()
+        return line(f"in {pretty_unit(unit.text)}, t in s")
 
     def restates(self, w: Written) -> bool:
         """Is it a number, or a letter with one, that stands under Given already?"""

@@ -10,7 +10,7 @@ from dataclasses import fields, replace
 from itertools import pairwise
 from typing import Any
 
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
 from planar_cli.report.data import DIFFERENTIATED, GIVEN
 from planar_cli.report.free_flight import WEIGHT
 from planar_cli.report.given_letters import with_given_letters
@@ -122,11 +122,13 @@ def _stands_under(block: Block | None) -> bool:
 
 def _beside(block: Block) -> Block:
     """A datum with its reason behind it, as nothing calls it: ω = 240 rpm = 25.13 rad/s, given."""
-    if not isinstance(block, Equation) or block.number is not None or block.note or not is_datum(block):
+    if not isinstance(block, Equation) or block.number is not None or not is_datum(block):
         return block
     last = block.lead[-1]
     assert isinstance(last, Text)
-    return replace(block, lead=(), note=(*block.lead[:-1], replace(last, text=last.text.removesuffix(":"))))
+    own = (*block.lead[:-1], replace(last, text=last.text.removesuffix(":")))
+    # A function of the time has its units there.
+    return replace(block, lead=(), note=line(*own, ", ", *block.note) if block.note else own)
 
 
 def _restates(block: Block, given: Sequence[tuple[str, str]]) -> bool:
