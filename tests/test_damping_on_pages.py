@@ -26,3 +26,24 @@ def test_critical_damping_has_no_line_of_its_ratio() -> None:
 def test_a_damper_of_no_strength_is_not_drawn() -> None:
     page = page_of_file("bar-with-spring-and-damper").partition("CASE undamped")[2].partition("CASE damped")[0]
     assert "F_coil ↓ at A, O_x → at O" in page
+
+
+def test_the_linear_motion_stands_before_the_integration() -> None:
+    page = page_of_file("bar-with-spring-and-damper").partition("CASE heavy")[0]
+    places = [
+        page.index(w) for w in ("θ̈ + 3 c θ̇/(4 m) + 3 k θ/m = 0", "t_2 ≈", "at most 1 %", "integration: ", "At 2:")
+    ]
+    assert places == sorted(places)
+    for value in ("0.1256 s", "θ̇_2 ≈", "-6.825°", "-3.773°"):
+        assert value in page
+
+
+def test_heavy_damping_is_why_it_does_not_pass() -> None:
+    page = page_of_file("bar-with-spring-and-damper").partition("CASE heavy")[2].partition("CASE undamped")[0]
+    assert "= 1.591 ζ > 1: heavy damping" in page
+    assert "θ falls to zero without passing it; nor does it in the integration below: state 2 is not reached." in page
+    assert "= 3.060°" in page
+
+
+def test_a_wide_swing_has_no_linear_motion() -> None:
+    assert "the equation of motion is linear" not in page_of_file("pendulum-swinging-far")

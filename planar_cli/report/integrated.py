@@ -11,6 +11,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.expression import JustAfter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.put_in import put_in
+from planar_cli.report.small_motion import small_motion
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Result
 from planar_cli.solve.instant.used import used_blocks
@@ -25,7 +26,9 @@ MOST = 70
 
 def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[Result]) -> Iterator[Block]:
     """What is integrated to find letters of states, and constants. `results`: these letters."""
+    results = list(results)
     letters = [r.unknown for r in results]
+    yield from small_motion(found, phrases, results)
     stops = {at for s in letters if (at := found.ledger.roles[s].at) is not None}
     tried = [s for s in letters if found.ledger.roles[s].at is None]
     if tried:
