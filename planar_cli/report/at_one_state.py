@@ -15,7 +15,9 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
 from planar_cli.report.by_components import with_components
 from planar_cli.report.gathered import gathered
+from planar_cli.report.idle_centres import without_idle_centre
 from planar_cli.report.known_put_in import rates_alike
+from planar_cli.report.named_lengths import with_named_lengths
 from planar_cli.report.raw_moments import without_nothing
 from planar_cli.report.shown import place_at, place_drawn, place_of_rest
 from planar_cli.report.small_deviations import in_small_deviations, is_of_small_deviations
@@ -82,7 +84,8 @@ def where_asked(
     """
     state = state_of(motion, motion.regime(instant))
     if not state:
-        return in_small_deviations(blocks, motion, instant, telling, phrases)
+        told = in_small_deviations(blocks, motion, instant, telling, phrases)
+        return without_idle_centre(with_named_lengths(told, motion, instant, phrases))
     places = places_at(motion, state)
     angles = [line(Math(s), " = ", phrases.math(a)) for s, a in places.items() if motion.ledger.units[s].angle]
     where = line(f"{place(state)}, ", *(piece for i, a in enumerate(angles) for piece in (", " if i else "", *a)), ":")
