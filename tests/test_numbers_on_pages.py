@@ -37,7 +37,7 @@ def _page(name: str) -> str:
             "kinematics/quick-return",
             [
                 "a_P = -ω_crank² r_P/O = [-0.14095 · 6², -0.05130 · 6²] = [-5.074, -1.847] m/s²",
-                "a_P · n - (2 ω_arm × v_rel e) · n = 4.1756 - 1.8675",
+                "a_P · n - a_cor · n = 4.1756 - 1.8675",
             ],
         ),
         # All components of a point of a body.

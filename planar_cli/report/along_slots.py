@@ -2,7 +2,7 @@
 itself has neither velocity nor Coriolis acceleration, so that one component tells what is relative.
 
 v_rel = v_P · e                                        e along the line; less v_A · e where A moves
-(2 ω × v_rel e) · n = 2 ω v_rel                        n across it
+a_cor · n = 2 ω v_rel                                  n across it
 a_rel = a_P · e + ω² AP                                (An Introduction to Planar Dynamics, 2.4)
 """
 
@@ -155,10 +155,15 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
     return (left, line(*terms), line(sum_of_products(parts, phrases.figures))), value
 
 
-def unit_told(told: Told, slot: Slot) -> Line:
-    """e = [cos 30°, sin 30°] = [0.8660, 0.5] along AB."""
+def unit_told(told: Told, slot: Slot, by_arm: bool = False) -> Line:
+    """e = [cos 30°, sin 30°] = [0.8660, 0.5] along AB; e = r_P/A/AP = [0.8660, 0.5], where the page has just told the
+    arm (`by_arm`), of a line whose angle is no round one.
+    """
     value = told.phrases.vector(slot.unit[0], slot.unit[1], PURE)
     way = by_angle(slot.unit, slot.unit)
+    if by_arm and not way:
+        sign, arm = "" if slot.reach > 0 else "-", Name(f"r_{_index(slot.point)}/{_index(slot.reference)}")
+        way = line(sign, arm, " / ", *slot.arm, " = ")
     return line(unit_letter(told, slot.frame), " = ", *way, *value, f" along {slot.frame}")
 
 
@@ -218,12 +223,20 @@ def _index(place: str) -> str:
     return place.replace("_", ",")
 
 
+def coriolis_told(spin: Math, e: Line) -> Line:
+    """+ a_cor, a_cor = 2 ω × v_rel e, where components along e and across it follow; else the product alone. `e`: with
+    the space before it.
+    """
+    product = line("2 ", spin, " × ", Name("v_rel"), *e)
+    return line(" + ", Name("a_cor"), ", ", Name("a_cor"), " = ", *product) if e else line(" + ", *product)
+
+
 def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line, Line]:
-    """(2 ω × v_rel e) · n = 2 ω v_rel, and the same in numbers. `normal`: n; `figures`: of its value."""
+    """a_cor · n = 2 ω v_rel, and the same in numbers. `normal`: n; `figures`: of its value."""
     sense = 1 if slot.unit[0] * normal[1] - slot.unit[1] * normal[0] > 0 else -1
     spin, numbers = _turning(told, slot)
     omega = told.phrases.math(spin)
-    own = line("(2 ", omega, " × ", Name("v_rel"), " ", unit_letter(told, slot.frame), ") · ", Name("n"))
+    own = line(Name("a_cor"), " · ", Name("n"))
     letters = line("-" if sense < 0 else "", "2 ", omega, " ", *component(told, slot, "v"))
     return own, letters, line(_doubled(sense, numbers, figures))
 

@@ -145,10 +145,11 @@ def with_direction(words: list[Block], w: Written, phrases: Phrases) -> list[Blo
 
 @record
 class _Reach:
-    """The arm to a point on a line through the place about which its body turns: the name of its length, and both in
-    SI units; `sense`: 1 where n is 90° to the left of it, else -1.
+    """The arm to a point on a line through the place about which its body turns, `start`: the name of its length, and
+    both in SI units; `sense`: 1 where n is 90° to the left of it, else -1.
     """
 
+    start: str
     size: Line
     arm: tuple[Decimal, Decimal]
     length: Decimal
@@ -166,22 +167,25 @@ def _reach(told: Told, j: Joining, unit: Sequence[Decimal]) -> _Reach | None:
     if not length or abs(x * unit[0] + y * unit[1]) > NEARLY * length:
         return None
     sense = 1 if x * unit[1] - y * unit[0] > 0 else -1
-    return _Reach(distance_named(edge.joining.place, j.place), (x, y), length, sense)
+    return _Reach(edge.joining.place, distance_named(edge.joining.place, j.place), (x, y), length, sense)
 
 
 def _unit_vectors(told: Told, j: Joining, unit: Sequence[Decimal], reach: _Reach | None) -> Iterator[Block]:
     """The unit vectors along and across a line, by its angle where this is round, and the length of the arm on it."""
     phrases, slot = told.phrases, slot_of(told, j.place, j.base)
+    if reach is not None:
+        arm = told.arm_told(
+            j.place, reach.start, told.system.scene.arms.between(told.motion.velocities[j.base].point, j.point)
+        )
+        length = phrases.of_dimension(reach.length, LENGTH)
+        yield Equation((reach.size, size_of(reach.arm, LENGTH, phrases), length), None, (), arm)
     along = [unit[1], -unit[0]] if slot is None else slot.unit
     across = line(Name("n"), " = ", *by_angle(unit, along), *phrases.vector(unit[0], unit[1], PURE))
     if slot is None or f"e {slot.frame}" in told.valued:
         yield Paragraph(line(*across, f" across {j.base}"))
     else:
         told.valued.add(f"e {slot.frame}")
-        yield Paragraph(line(*unit_told(told, slot), ", ", *across, " across it"))
-    if reach is not None:
-        length = phrases.of_dimension(reach.length, LENGTH)
-        yield Equation((reach.size, size_of(reach.arm, LENGTH, phrases), length))
+        yield Paragraph(line(*unit_told(told, slot, reach is not None), ", ", *across, " across it"))
 
 
 def _across(

@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Line
 from planar_cli.report.words import Phrases
@@ -52,3 +53,5 @@ class Told(Protocol):
 
     @property
     def motion(self) -> Motion: ...
+
+    def arm_told(self, place: str, reference: str, arm: Vec) -> Line: ...

@@ -21,7 +21,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import across_path, is_along_path, on_path
-from planar_cli.report.along_slots import unit_beside
+from planar_cli.report.along_slots import coriolis_told, unit_beside
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
@@ -100,7 +100,7 @@ class VectorTelling:
             return [*self._reach(joining, level), *tied]
         if meshing := on_fixed_axles(joining, w, level, self.system):
             return [Paragraph(meshing)]
-        reach, known = self._reach(joining, level), list(projected(self, joining, w, level))
+        known, reach = list(projected(self, joining, w, level)), self._reach(joining, level)
         return [*reach, Paragraph(line(*self._words(joining, w, level), ":")), *known]
 
     def _reach(self, joining: Joining, level: str) -> list[Block]:
@@ -157,7 +157,7 @@ class VectorTelling:
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel"), *e]
         if level != "velocity":
             spin = self._symbol(j.base, "velocity")
-            relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel"), *e] if spin != 0 else []
+            relative += coriolis_told(self.phrases.math(spin), e) if spin != 0 else []
         touching = next((p.place for p in self.system.pushes if p.joint == j.joint and p.place not in ("", place)), "")
         touching = touching if not touching or self._is_of_file(touching, j.joint) else "the point of contact"
         slides = f"{touching} slides along {j.base}, {place} moves at a fixed distance from it: " if touching else ""
