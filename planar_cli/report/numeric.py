@@ -23,7 +23,7 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
 from planar_cli.report.put_in import put_in
 from planar_cli.report.told import Across
-from planar_cli.report.with_units import led, with_units
+from planar_cli.report.with_units import as_stated, led, with_units
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -162,8 +162,8 @@ class NumericTelling:
     def sides(self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr]) -> Printed:
         """An equation in letters where these are all that it needs, else in numbers."""
         if self.put_whole(w, stage):
-            found = self._numbers(w, stage, sides, {*stage.algebra.unknowns, *stage.zero} - self._data(stage))
-            if found is not None:
+            unknowns = {*stage.algebra.unknowns, *stage.zero} - self._data(stage)
+            if (found := as_stated(w, self.phrases) or self._numbers(w, stage, sides, unknowns)) is not None:
                 self._put.add((id(stage.algebra), w.number))
                 return found
         if self.general is not None and (letters := spelled(w, sides, self.general)):

@@ -9,12 +9,13 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
-from planar_cli.report.blocks import Math, Value
+from planar_cli.report.blocks import Line, Math, Value
 from planar_cli.report.clean import Mixed, common_dimension, dimension_of, is_clean
 from planar_cli.report.numbers import quantity
 from planar_cli.report.ordering import BEHIND, NUMBER
 from planar_cli.report.words import Phrases
-from planar_cli.units import ENERGY, FORCE, LENGTH, PURE, Dimension
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import ACCELERATION, ENERGY, FORCE, LENGTH, PURE, VELOCITY, Dimension
 
 HELD = (LENGTH, FORCE, ENERGY)
 """What a number of the file may be that stands in an equation by itself: an arm, a force, a moment."""
@@ -129,3 +130,15 @@ class _Spelled:
         own = sp.Symbol(f"{BEHIND if beside else NUMBER}{len(self.texts)}", positive=True)
         self.texts[own] = f"({text})" if over else text
         return -own if value < 0 else own
+
+
+def as_stated(w: Written, phrases: Phrases) -> tuple[tuple[Math, Value], Line] | None:
+    """-2 r_g ω = 1.2 m/s, of a velocity or an acceleration that the file states as a number, which is in letters a
+    product of one unknown; None: it is another relation.
+    """
+    if w.source != "given" or w.times or not w.right.is_number or w.right == 0 or w.left.is_Add or w.left.is_Symbol:
+        return None
+    dimension = common_dimension(phrases.ledger, w.left)
+    if dimension not in (VELOCITY, ACCELERATION) or not is_clean(phrases.ledger, w.left):
+        return None
+    return (phrases.math(w.left), phrases.of_dimension(phrases.certain(w.right), dimension)), ()
