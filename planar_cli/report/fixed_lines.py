@@ -62,14 +62,17 @@ def _across(j: Joining, phrases: Phrases) -> str:
 
 
 def touches_at_rest(edge: Edge, system: System, told: set[str]) -> Iterator[Paragraph]:
-    """C touches the fixed floor: v_C = 0, once of each body that rolls on what does not move. `told`: what was said."""
+    """C touches the fixed floor: v_C = 0, C is the instantaneous centre of disk; once of each body that rolls on what
+    does not move. `told`: what was said.
+    """
     j, key = edge.joining, f"rest {edge.body}"
     if j is None or j.rolling is None or j.base != GROUND or j.drift is not None or key in told:
         return
     told.add(key)
     surface, place = _surface(j, system).replace("_", " "), j.place.replace("_", ",")
     named = f"the fixed {surface}" if surface.islower() else f"{surface or 'the ground'}, which is fixed"
-    yield Paragraph(line(Name(place), f" touches {named}: ", Name(f"v_{place}"), " = 0"))
+    centre = "" if edge.spin is None else f", {place} is the instantaneous centre of {edge.body.replace('_', ' ')}"
+    yield Paragraph(line(Name(place), f" touches {named}: ", Name(f"v_{place}"), " = 0", centre))
 
 
 def _surface(j: Joining, system: System) -> str:

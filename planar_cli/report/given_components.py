@@ -79,6 +79,7 @@ def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Itera
     if straight and j.rolling is not None and ground is not None:
         omega, alpha = (vectors.phrases.math(t[edge.parent].angular) for t in (motion.velocities, motion.accelerations))
         arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
-        whole = (f" and never slips at {j.place}: ", Name(f"v_{own}"), " = ", omega, " × ", arm)
-        along = (", differentiated along the contact: ", Name(f"a_{own}"), " = ", alpha, " × ", arm)
-        yield Paragraph(line(*note, *whole, *along))
+        whole = (f" and never slips at {j.place}: ", Name(f"v_{own}"), " = ", omega, " × ", arm, " at all times")
+        along = (", differentiated: ", Name(f"a_{own}"), " = ", alpha, " × ", arm)
+        across = f". The point {j.place} of {edge.parent} has an acceleration across the contact as well."
+        yield Paragraph(line(*note, *whole, *along, across))
