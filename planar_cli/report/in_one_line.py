@@ -14,6 +14,7 @@ from dataclasses import replace
 
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
 from planar_cli.report.drives import with_drives_told
+from planar_cli.report.mentioned import names_in
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
@@ -33,7 +34,9 @@ def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
     found: list[Block] = []
     for block in blocks:
         match found[-2:]:
-            case [Paragraph() as law, Equation(number=None, lead=(), note=()) as rate] if _is_steady(law, block):
+            case [Paragraph() as law, Equation(number=None, lead=(), note=()) as rate] if _is_steady(
+                law, block
+            ) and not _is_used(rate, blocks):
                 assert isinstance(block, Paragraph)
                 *before, last = block.line
                 assert isinstance(last, Text)
@@ -42,6 +45,14 @@ def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
             case _:
                 found.append(block)
     return found
+
+
+def _is_used(rate: Equation, blocks: Sequence[Block]) -> bool:
+    """Does another equation hold the letter of a rate, which then has a line of its own, and none give it again?"""
+    own = set(names_in(rate.sides[0]))
+    others = [b for b in blocks if isinstance(b, Equation) and b != rate]
+    again = any(set(names_in(b.sides[0])) == own for b in others)
+    return not again and any(own & set(names_in(side)) for b in others for side in b.sides)
 
 
 def _is_steady(law: Paragraph, block: Block) -> bool:
