@@ -94,7 +94,7 @@ def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
 @pytest.mark.parametrize(("stem", "lines"), [
     ("ex-4-13", "(1) ↺ H_A: J AS = I_A ω_2 AS = 1.5 m (1): ω_2 = J AS/I_A = 30 · 1.5 / 16 = 2.81"),
     ("ex-4-13", "J = 1000 N · 0.03 s = 30 N·s"),
-    ("wheel-over-a-kerb", "I_K = m R² + I_G = 10 · 0.3² + 0.45 = 1.35 kg·m²"),
+    ("wheel-over-a-kerb", "I_K = m R² + I_G = 3/2 m R² = 3/2 · 10 · 0.3² = 1.35 kg·m²"),
     ("wheel-over-a-kerb", "ω_2 = (m v_0 (R - h) + I_G ω_1)/I_K = v_0 (1 - 2 h/(3 R)) / R = 1.5 (1 - 2 · 0.06 "),
     ("flywheels-coupled", "(1) ↺ H_O: I_A ω_A,1 + I_B ω_B,1 = (I_A + I_B) ω_A,2"),
     ("pendulum-set-swinging", "(4) ↺ H_A: J AS = I_A ω_2 AS = 0.6 m (4): J = I_A ω_2/AS = 6.336 · 4.755 / 0.6 = 50.2"),

@@ -92,3 +92,10 @@ def test_what_is_asked_of_a_mass_is_derived() -> None:
     assert "mass of plate: m′ = m + 2 c = 6 + 2 · 0.5 = 7 kg" in page
     assert "I_2 = 1/2 c r² = 1/2 · 0.5 · 0.1² = 0.0025 kg·m²" in page
     assert "mass centre of plate:" not in page
+
+
+def test_about_another_point_it_is_one_product_where_it_can_be() -> None:
+    page = page_of_file("box-that-tips-over")
+    assert "I_G = 1/12 m (b² + h²) = 1/12 · 40 (0.6² + 1²) = 4.533 kg·m²" in page
+    assert "I_C = 1/4 m (b² + h²) + I_G = 1/3 m (b² + h²) = 1/3 · 40 (0.6² + 1²) = 18.13 kg·m²" in page
+    assert "I_A = 1/4 m l² + I = 1/3 m l² = 1/3 · 1.5528 · 12² = 74.53 slug·ft²" in page_of_file("falling-pole")

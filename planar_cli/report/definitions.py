@@ -10,11 +10,19 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, Value, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.geometry import measured
-from planar_cli.report.inertias import about_apex, alike_together, by_size, from_apex, is_sought
+from planar_cli.report.inertias import (
+    about_apex,
+    alike_together,
+    by_size,
+    from_apex,
+    in_one_product,
+    in_twelfths,
+    is_sought,
+)
 from planar_cli.report.parts import in_parts
 from planar_cli.report.solving import SolvingTelling
 from planar_cli.report.vectors import VectorTelling
@@ -102,6 +110,15 @@ class DefinitionTelling:
                 wanted |= definitions[symbol].free_symbols
         return wanted
 
+    def _of_inertia(self, symbol: sp.Symbol, expr: sp.Expr, value: Value) -> tuple[Inline | Line, ...]:
+        """I_A = I + m (l/2)² = 1/3 m l² with the numbers of the last; empty where the formula says as much itself."""
+        whole, shown = in_one_product(symbol, expr, self.phrases), in_twelfths(expr)
+        if not self.solving.numeric.readable(expr) or (whole is None and shown == expr):
+            return ()
+        forms = [self.phrases.math(shown), *([] if whole is None else [self.phrases.math(whole)])]
+        put = self.phrases.substituted(shown if whole is None else whole, value)
+        return (self.phrases.math(symbol), *forms, *put, value)
+
     def _line(self, symbol: sp.Symbol, expr: sp.Expr, is_length: bool, least: int) -> list[Equation]:
         ledger = self.scene.ledger
         self.vectors.named.add(symbol)
@@ -110,6 +127,8 @@ class DefinitionTelling:
         if hidden and any(symbol in symbols for symbols in self.constructed.values()):
             return []
         sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
+        if not hidden and not self.phrases.symbolic and (told := self._of_inertia(symbol, expr, value)):
+            sides = told
         if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
             valued = self.phrases.symbolic and any(isinstance(side, Value) for side in sides)
             rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))

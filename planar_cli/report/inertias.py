@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
+from planar_cli.equation.counting import operations
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import are_zero, longer, simplified
 from planar_cli.equation.scene import Scene
@@ -21,6 +22,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
 from planar_cli.units import LENGTH, RATE, VELOCITY
 
+PARALLEL = ", parallel axes"
 LONGEST, FEW = 40, 6
 """A longer formula is told by its value; and in the letters of the file not at all."""
 
@@ -139,9 +141,36 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
     if sized := by_size(symbol, scene, phrases, settled):
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
-        sides += [phrases.math(expr), *(phrases.substituted(expr, value) if value is not None else ())]
+        whole = in_one_product(symbol, expr, phrases) if value is not None else None
+        shown = [phrases.math(in_twelfths(expr)), *([] if whole is None else [phrases.math(whole)])]
+        put = in_twelfths(expr) if whole is None else whole
+        sides += [*shown, *(phrases.substituted(put, value) if value is not None else ())]
     sides += [] if value is None else [value]
     return Equation(tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
+
+
+def in_twelfths(expr: sp.Expr) -> sp.Expr:
+    """m (b² + h²)/12 for m (b²/12 + h²/12)."""
+    found = sp.factor_terms(expr)
+    return found if found.is_Mul and operations(found) < operations(expr) else expr
+
+
+def in_one_product(symbol: sp.Symbol, expr: sp.Expr, phrases: Phrases) -> sp.Expr | None:
+    """I_A in the letters of the file where it is one product, as 1/3 m l² is I + m (l/2)²; None: it is none, or it has
+    moments of inertia of several parts.
+    """
+    ledger = phrases.ledger
+    inside = {s for s in expr.free_symbols & ledger.definitions.keys() if _is_inertia(s, ledger)}
+    if not ledger.titles.get(symbol, "").endswith(PARALLEL) or len(inside) != 1:
+        return None
+    (own,) = inside
+    found = sp.factor_terms(simplified(expr.xreplace({own: ledger.definitions[own]})))
+    clean = found.is_Mul and not longer(found, FEW) and not any(_is_inertia(s, ledger) for s in found.free_symbols)
+    return found if clean and is_clean(ledger, found, dimension=ledger.units[symbol].dimension) else None
+
+
+def _is_inertia(symbol: sp.Symbol, ledger: Ledger) -> bool:
+    return ledger.titles.get(symbol, "").startswith("moment of inertia")
 
 
 def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) -> list[Line]:

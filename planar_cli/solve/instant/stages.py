@@ -135,8 +135,7 @@ class StageMaker:
             names = ", ".join(t.name for t in by_name(targets) if t in index)
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
-        plan = with_partners(plan, candidates, columns.unknowns, self.system)
-        plan = with_symmetric_pulls(plan, offers.along_axes) if offers.families else plan
+        plan = with_symmetric_pulls(with_partners(plan, candidates, columns.unknowns, self.system), offers.along_axes)
         writer = Writer(self.system, columns, self.next_number + len(first), by_axes=bodies_by_axes(plan))
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
