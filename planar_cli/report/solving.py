@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.by_its_letter import makes_storeys
+from planar_cli.report.by_sine import by_sine
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
 from planar_cli.report.linear_system import system
@@ -30,8 +31,6 @@ SHORT = 9
 """A formula of so many operations is told in letters again with its numbers."""
 FEW = 3
 """Of so many equations with one unknown each the solution stands at once below them."""
-
-
 MANY = 6
 """Of more accelerations that stand for others only the numbers of their lines are named."""
 
@@ -358,15 +357,16 @@ class SolvingTelling:
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.numeric.formula(x.symbol, x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
-        put = any(
-            w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
-        )
+        own = (w for b in stage.blocks for w in b.equations if w.number in x.equations)
+        put = any(self.numeric.put_whole(w, stage) for w in own)
         sides = self.chain(x.symbol, x.formula, shown)
         bare = len(sides) == 2 and not x.formula.is_number and not self.phrases.symbolic
         if put or bare:
             solution = self.numeric.solution(x, stage)
             quotient = self.numeric.quotient(x, stage) if solution else ()
             sides = (self.phrases.math(x.symbol), *quotient, *solution, shown)
+            if len(sides) == 2 and (first := by_sine(x, stage, lead, self.phrases)) is not None:
+                return [first, Equation(sides), *other_roots(self.instant, x, self.phrases)]
         short = not longer(x.formula, SHORT) and x.symbol not in self._carried_in_numbers
         by_letter = None if put or short else self._by_letter.get(x.symbol)
         if by_letter is not None:
