@@ -21,3 +21,10 @@ def test_a_root_of_no_square_stays() -> None:
     a, b = sp.symbols("a b", positive=True)
     value = Valuation({a: Decimal(3), b: Decimal(2)})
     assert with_whole_roots(sp.sqrt(a**2 + b**2), value) == sp.sqrt(a**2 + b**2)
+
+
+def test_the_components_of_a_vector_are_told_once() -> None:
+    page = page_of_file("wheel-over-a-kerb")
+    assert "J, x" not in page
+    assert "J = [J_Kx, J_Ky] = [-4.6, 7.8] N·s" in page
+    assert "J, x = -J_F = -3.485 N·s" in page_of_file("tilted-block-that-falls-back")

@@ -9,10 +9,23 @@ At 3, 4:   φ_4 = φ_3 = φ_2 = -90°     nothing moves during a blow
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
+from planar_cli.report.blocks import (
+    Block,
+    Equation,
+    Heading,
+    Inline,
+    Line,
+    Math,
+    Name,
+    Note,
+    Paragraph,
+    Text,
+    Value,
+    line,
+)
 from planar_cli.report.drives import with_drives_told
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.words import components
@@ -99,7 +112,23 @@ def with_vectors(blocks: Sequence[Block]) -> list[Block]:
             found.append(block)
         else:
             found[-1] = vector
-    return found
+    named = {str(b.sides[0]) for b in found if isinstance(b, Equation) and len(b.sides) > 2 and _is_pair(b.sides[-1])}
+    return [b for b in found if not _is_component_alone(b, named)]
+
+
+def _is_pair(side: Inline | Line) -> bool:
+    """Is it [x, y]?"""
+    return isinstance(side, tuple) and str(getattr(side[0], "text", "")) == "["
+
+
+def _is_component_alone(block: Block, named: Collection[str]) -> bool:
+    """Is it a component with its value alone, of a vector that is told with both?"""
+    if not isinstance(block, Equation) or len(block.sides) != 2 or not _is_bare(block):
+        return False
+    match block.sides:
+        case ((Name() as name, Text(", x" | ", y")), Value()):
+            return str(line(name)) in named
+    return False
 
 
 def _vector(one: Block, other: Block) -> Equation | None:
