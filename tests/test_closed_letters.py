@@ -56,3 +56,8 @@ def test_an_acceleration_given_as_a_letter_is_that_letter() -> None:
     assert "T = m_1 (g + a_0 - z̈) (1) in (2): z̈ = (m_1 - m_2) (g + a_0) / (m_1 + m_2)" in told
     assert "y_A = s - z differentiated twice: a_Ay = a_0 - z̈" in told
     assert told.count("s̈") == 1
+
+
+def test_a_share_of_energies_shows_what_it_rests_on() -> None:
+    page = page_of_file("box-that-tips-over")
+    assert "share = 1 - T_2/T_1 = 1 - 3 h² / (4 (b² + h²)) = 1 - 3 · 1² / (4 (0.6² + 1²)) = 0.4485" in page

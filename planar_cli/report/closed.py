@@ -27,7 +27,8 @@ LONGEST, SHORT, PLAIN = 40, 8, 24
 """A longer formula stands in the answer alone; of a page of numbers, beside the line that gives the answer; the largest
 number in such a one.
 """
-TWICE = 2
+TWICE, SHARE = 2, 14
+"""So many times longer a formula says less than one of few results; the longest one of a share of energies."""
 
 
 def with_closed_forms(blocks: Sequence[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
@@ -85,7 +86,8 @@ def _complement(total: sp.Expr) -> sp.Expr:
 def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
     """The blocks of a page of numbers: where a line gives an answer by other results, its short formula in the data."""
     for answer in part.found:
-        closed = _short_formula(answer, phrases)
+        share = any(_is_share(block, answer) for block in blocks)
+        closed = _short_formula(answer, phrases, SHARE if share else SHORT)
         own = asked_symbol(answer, part)
         called = plain_name(own.name) if own is not None else plain_name(answer.name)
         if closed is None or (own is None and any(plain_name(s.name) == called for s in phrases.ledger.units)):
@@ -100,7 +102,7 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
             continue
         if answer.energy and _is_difference(own_sides, closed):
             continue
-        if isinstance(block, Equation) and not block.note and _rests_on_results(block, closed):
+        if isinstance(block, Equation) and not block.note and (share or _rests_on_results(block, closed)):
             blocks[lines[-1]] = _lettered(block, closed, phrases)
     return blocks
 
@@ -127,13 +129,23 @@ def _problem(part: PartSolution) -> Problem:
     return problem
 
 
-def _short_formula(answer: Found, phrases: Phrases) -> sp.Expr | None:
-    """The formula of an answer that has a number, in letters that the file gives; None: it is long, or has others."""
+def _is_share(block: Block, answer: Found) -> bool:
+    """Does a line give an answer as a share of energies, 1 - T_2/T_1? What that rests on, only its formula shows."""
+    if not isinstance(block, Equation) or _left(block) != plain_name(answer.name) or len(block.sides) < 3:
+        return False
+    formula = block.sides[1].expr if isinstance(block.sides[1], Math) else sp.S.Zero
+    return len(formula.free_symbols) > 1 and all(s.name.startswith("T__") for s in formula.free_symbols)
+
+
+def _short_formula(answer: Found, phrases: Phrases, most: int) -> sp.Expr | None:
+    """The formula of an answer that has a number, in letters that the file gives; None: it is long, or has others.
+    `most`: how many operations it has at most.
+    """
     closed = (answer.expressions or (None,))[0]
     if answer.kind != "number" or answer.word or answer.values is None or closed is None or answer.curve is not None:
         return None
     given = all(phrases.ledger.values.get(s) is not None for s in closed.free_symbols)
-    if not closed.free_symbols or not given or longer(closed, SHORT):
+    if not closed.free_symbols or not given or longer(closed, most):
         return None
     plain = all(max(abs(n.p), n.q) <= PLAIN for n in closed.atoms(sp.Rational))
     return closed if plain and is_clean(phrases.ledger, closed, dimension=answer.unit.dimension) else None
