@@ -19,6 +19,7 @@ from planar_cli.report.fractional_powers import absorbed, with_whole_powers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import in_order, term_key
+from planar_cli.report.whole_squares import whole_square
 
 Values = Mapping[sympy.Symbol, str]
 
@@ -178,10 +179,9 @@ class _Reader:
         return self._function(expr, 1)
 
     def _sum(self, expr: Any) -> Formula:
-        terms = list(expr.args)
-        if is_canonical(expr):
-            terms.sort(key=lambda t: (is_negative(t), term_key(t)))
-        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in map(self.read, terms)))
+        terms = sorted(expr.args, key=lambda t: (is_negative(t), term_key(t))) if is_canonical(expr) else expr.args
+        read = [self.read(whole_square(t)) for t in terms]
+        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in read))
 
     def _product(self, factors: list[Any], together: bool = False) -> Formula:
         split = _Split(with_whole_powers(factors))
