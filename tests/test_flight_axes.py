@@ -28,12 +28,18 @@ find: {J: impulse(bounce).across(-beta) @ 1->2, loss: KE(ball) @ 1 - KE(ball) @ 
 
 
 @pytest.mark.parametrize("said", [
-    "v_y,2 = -√(2 g h) = -√(2 · 9.81 · 1.2) = -4.852 m/s the negative root: it moves downward",
-    "ball: m v_y,2 ↑, J_N ↗, μ J_N ↖ = m v_t,3 ↘, m v_n,3 ↗",
-    "constant acceleration perpendicular to the slope, back on it after Δt: (7) v_n,3 Δt = 1/2 g Δt² cos β",
+    "v_2 = √(2 g h) = √(2 · 9.81 · 1.2) = 4.852 m/s",
+    "ball: m v_2 ↓, J_N ↗, μ J_N ↖ = m v_t,3 ↘, m v_n,3 ↗",
+    # The velocity before the blow is told in the same axes.
+    "At 2, the velocity into the slope: (3) v_n,2 = v_2 cos β = 4.8522 cos 25° = 4.398 m/s",
+    "At 2, the velocity down the slope: (4) v_t,2 = v_2 sin β = 4.852 sin 25° = 2.051 m/s",
+    "v_n,3 = e v_n,2 = 0.7 · 4.3976 = 3.078 m/s",
+    "(6): J_N = m (v_n,2 + v_n,3)",
+    "↘ m v_t,2 - μ J_N = m v_t,3",
+    "constant acceleration perpendicular to the slope, back on it after Δt: (8) v_n,3 Δt = 1/2 g Δt² cos β",
     "Δt = 2 v_n,3/(g cos β) = 2 · 3.0783 / (9.81 cos 25°) = 0.6925 s",
-    "along the slope: (8) d = 1/2 g Δt² sin β + v_t,3 Δt = 1/2 · 9.81 · 0.6925² sin 25° + 0.5555 · 0.6925 = 1.379 m",
-    "loss = 1/2 m (v_y,2² - v_n,3² - v_t,3²)",
+    "along the slope: (9) d = 1/2 g Δt² sin β + v_t,3 Δt = 1/2 · 9.81 · 0.6925² sin 25° + 0.5555 · 0.6925 = 1.379 m",
+    "loss = 1/2 m (v_2² - v_n,3² - v_t,3²)",
 ])  # fmt: skip
 def test_a_flight_in_the_axes_of_the_slope(said: str) -> None:
     assert said in page_of_file("ball-on-a-rough-slope")
@@ -43,9 +49,10 @@ def test_a_flight_in_the_axes_of_the_slope(said: str) -> None:
     # The speed of the fall has one letter, and counts downward.
     "At 1: v = √(2 g h) = √(2 · 9.81 · 1.2) = 4.852 m/s",
     "ball: m v ↓, J ↗, μ J ↖ = m v_t,2 ↘, m v_n,2 ↗",
-    "v_n,2 = e v cos β = 0.7 · 4.852 cos 25° = 3.078 m/s",
-    "(4): J = m (v cos β + v_n,2)",
-    "(5): v_t,2 = v sin β - μ J/m",
+    "v_n,1 = v cos β = 4.8522 cos 25° = 4.398 m/s",
+    "v_n,2 = e v_n,1 = 0.7 · 4.3976 = 3.078 m/s",
+    "(6): J = m (v_n,1 + v_n,2)",
+    "(7): v_t,2 = v_t,1 - μ J/m",
     "loss = 1/2 m (v² - v_n,2² - v_t,2²)",
 ])  # fmt: skip
 def test_a_velocity_stated_by_a_constant_that_is_sought_is_called_by_it(said: str, tmp_path: Path) -> None:

@@ -12,12 +12,12 @@ from worked import page_of_file
     ("bullet-into-a-hanging-panel", "panel, bullet, angular momentum about A, through which J_Ax and J_Ay pass: (1)"),
     # What does not rebound has one letter.
     ("carriages-that-collide", "(1) → m_A v_A,1 + m_B v_B,1 = (m_A + m_B) v_B,2"),
-    ("pile-driven-into-soil-of-constant-resistance", "lost = 1/2 m_1 v_Qy,2² - 1/2 (m_1 + m_2) v_P,3² = 1/2 · 300"),
+    ("pile-driven-into-soil-of-constant-resistance", "lost = 1/2 m_1 v_Q,2² - 1/2 (m_1 + m_2) v_P,3² = 1/2 · 300"),
     # All momenta are horizontal: the weights are no matter.
     ("carriages-that-collide", "momentum before + impulses = momentum after. A: m_A v_A,1 →, J ←"),
     # The guide presses on nothing.
-    ("pile-driven-into-soil-of-constant-resistance", "pile: J ↓ = m_2 v_P,3 ↑"),
-    ("pile-driven-into-soil-of-constant-resistance", "pile: m_2 g ↓, R ↑, N_ram ↓ = m_2 a_P ↑"),
+    ("pile-driven-into-soil-of-constant-resistance", "pile: J ↓ = m_2 v_P,3 ↓"),
+    ("pile-driven-into-soil-of-constant-resistance", "pile: m_2 g ↓, R ↑, N_ram ↓ = m_2 a_P ↓"),
 ])  # fmt: skip
 def test_what_a_blow_says(stem: str, said: str) -> None:
     assert said in page_of_file(stem)

@@ -34,4 +34,4 @@ def test_a_coordinate_is_defined_before_the_step_that_uses_it() -> None:
 
 def test_a_way_whose_acceleration_is_told_is_defined() -> None:
     page = page_of_file("sledge-down-a-slope-and-out-over-level-snow")
-    assert page.index("s_P: the way of P along its path, from where it is drawn") < page.index("s̈_P = a_P,1")
+    assert page.index("s: the way of P along its path, from where it is drawn") < page.index("s̈ = a_1")

@@ -7,10 +7,10 @@ from worked import page_of_file
 
 
 @pytest.mark.parametrize("said", [
-    "ball: m v_y,2 ↑, J_N ↗, μ J_N ↖ = m v_t,3 ↘, m v_n,3 ↗",
-    "(4) v_n,3 = -e v_y,2 cos β = -0.7 (-4.852) cos 25° = 3.078 m/s",
-    "(5): J_N = m (v_n,3 - v_y,2 cos β)",
-    "(6): v_t,3 = -(μ J_N/m + v_y,2 sin β)",
+    "ball: m v_2 ↓, J_N ↗, μ J_N ↖ = m v_t,3 ↘, m v_n,3 ↗",
+    "(5) v_n,3 = e v_n,2 = 0.7 · 4.3976 = 3.078 m/s",
+    "(6): J_N = m (v_n,2 + v_n,3)",
+    "(7): v_t,3 = v_t,2 - μ J_N/m",
     "v_along = v_t,3 = 0.5555 m/s",
 ])  # fmt: skip
 def test_along_the_tangent_and_the_normal(said: str) -> None:

@@ -16,10 +16,12 @@ def test_one_velocity_in_opposite_senses_keeps_two_letters() -> None:
     text = (ROOT / "problems" / "impact" / "pile-driven-into-soil-of-constant-resistance.yaml").read_text()
     text = text.replace("along: 90 deg, name: leader", "along: -90 deg, name: leader")
     text = text.replace("  - impact", "  - guide: {point: Q, along: -90 deg, during: 1->2, name: leads}\n  - impact")
+    # What is asked along the axis counts along it.
+    text = text[: text.index("find:")] + "find: {v: v(ram).y @ 2, u: v(pile).y @ 3}\n"
     problem, wrong = load_text(text)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert "(3) v_P,3 = -v_Qy,3" in page
+    assert "v_P,3 = -v_Qy,3" in page
     assert "(m_1 - m_2)" not in page
 
 

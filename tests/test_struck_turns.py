@@ -91,7 +91,7 @@ def test_a_line_solved_already_is_not_printed_again() -> None:
 
 def test_why_friction_is_at_its_limit_in_a_blow_is_said() -> None:
     said = "Ball and slope slide throughout the blow: friction acts against the sliding, and is at its limit."
-    assert f"{said} ball: m v_y,2 ↑, J_N ↗, μ J_N ↖" in _page("impact/ball-on-a-rough-slope")
+    assert f"{said} ball: m v_2 ↓, J_N ↗, μ J_N ↖" in _page("impact/ball-on-a-rough-slope")
 
 
 def test_what_is_put_into_a_moment_counts_in_its_sense() -> None:

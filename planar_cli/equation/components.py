@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 Pair = tuple[sp.Expr, sp.Expr]
 
+SHORT_NAME = 2
+"""Names with more letters are set off from the axis of a component."""
+
 
 @record
 class Components:
@@ -98,3 +101,8 @@ def _known(scene: Scene, *jets: Jet) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]] |
     found = [(j.value, j.rate, j.second) for j in jets if j.rate is not None and j.second is not None]
     varies = any(set(scene.ledger.coordinates) & j.value.free_symbols for j in jets)
     return found if varies and len(found) == len(jets) else None
+
+
+def component(name: str, axis: str) -> str:
+    """The index of a component: Gx of a point G, ball_x of what has a word for a name."""
+    return f"{name}{axis}" if len(name) <= SHORT_NAME else f"{name}_{axis}"

@@ -18,15 +18,15 @@ from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displa
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.line_of_centres import line_of_centres
 from planar_cli.equation.motion import Edge, Tree
+from planar_cli.equation.outlines import is_straight, round_center
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import sent_aside
-from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Polar, Round, Sector
-from planar_cli.problem.shapes import rim_of
+from planar_cli.problem.going import AGAINST
+from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
 from planar_cli.records import changing
 
 ZERO = sp.S.Zero
@@ -202,17 +202,31 @@ class Displacer:
         assert edge.rise is not None
         open_place = body.center.x.is_Symbol and body.center.x in self.scene.open_places
         parts = []
-        for axis, speed in (("x", edge.slide), ("y", edge.rise)):
+        for axis, speed, sense in (("x", edge.slide, edge.rightward), ("y", edge.rise, edge.upward)):
             drawn = getattr(body.center, axis)
             words = f"{axis} of {name}"
             if open_place:
-                start = self.made.start(self.scene.ledger, drawn, "m")
-                self.coordinates.append(Coordinate(drawn, start, "m", None, speed, sp.S.One, words, edge.body, "m"))
+                start, rate = self.made.start(self.scene.ledger, drawn, "m"), sp.Integer(sense)
+                self.coordinates.append(Coordinate(drawn, start, "m", None, speed, rate, words, edge.body, "m"))
                 parts.append(drawn)
+            elif sense < 0:
+                parts.append(self._against(name, drawn, speed, axis, edge.body))
             else:
                 parts.append(self._coordinate(f"{axis}_{name}", "m", drawn, speed, sp.S.One, words, edge.body))
         before, now = self._angle(edge)
         return Pose(body.center, Vec(*parts), before, now)
+
+    def _against(self, name: str, drawn: sp.Expr, speed: sp.Symbol, axis: str, body: str) -> sp.Expr:
+        """x or y of what goes against that axis all the time: by its way, from the origin where it passes that, else
+        from where it starts.
+        """
+        ways = dict(self.scene.problem.going)
+        zero = ZERO if body in ways and ways[body].past_zero else drawn
+        words = f"way of {name} {AGAINST[axis]}"
+        way = self._coordinate(f"s_{name}", "m", zero - drawn, speed, sp.S.One, words, body)
+        if self.coordinates and self.coordinates[-1].symbol == way:
+            self.coordinates[-1] = replace(self.coordinates[-1], against=axis, zero=zero)
+        return zero - way
 
     def _track(self, edge: Edge) -> Vec:
         """Where the sliding point is on its track, the track taken as drawn."""
@@ -241,6 +255,11 @@ class Displacer:
             return Pose(start, start, before, now).vector(start - center) + center
         words = f"way of {place} along its path"
         t = path.tangent
+        going = edge.body in dict(self.scene.problem.going) and edge.parent == GROUND and not edge.backward
+        if going and (t.x, t.y) in ((-1, 0), (0, -1)):
+            axis = "y" if t.x == 0 else "x"
+            now = self._against(place, getattr(start, axis), edge.slide, axis, edge.body)
+            return (Vec(now, start.y) if axis == "x" else Vec(start.x, now)) + drift
         if self.scene.is_zero(t.y) and self.scene.is_zero(t.x - 1) and edge.parent == GROUND and not edge.backward:
             x = self._coordinate(f"x_{place}", "m", start.x, edge.slide, sp.S.One, f"x of {place}", edge.body)
             return Vec(x, start.y) + drift
@@ -361,7 +380,7 @@ class Displacer:
 
     def _touching(self, at: str, between: tuple[str, ...]) -> Vec | None:
         place = self.scene.point(at)
-        rounds = [(p, c) for p in between if (c := self._round(p, place)) is not None]
+        rounds = [(p, c) for p in between if (c := round_center(self.scene, p, place)) is not None]
         if len(rounds) == 2:
             (a, ca), (b, cb) = rounds
             reach = cb - ca
@@ -371,30 +390,10 @@ class Displacer:
             return between_rims
         if len(rounds) == 1:
             (name, center), other = rounds[0], next(p for p in between if p != rounds[0][0])
-            if self._straight(other, place):
+            if is_straight(self.scene, other, place):
                 carrier = self.poses[self.scene.carrier(other)]
                 return self._carried(name, center) + carrier.vector(place - center)
         return None
 
     def _carried(self, partner: str, center: Vec) -> Vec:
         return self.poses[self.scene.carrier(partner)].point(center)
-
-    def _round(self, partner: str, place: Vec) -> Vec | None:
-        """The centre of a disk, of a circular surface, or of the arc of a body that is round at a place."""
-        surface = self.scene.surfaces.get(partner)
-        if surface is not None:
-            return self.scene.point(surface.shape.center) if isinstance(surface.shape, Circle) else None
-        body = self.scene.bodies.get(partner)
-        if body is not None and (rim := rim_of(body.shape)) is not None:
-            return self.scene.point(rim.center)
-        if body is not None and isinstance(body.shape, Composite | Sector):
-            outline = self.scene.outline(partner, place, NOWHERE)
-            return outline.center if outline.kind == "arc" else None
-        return None
-
-    def _straight(self, partner: str, place: Vec) -> bool:
-        """Is it a line or an edge that a rim touches here? A corner or a particle takes the point along itself."""
-        surface = self.scene.surfaces.get(partner)
-        if surface is not None:
-            return isinstance(surface.shape, Line)
-        return self.scene.outline(partner, place, NOWHERE).kind == "straight"

@@ -36,6 +36,10 @@ class Coordinate:
     shown: str
     """The unit in which it is told."""
     extra: sp.Expr = ZERO
+    against: str = ""
+    """The axis against which it counts, x or y; "" for none."""
+    zero: sp.Expr = ZERO
+    """Where it is zero on that axis."""
 
     @property
     def rate(self) -> sp.Expr:

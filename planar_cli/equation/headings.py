@@ -12,11 +12,16 @@ from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Negate, Number, Quantity, Relation, Scaled
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.going import Going
+
+ACROSS = 1e-6
+"""A smaller share of a unit vector is none."""
 
 
 def headings(scene: Scene, statements: Statements) -> Callable[[str, Path], int]:
     """Tells of a body and its path +1 or -1: forward or backward along the tangent; 0 where the data do not tell. What
-    moves along an axis keeps the sense of the axis, unless it is asked for in the other one: a(block).along(-90 deg).
+    moves along an axis keeps the sense of the axis, unless it is asked for in the other one: a(block).along(-90 deg);
+    or it goes one way through a whole motion.
     """
     ways: dict[str, Vec] = {}
     wanted = dict(_asked(scene)) if scene.displacement is None and not scene.problem.states else {}
@@ -25,7 +30,11 @@ def headings(scene: Scene, statements: Statements) -> Callable[[str, Path], int]
             for body, way in _told(scene, relation):
                 ways.setdefault(body, way)
 
+    going = dict(scene.problem.going)
+
     def heading(body: str, path: Path) -> int:
+        if body in going and path.curvature == 0 and (sense := _sense(scene, path.tangent, going[body])):
+            return sense
         if path.curvature == 0 and body in wanted and body not in ways:
             return scene.sign(path.tangent.dot(wanted[body]))
         way = ways.get(body)
@@ -69,3 +78,13 @@ def _told(scene: Scene, relation: Relation) -> Iterator[tuple[str, Vec]]:
         sign = 0 if size else 1 if relation.operator in (">", ">=") else -1
     if sign:
         yield body, axis * sign
+
+
+def _sense(scene: Scene, tangent: Vec, going: Going) -> int:
+    """Does something go along a direction, 1, or against it, -1? 0: across it, or the direction is still sought."""
+    value = scene.valuations[0]
+    x, y = value.known(tangent.x), value.known(tangent.y)
+    if x is None or y is None:
+        return 0
+    along = float(x) * going.x + float(y) * going.y
+    return 0 if abs(along) < ACROSS else 1 if along > 0 else -1

@@ -18,18 +18,17 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.components import Components
+from planar_cli.equation.components import Components, component
 from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.problem.facts import Joining, Path, Row
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.going import AGAINST, Going
 from planar_cli.problem.led_by_ground import led_by_ground
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
 ZERO = sp.S.Zero
-SHORT_NAME = 2
-"""Names with more letters are set off from the axis of a component."""
 STILL = Vec(ZERO, ZERO)
 
 
@@ -49,7 +48,8 @@ class Edge:
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
     acceleration unknowns. A free body has `slide` along x and `rise` along y; one that
     the file places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent.
-    `turn`: -1 where `spin` and `spin_rate` count clockwise; `upward`: -1 where `rise` and `rise_rate` count downward.
+    `turn`: -1 where `spin` and `spin_rate` count clockwise; `upward`: -1 where `rise` and `rise_rate` count downward;
+    `rightward`: -1 where `slide` and `slide_rate` of a free body count to the left.
     """
 
     body: str
@@ -66,6 +66,7 @@ class Edge:
     components: Components | None = None
     turn: int = 1
     upward: int = 1
+    rightward: int = 1
 
 
 @record
@@ -109,8 +110,10 @@ class TreeBuilder:
         self.components, self.heading = components or {}, heading
         self.clockwise: frozenset[str] = frozenset()
         """Bodies whose angular velocities count clockwise where they hang on the tree."""
-        self.sinking: frozenset[str] = frozenset()
-        """Particles that nothing carries and whose velocities and accelerations along y count downward."""
+        self.going: Mapping[str, Going] = {}
+        """Bodies that go straight on: of what nothing carries, velocity and acceleration count the way it goes."""
+        self.oblique: Mapping[str, Vec] = {}
+        """In a blow, particles that strike something oblique, with the tangent there."""
         self.known_senses: frozenset[str] = frozenset()
         """Bodies that are known to begin to turn in the sense in which their angular velocities count."""
         self.pivots_first = False  # does a rocker hang on its own pivot, v_C = ω × r_C/D, and not on the chain?
@@ -127,7 +130,8 @@ class TreeBuilder:
             choice = self._choose(left, placed) if hang else None
             if choice is None:
                 body = next(b for b in self._by_ties(left) if b not in placed)
-                edges.append(self._free(body, -1 if hang and body in self.sinking else 1))
+                way = self.going.get(body) if hang else None
+                edges.append(self._free(body, *((1, 1) if way is None else way.senses)))
             else:
                 joining, body = choice
                 left.remove(joining)
@@ -189,15 +193,16 @@ class TreeBuilder:
         words = f"angular velocity of {body}", f"angular acceleration of {body}"
         return self._pair("" if alone else body, *words, turns=True)
 
-    def _free(self, body: str, upward: int) -> Edge:
+    def _free(self, body: str, rightward: int, upward: int) -> Edge:
         name = self.center_name(body) or body
         (v_x, a_x), (v_y, a_y) = (
-            self._pair(index, *(f"{what} of {name} along {axis}" for what in ("velocity", "acceleration")))
-            for axis, index in (("x", component(name, "x")), ("y", component(name, "y") if upward > 0 else name))
+            self._pair(index, *(f"{what} of {name} {way}" for what in ("velocity", "acceleration")))
+            for axis, sense in (("x", rightward), ("y", upward))
+            for way, index in ([(f"along {axis}", component(name, axis)) if sense > 0 else (AGAINST[axis], name)])
         )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
-        turn = -1 if body in self.clockwise else 1
-        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, upward=upward, turn=turn)
+        senses = -1 if body in self.clockwise else 1, upward, rightward
+        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y, False, None, *senses)
 
     def _hung(self, body: str, joining: Joining, taken: Container[sp.Symbol | None]) -> Edge:
         """A body that hangs on what is placed. `taken`: speeds of others, which may slide at the same place."""
@@ -228,11 +233,6 @@ class TreeBuilder:
         fixed = self.heading is not None and joining.base == GROUND and body == joining.mover
         back = fixed and self.heading is not None and self.heading(body, path) < 0
         return replace(joining, path=Path(-path.tangent, -path.curvature)) if back else joining
-
-
-def component(name: str, axis: str) -> str:
-    """The index of a component: Gx of a point G, ball_x of what has a word for a name."""
-    return f"{name}{axis}" if len(name) <= SHORT_NAME else f"{name}_{axis}"
 
 
 def _spin_rate(edge: Edge) -> sp.Expr:
@@ -278,9 +278,9 @@ class Motion:
             self.accelerations[edge.body] = Twist(at, self._settled(own.vector(own.accelerations)), ZERO)
             return
         if edge.joining is None:
-            velocity = Vec(self._v(edge.slide), self._v(edge.rise) * edge.upward)
+            velocity = Vec(self._v(edge.slide) * edge.rightward, self._v(edge.rise) * edge.upward)
             self.velocities[edge.body] = Twist(at, velocity, self._spin(edge))
-            acceleration = Vec(edge.slide_rate, (edge.rise_rate or ZERO) * edge.upward)
+            acceleration = Vec((edge.slide_rate or ZERO) * edge.rightward, (edge.rise_rate or ZERO) * edge.upward)
             self.accelerations[edge.body] = Twist(at, acceleration, _spin_rate(edge))
             return
         point, sign = edge.joining.point, -1 if edge.backward else 1

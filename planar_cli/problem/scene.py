@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Found, Law, Number, Side, Statement
+from planar_cli.problem.going import Going
 from planar_cli.records import record
 
 if TYPE_CHECKING:
@@ -369,18 +370,17 @@ class Problem:
     tolerance: Side | None
     method: str | None
     us: bool
-    kinetic_energy: str = "T"
-    """The letter of the kinetic energy, the same in all cases: T, where the file calls nothing else so."""
+    kinetic_energy: str = "T"  # its letter, the same in all cases: T, where the file calls nothing else so
     strikers: tuple[Joint | Load, ...] = ()
     """Impacts and impulses of the file, in a problem of what acts while time passes."""
     idle: tuple[Joint, ...] = ()
     """Joints of the file that touch only before or after that time: where they would touch, a rim goes on."""
-    placed: tuple[str, ...] = ()
-    """Coordinates that the file leaves open, put somewhere, as the answers are the same wherever they are."""
+    placed: tuple[str, ...] = ()  # coordinates left open, put somewhere, as the answers are the same wherever they are
     bounded: tuple[tuple[str, str], ...] = ()
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
     clockwise: tuple[str, ...] = ()  # of a case: bodies that count clockwise in what was told before of the same file
     turning: tuple[str, ...] = ()  # bodies whose rotation counts clockwise through a motion, as a blow turns them so
+    going: tuple[tuple[str, Going], ...] = ()  # bodies that go one way along a straight line through a whole motion
     hidden: frozenset[str] = frozenset()  # names that figures do not show
 
     def holds_at_first(self, during: tuple[str, str] | None) -> bool:

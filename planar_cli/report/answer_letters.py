@@ -54,7 +54,7 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
         return Answer(found.name, said, "=")
     if asked == symbol and _is_of_another_state(found.name, symbol, part):
         return Answer(symbol.name, line(said, " (asked for as ", Name(found.name), ")"), "=")
-    positive = (phrases.value.known(symbol) or 0) > 0 and not phrases.symbolic
+    positive = (phrases.value.known(symbol) or 0) > 0 and (not phrases.symbolic or _goes_so(part))
     if same and size and positive:
         return Answer(found.name, said, "=")
     letter = line("|", Math(symbol), "|") if size and not positive else line(Math(symbol if size else asked))
@@ -65,6 +65,11 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
 def _seeks_extremes(part: PartSolution) -> bool:
     """Is something the largest or the smallest?"""
     return any(instant.instant.statements.extremes for instant in part.instants)
+
+
+def _goes_so(part: PartSolution) -> bool:
+    """Does everything go one way all the time, which counts as positive?"""
+    return part.motion is not None and any(not way.until for _, way in part.motion.problem.going)
 
 
 def _is_of_another_state(name: str, symbol: sp.Symbol, part: PartSolution) -> bool:

@@ -26,7 +26,7 @@ from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, together, unchanged
 from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
 from planar_cli.report.modes_of_blows import said_of_modes
-from planar_cli.report.momenta import MomentumTelling
+from planar_cli.report.momenta import MomentumTelling, in_its_sense
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import nil_beside
@@ -118,9 +118,9 @@ class BetweenTelling:
 
     def _balance(self, b: BalanceTrace, number: int) -> Iterator[Block]:
         """An amount at two states, and what is brought between them."""
-        law = b.law
+        b = in_its_sense(b, self._put)
+        law, before, after = b.law, self._put(b.before), self._put(b.after)
         lead = line(law.lead, Name(law.name), ":") if law.name else line(law.lead)
-        before, after = self._put(b.before), self._put(b.after)
         if not law.letter:
             yield from MomentumTelling(b, self.unknowns, self.numeric, self.plain, self.made).lines()
             whole = self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))

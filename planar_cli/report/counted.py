@@ -81,7 +81,8 @@ def counted(system: System, phrases: Phrases) -> Iterator[Block]:
         # What a blow turns is told where the angular velocity stands first.
         if e.turn < 0 and e.spin_rate is not None and not system.scene.problem.turning:
             yield Paragraph(_clockwise(phrases, e, system))
-        if e.slide_rate is not None and (way := _way(e)):
+        # What goes one way through a motion is told with its coordinate.
+        if e.slide_rate is not None and e.body not in system.builder.going and (way := _way(e)):
             yield Paragraph(line(phrases.math(e.slide_rate), f" is counted {way}."))
 
 

@@ -53,7 +53,21 @@ def with_flight_axes(part: PartSolution) -> PartSolution:
     found = next((f for f in _flights(motion) if _is_alone(f, motion)), None)
     # What is asked may count the other way than the components after the blow.
     told = None if found is None else next(filter(None, (_told(motion, found, sense) for sense in (1, -1))), None)
-    return part if told is None else replace(part, motion=told)
+    return part if found is None or told is None else _without_forces(replace(part, motion=told), found)
+
+
+def _without_forces(part: PartSolution, found: _Flight) -> PartSolution:
+    """The part without the forces of a regime that acts in such a flight alone: what it falls with stands there."""
+    motion = part.motion
+    assert motion is not None
+    flown = [r for r in motion.regimes if not r.asked and {a for a, _ in r.stretches} == {found.since}]
+    if not flown or len(flown) == len(motion.regimes):
+        return part
+    solutions = [r.solution for r in flown]
+    instants = tuple(i for i in part.instants if all(i is not s for s in solutions))
+    return replace(
+        part, instants=instants, motion=replace(motion, regimes=tuple(r for r in motion.regimes if r not in flown))
+    )
 
 
 def _flights(motion: MotionTrace) -> Iterator[_Flight]:
@@ -90,7 +104,8 @@ def _flight(
     starts = [s for s, g in motion.general.items() if g in {motion.general[p] for p in places if p is not None}]
     since = resolved[0].relations[0].stop
     begins = [s for s in starts if motion.ledger.roles[s].at == since]
-    if simplified(along) != 0 or any(motion.route.plain.get(s) != 0 for s in begins):
+    told = {**motion.route.formulas, **motion.route.plain}
+    if simplified(along) != 0 or any(told.get(s) != 0 for s in begins):
         return
     pulls = [sp.sympify(laws[a].f) for a in "xy"]
     a_t, a_n = (trigonometric(expanded(pulls[0] * d[0] + pulls[1] * d[1])) for d in (tangent, normal))
@@ -132,7 +147,7 @@ def _told(motion: MotionTrace, found: _Flight, sense: int) -> MotionTrace | None
     ledger = replace(ledger, symbols={**ledger.symbols}, units={**ledger.units}, roles={**ledger.roles})
     ledger.adopt(time, parse_unit("s"), Role(Kind.SOUGHT))
     ledger.adopt(way, parse_unit("m"), Role(Kind.SOUGHT))
-    slope = with_article(_slope(motion))
+    slope = with_article(slope_struck(motion))
     kinds = (
         ("given", f"constant acceleration perpendicular to {slope}, back on it after Δt"),
         ("link", f"constant acceleration along {slope}"),
@@ -141,7 +156,7 @@ def _told(motion: MotionTrace, found: _Flight, sense: int) -> MotionTrace | None
     across, along = (
         Relation(e, kind, words, found.stop, found.since) for e, (kind, words) in zip(residuals, kinds, strict=True)
     )
-    steps = [s for s in motion.route.steps if s not in found.resolved]
+    steps = [s for s in motion.route.steps if s not in found.resolved and not _is_where_it_begins(s, motion, found)]
     i = steps.index(found.step)
     steps[i : i + 1] = [
         RouteStep((across,), (time,), frozenset((v_n,)), (Result(time, flown, duration),), False),
@@ -149,7 +164,7 @@ def _told(motion: MotionTrace, found: _Flight, sense: int) -> MotionTrace | None
     ]
     route = replace(
         motion.route,
-        steps=tuple(steps),
+        steps=_without_clocks(steps, motion, {s for r in requests for e in r.parts for s in e.free_symbols}),
         settled=motion.route.settled | {time, way},
         formulas={**motion.route.formulas, time: flown, way: gone},
     )
@@ -163,6 +178,24 @@ def _told(motion: MotionTrace, found: _Flight, sense: int) -> MotionTrace | None
     )
 
 
+def _without_clocks(steps: list[RouteStep], motion: MotionTrace, asked: set[sp.Symbol]) -> tuple[RouteStep, ...]:
+    """The steps without times on which nothing rests any more: the flight has a clock of its own."""
+    times = {s for s, general in motion.general.items() if general.name == "t"}
+    needed = set(asked)
+    kept: list[RouteStep] = []
+    for step in reversed(steps):
+        if not set(step.unknowns) <= times - needed:
+            kept.append(step)
+            needed |= step.needs
+    return tuple(reversed(kept))
+
+
+def _is_where_it_begins(step: RouteStep, motion: MotionTrace, found: _Flight) -> bool:
+    """Does a step tell but that the flight begins at the origin?"""
+    places = {motion.general[p] for p in found.places}
+    return all(r.formula == 0 and motion.general.get(r.unknown) in places for r in step.results) and bool(step.results)
+
+
 def _request(request: Request, put: Mapping[sp.Symbol, sp.Expr], way: sp.Symbol, distance: Decimal) -> Request:
     """What is asked in the letters along the slope and perpendicular to it, with a distance of its own sign."""
     if not any(p.has(*put) for p in request.parts):
@@ -172,7 +205,7 @@ def _request(request: Request, put: Mapping[sp.Symbol, sp.Expr], way: sp.Symbol,
     return replace(request, parts=tuple(simplified(p).xreplace({length: sign * way}) for p in parts))
 
 
-def _slope(motion: MotionTrace) -> str:
+def slope_struck(motion: MotionTrace) -> str:
     """What the blow is against."""
     bodies = {b.name for b in motion.problem.bodies}
     partners = [p for j in motion.problem.joints if j.strikes for p in getattr(j, "between", ())]

@@ -31,6 +31,8 @@ SENSES = {
     "omega": ("it turns counterclockwise", "it turns clockwise"),
     "x": ("it moves to the right", "it moves to the left"),
     "y": ("it moves upward", "it moves downward"),
+    "to the left": ("it moves to the left", "it moves to the right"),
+    "downward": ("it moves downward", "it moves upward"),
 }
 
 
@@ -265,7 +267,7 @@ def _sense(found: MotionTrace, r: Result, speed: sp.Symbol, stop: str) -> Line:
         return line(Name(speed.name.removesuffix("_dot")), " grows" if positive else " decreases")
     titles = (r.solution.trial.system.titles.get(speed, "") for r in found.regimes)
     title = next(filter(None, titles), "")
-    key = "omega" if title.startswith("angular velocity") else title.rpartition(" along ")[2]
+    key = "omega" if title.startswith("angular velocity") else next((k for k in SENSES if title.endswith(f" {k}")), "")
     clockwise = any(e.turn < 0 for r in found.regimes for e in r.solution.trial.system.tree.edges if e.spin == speed)
     if key in SENSES:
         positive = positive != clockwise

@@ -12,8 +12,9 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
-from planar_cli.report.blocks import Block, Heading, Line, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Heading, Line, Math, Name, Paragraph, line
 from planar_cli.report.counted import clockwise, turning
+from planar_cli.report.laws import counted
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.numbers import rotation_words
 from planar_cli.report.said_limits import with_limit_said
@@ -89,8 +90,16 @@ def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
             turn = regime.solution.trial.system.tree.turn((c.body,))
             words = "" if c.symbol.name in own else _meaning(c, scene, turn)
             if words:
-                meanings.setdefault(c.symbol, line(Math(c.symbol), f": {words}"))
+                meanings.setdefault(c.symbol, line(Name(c.symbol.name), f": {words}", *_by_place(c)))
     return meanings
+
+
+def _by_place(c: Coordinate) -> Line:
+    """`, s = h - y` of what counts its way downward from y = h; empty of what counts along an axis."""
+    if not c.against:
+        return ()
+    zero = (Math(c.zero), " - ") if c.zero != 0 else ("-",)
+    return line(", ", Name(c.symbol.name), " = ", *zero, Name(c.symbol.name.replace("s", c.against, 1)))
 
 
 def _meaning(c: Coordinate, scene: Scene, turn: int) -> str:
@@ -104,6 +113,8 @@ def _meaning(c: Coordinate, scene: Scene, turn: int) -> str:
         return f"the angle of the radius to {place} from the x axis, counterclockwise"
     if c.words.endswith(VERTICAL):
         return f"the {c.words}, counterclockwise"
+    if c.against:
+        return counted(c.words)
     if c.words.startswith(WAY):
         return f"the {c.words}, from where it is drawn"
     if c.words != f"{TURNS}{c.body}":

@@ -5,7 +5,7 @@ v_G = -R ω (rolling),   H_C = I_G ω - m R v_G,   ∫ΣM dt = ∫[0 → t_2] -q
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from planar_cli.principles.base import Moving
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.counted import counts_the_other_way
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.inertias import inertia_of
 from planar_cli.report.put_in import put_in
@@ -26,6 +27,7 @@ from planar_cli.units import ANGULAR_MOMENTUM, IMPULSE, RATE, VELOCITY, Dimensio
 
 SHORT = 12
 """Longer velocities, momenta and impulses stand in the balance alone."""
+OPPOSITE = str.maketrans("↑→", "↓←")
 
 
 @record
@@ -139,3 +141,26 @@ class MomentumTelling:
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
         return put if longer(put, SHORT * 4) else simplified(put)
+
+
+def in_its_sense(b: BalanceTrace, put: Callable[[sp.Expr], sp.Expr]) -> BalanceTrace:
+    """The balance of a linear momentum, counted the other way where all its terms are negative. `put`: what is known
+    put in.
+    """
+    linear = not b.law.letter and not b.law.name
+    if not linear or not counts_the_other_way(put(b.before + b.gain), put(b.after), moments=False):
+        return b
+    return replace(
+        b,
+        law=replace(b.law, lead=b.law.lead.translate(OPPOSITE)),
+        before=-b.before,
+        after=-b.after,
+        brought=tuple((words, -e) for words, e in b.brought),
+        amounts=tuple((body, -e) for body, e in b.amounts),
+        impulse=None if b.impulse is None else _opposite(b.impulse),
+    )
+
+
+def _opposite(impulse: sp.Expr) -> sp.Expr:
+    """An integral of what counts the other way."""
+    return sp.Integral(-impulse.function, *impulse.limits) if isinstance(impulse, sp.Integral) else -impulse

@@ -16,8 +16,8 @@ from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.one_name import OPENING, RATES, Renaming, letter_of_answer, pieces_of_name
 
-OF_PLACES, OF_MOTIONS, OF_OTHERS = ("x", "y"), ("v", "a"), ("r", "s")
-"""Stems of coordinates, of velocities and accelerations, and of what else is called after a point."""
+OF_PLACES, OF_MOTIONS, OF_WAYS, OF_OTHERS = ("x", "y"), ("v", "a"), ("s",), ("r",)
+"""Stems of coordinates, velocities and accelerations, ways along a line, and what else is called after a point."""
 AXES = ("x", "y")
 GIVEN, REST = "Given", "eq"
 
@@ -101,7 +101,7 @@ def _read(name: str) -> _Letter | None:
     at_rest = REST in rest
     rest = [p for p in rest if p not in (*RATES, REST)]
     axis = rest.pop() if len(rest) > 1 and rest[-1] in AXES and stem in OF_MOTIONS else ""
-    if stem not in (*OF_PLACES, *OF_MOTIONS, *OF_OTHERS) or not rest:
+    if stem not in (*OF_PLACES, *OF_MOTIONS, *OF_WAYS, *OF_OTHERS) or not rest:
         return None
     return _Letter(name, stem, "_".join(rest), axis, dots, at_rest, state)
 

@@ -7,6 +7,7 @@ from itertools import groupby
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.system import System
 from planar_cli.joints.base import Joint
@@ -29,6 +30,7 @@ def length_told(w: Written, system: System, phrases: Phrases, twice: bool) -> Li
         return by_arc
     places = _places(system)
     residual = expanded(_of_all(w, system) if twice else w.left - w.right)
+    residual = expanded(cancelled(residual)) if residual.free_symbols - set(places) else residual
     found = sp.S.Zero
     for term in sp.Add.make_args(residual):
         factor, rest = term.as_coeff_Mul()
@@ -128,8 +130,8 @@ def _places(system: System) -> dict[sp.Symbol, sp.Expr]:
         name = system.scene.center_name(e.body) or e.body
         own = {axis: sp.Symbol(system.scene.ledger.apart(f"{axis}_{name}"), real=True) for axis in "xy"}
         if e.joining is None and e.components is None:
-            up = own["y"] * e.upward
-            pairs = ((e.slide, own["x"]), (e.slide_rate, own["x"]), (e.rise, up), (e.rise_rate, up))
+            along, up = own["x"] * e.rightward, own["y"] * e.upward
+            pairs = ((e.slide, along), (e.slide_rate, along), (e.rise, up), (e.rise_rate, up))
             found |= {s: place for s, place in pairs if s is not None}
         path = e.joining.path if e.joining is not None and e.parent == GROUND else None
         if path is not None and path.curvature == 0 and 0 in (path.tangent.x, path.tangent.y):

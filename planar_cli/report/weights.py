@@ -25,6 +25,9 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import told_unit
 from planar_cli.units import ENERGY, FORCE, LENGTH, Dimension, parse_unit, pretty_unit
 
+WAY = "s_"
+"""Begins the letter of the way that something goes."""
+
 
 @record
 class WeightTelling(EnergyPieces):
@@ -33,7 +36,7 @@ class WeightTelling(EnergyPieces):
     def _weight(self, made: Storage, put: sp.Expr, lead: Line) -> Iterator[Block]:
         """m g (y_1 - y_2); the heights in a line before, where they come with their numbers."""
         ends = [self._put(e) for e in (made.first, made.last)]
-        if self._short(put) and all(e.is_Symbol or e == 0 for e in ends):
+        if self._short(put) and (all(e.is_Symbol or e == 0 for e in ends) or _is_way_down(made)):
             yield self._line(lead, *self._chain(put))
             return
         own = [sp.Symbol(f"{made.letter}{STATE}{n}", real=True) for n in (self.balance.since, self.balance.stop)]
@@ -123,3 +126,9 @@ class WeightTelling(EnergyPieces):
         mixed = isinstance(sides[-1], Math) and sides[-1].values
         unit = coherent_unit(dimension, us=self.phrases.ledger.us)
         return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
+
+
+def _is_way_down(made: Storage) -> bool:
+    """Do two heights differ by the way that something goes down, s_2 - s_1?"""
+    ways = [w.as_coeff_Mul()[1] for w in sp.Add.make_args(sp.sympify(made.first - made.last))]
+    return all(w.is_Symbol and w.name.startswith(WAY) and STATE in w.name for w in ways)

@@ -39,9 +39,11 @@ from planar_cli.solve.diagnosis.left_open import moved_by_nothing
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
+from planar_cli.solve.following.straight_ways import straight_ways_found
 from planar_cli.solve.following.turns import count_turns
 from planar_cli.solve.impulsive.checks import blow_checks
 from planar_cli.solve.instant.unreached import not_reached
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.regimes.mode_sequence import Workshop
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -83,10 +85,31 @@ def _otherwise_drawn(solve: Callable[[], PartSolution]) -> PartSolution | None:
 def _part(
     problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any], trial: Mapping[str, float]
 ) -> PartSolution:
-    """The same with the numbers that are drawn for letters now."""
+    """The same with the numbers that are drawn for letters now; along the axes of the file, where it is not found in
+    the ways in which things go.
+    """
     workshop = Workshop(earlier)
     try:
-        solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
+        return _part_in(workshop, problem, case, units, trial)
+    except (NoSolution, Undecided, Disagreement):
+        if not workshop.left:
+            raise
+    return _part_in(Workshop(earlier, by_axes=True), problem, case, units, trial)
+
+
+def _part_in(
+    workshop: Workshop, problem: Problem, case: str, units: dict[str, str], trial: Mapping[str, float]
+) -> PartSolution:
+    """The same in one workshop."""
+
+    def search(problem: Problem) -> SolvedMotion:
+        return ModeSearch(problem, workshop, units=units, trial=trial).run()
+
+    try:
+        solved = reaching(problem, search)
+        if problem.unknowns and (ways := straight_ways_found(solved, workshop)):
+            workshop = Workshop(workshop.earlier)
+            solved = reaching(replace(problem, going=ways), search)
     except Unvalued as error:
         raise moved_by_nothing(problem) or error from error
     try:

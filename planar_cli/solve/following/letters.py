@@ -176,7 +176,8 @@ class Letters:
                 found[u] = self._turning(edge.body, y) * edge.turn
             elif edge.joining is None:
                 frame = self.layout.frames[edge.body]
-                found[u] = y[self.half + (frame.x if u == edge.slide else frame.y)]
+                at, sense = (frame.x, edge.rightward) if u == edge.slide else (frame.y, edge.upward)
+                found[u] = y[self.half + at] * sense
             else:
                 found[u] = self._sliding(edge.joining, y, [next(where) for _ in range(8)])
         if len(found) < len(free):

@@ -55,6 +55,7 @@ from planar_cli.solve.following.starts import (
     untold,
 )
 from planar_cli.solve.following.stillness import hanging, resting, unturned
+from planar_cli.solve.following.straight_ways import along_straight_ways
 from planar_cli.solve.following.traced import Traced
 from planar_cli.solve.impulsive.checks import demand_restitutions
 from planar_cli.solve.principled import principle_of
@@ -91,10 +92,10 @@ class ModeSearch(ModeChoice):
 
     def run(self) -> SolvedMotion:
         """The modes that happen, and the motion in them."""
-        modes = first_modes(self.problem, self.workshop)
         self.seen = foreseen(self.problem, self.workshop)
-        if self.seen is not None:
-            modes = as_it_happens(modes, self.seen, self.workshop)
+        self.problem, self.workshop = along_straight_ways(self.problem, self.workshop, self.seen)
+        modes = first_modes(self.problem, self.workshop)
+        modes = modes if self.seen is None else as_it_happens(modes, self.seen, self.workshop)
         return self._sooner(self._searched(modes))
 
     def _searched(self, modes: ModeSequence) -> SolvedMotion:
@@ -253,8 +254,7 @@ class ModeSearch(ModeChoice):
         if not self._alone:
             return None
         course = replace(course, equations=by_method(course.equations, course.problem.method))
-        needed = asked_letters(finds) & course.chain().unknowns
-        branches = that_tell(course, needed, candidates(course))
+        branches = that_tell(course, asked_letters(finds) & course.chain().unknowns, candidates(course))
         if not branches:
             return None
         branch = max(branches, key=lambda b: onward(course, b))

@@ -9,12 +9,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.components import Components
+from planar_cli.equation.components import Components, component
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.headings import headings
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Role
-from planar_cli.equation.motion import Edge, Tree, TreeBuilder, Twist, component
+from planar_cli.equation.motion import Edge, Tree, TreeBuilder, Twist
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.setup import Setup
 from planar_cli.equation.struck import StruckScene
@@ -46,8 +47,6 @@ class AfterTree(TreeBuilder):
 
     known: Mapping[str, sp.Symbol]
     mark: str
-    oblique: Mapping[str, Vec]
-    """Particles that strike something oblique, with the tangent there."""
 
     def build(self, joinings: Iterable[Joining], hang: bool = True) -> Tree:
         """The tree; velocities of particles that strike something oblique count along the tangent and the normal."""
@@ -67,7 +66,7 @@ class AfterTree(TreeBuilder):
             self._pair(f"{i}{ending}", *(f"{kind} of {name} along {way}" for kind in kinds)) for way, i in index.items()
         )
         own = Components(axis, (u_t, u_n), (v_t, v_n))
-        return replace(edge, slide=u_t, slide_rate=v_t, rise=u_n, rise_rate=v_n, components=own, upward=1)
+        return replace(edge, slide=u_t, slide_rate=v_t, rise=u_n, rise_rate=v_n, components=own, upward=1, rightward=1)
 
     def _pair(
         self, index: str, speed: str, rate: str, *, turns: bool = False, bent: bool = False
@@ -144,9 +143,11 @@ class Struck(Instant):
         return found
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
-        made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
+        heading = headings(self.scene, self.statements)
+        made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies, heading=heading)
         made.known, made.mark = self.known, self.mark
         made.clockwise = frozenset(self.scene.problem.turning)
+        made.going = dict(self.scene.problem.going)
         made.oblique = oblique_strikes(self.scene)
         return made
 

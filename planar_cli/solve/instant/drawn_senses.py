@@ -16,8 +16,11 @@ import sympy as sp
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import trigonometric
+from planar_cli.problem.going import Going
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.worked import unknowns_of
+
+DOWN = Going(0.0, -1.0, False)
 
 
 def in_evident_sense(instant: Instant, trial: Trial, asked: Iterable[sp.Expr]) -> Trial:
@@ -30,12 +33,12 @@ def in_evident_sense(instant: Instant, trial: Trial, asked: Iterable[sp.Expr]) -
     names, sinking = _against(trial, asked), _sinking(instant, trial, asked)
     if not (names or sinking):
         return trial
-    before = instant.turned, instant.builder.sinking
-    instant.turned, instant.builder.sinking = before[0] ^ names, sinking
+    before = instant.turned, instant.builder.going
+    instant.turned, instant.builder.going = before[0] ^ names, dict.fromkeys(sinking, DOWN)
     found = instant.try_choice(trial.choice, instant.scene.valuations)
     if found.objection == trial.objection:
         return found
-    instant.turned, instant.builder.sinking = before
+    instant.turned, instant.builder.going = before
     return trial
 
 

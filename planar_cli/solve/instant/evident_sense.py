@@ -1,7 +1,8 @@
 """Accelerations counted the way in which a mass centre is known to go: downward where a rod that is let go swings down.
 
 Which way the one body of a scene begins to turn is told by its loads; its mass centre goes the same way about the point
-that holds it. An acceleration that the file asks for counts as it is asked.
+that holds it. An acceleration that the file asks for counts as it is asked. What goes one way through a whole motion
+counts that way all the time.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ def in_its_sense(
 ) -> tuple[Vec, sp.Expr]:
     """An axis and what the component along it is called, both turned round where the body goes against the axis."""
     axis, component = part
-    known = body in system.builder.known_senses and not _is_asked(system, body)
+    builder = system.builder
+    known = body in builder.going or (body in builder.known_senses and not _is_asked(system, body))
     if known and not component.is_Add and component.could_extract_minus_sign():
         return -axis, called(body, -component, "")
     return axis, called(body, component, "")
@@ -34,6 +36,8 @@ def with_the_motion(
     counted against it.
     """
     ways = [way for b in bodies if system.scene.bodies[b].mass != 0 for way, _ in acceleration(b)]
+    if system.builder.going or system.builder.oblique:
+        ways = [way for way in ways if way.dot(axis) != 0]
     return -axis if ways and all(way == -axis for way in ways) else axis
 
 

@@ -126,6 +126,7 @@ class Instant:
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
         # Over time the places of a chain are told by the angles of its bodies, from its beginning to its end.
         builder.pivots_first = scene.displacement is None and not scene.problem.states
+        builder.going = dict(scene.problem.going)
         return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:

@@ -87,7 +87,7 @@ def _rates(edge: Edge, outcome: Outcome, accelerations: dict[str, Twist]) -> dic
         axis = outcome.assembly.number(edge.components.axis)
         found[edge.slide_rate], found[edge.rise_rate] = linear.dot(axis), linear.dot(axis.turned())
     elif edge.rise_rate is not None and edge.slide_rate is not None:
-        found[edge.slide_rate], found[edge.rise_rate] = linear.x, linear.y * edge.upward
+        found[edge.slide_rate], found[edge.rise_rate] = linear.x * edge.rightward, linear.y * edge.upward
     elif edge.slide_rate is not None and edge.joining is not None and edge.joining.path is not None:
         point, tangent = (outcome.assembly.number(v) for v in (edge.joining.point, edge.joining.path.tangent))
         ends = [_at(point, body, outcome, accelerations) for body in (edge.joining.mover, edge.joining.base)]

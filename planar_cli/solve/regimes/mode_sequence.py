@@ -37,7 +37,7 @@ class Span:
         members = (*self.always, *self.problem.joints, *self.problem.loads)
         # What an impact leaves is made for each span anew.
         acting = ((x.name, x.during) if isinstance(x, LastingContact) else id(x) for x in members)
-        return (*acting, *self.held)
+        return (*acting, *self.held, *self.problem.going)
 
 
 @record
@@ -173,7 +173,17 @@ def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | N
 def acting_after(problem: Problem, state: State) -> Span:
     """What acts from a state on, though no state may follow."""
     massed, held = held_from(problem, state)
+    massed = _going_from(massed, state)
     return replace(_span(massed, acting_from(problem, state), lasting_from(problem, state)), held=held)
+
+
+def _going_from(problem: Problem, state: State, arrives: bool = False) -> Problem:
+    """The problem with what still goes one way from a state on, or as that is reached."""
+    if not problem.going:
+        return problem
+    order = {s.name: i for i, s in enumerate(as_listed(problem.states))}
+    here = order.get(state.name, 0) - arrives
+    return replace(problem, going=tuple(w for w in problem.going if not w[1].until or here < order[w[1].until]))
 
 
 def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool], lasting: tuple[Joint, ...] = ()) -> Span:
@@ -200,6 +210,7 @@ def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Sp
     joints = tuple(j for j in problem.joints if now(j.during) or j in after.problem.joints)
     loads = tuple(x for x in problem.loads if x.strikes and now(x.during))
     massed, held = held_from(problem, before)
+    massed = _going_from(massed, before)
     return Span(replace(massed, joints=joints, loads=loads), after.always, held), after
 
 
@@ -208,6 +219,7 @@ def arriving_at(problem: Problem, state: State) -> Span:
     order = {s.name: i for i, s in enumerate(as_listed(problem.states))}
     now, here = acting_from(problem, state), order.get(state.name, 0)
     massed, held = held_from(problem, state)
+    massed = _going_from(massed, state, arrives=True)
     acting = _span(massed, lambda during: during is None or (now(during) and order[during[0]] < here))
     return replace(acting, held=held)
 
@@ -217,6 +229,10 @@ class Workshop:
     """Makes what several sequences of modes of one problem share: scenes as drawn, and regimes."""
 
     earlier: Mapping[str, Any]
+    by_axes: bool = False
+    """Does everything count along the axes of the file, whichever way it goes?"""
+    left: bool = False
+    """Was it left for another one, in which what goes one way counts so?"""
     letters: dict[tuple[int, sp.Symbol, str], sp.Symbol] = field(default_factory=dict)
     made: CoordinateNames = field(default_factory=CoordinateNames)
     _drawn: dict[Any, Instant] = field(default_factory=dict)

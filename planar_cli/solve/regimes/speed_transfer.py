@@ -30,7 +30,7 @@ def transferred_speed(
         return twists[edge.body].angular * edge.turn
     if edge.joining is None:
         v = point_motion(scene.center(edge.body), edge.body)
-        return v.x if speed == edge.slide else v.y
+        return v.x * edge.rightward if speed == edge.slide else v.y * edge.upward
     joining, path = edge.joining, edge.joining.path
     if path is None:
         return None
