@@ -24,3 +24,14 @@ from worked import page_of_file
 def test_axes_of_frames(stem: str, lines: list[str]) -> None:
     page = page_of_file(stem)
     assert not [line for line in lines if line not in page]
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        "over the ground: x_B = l cos β + s s and β vary y_B = h + l sin β in this frame: x′ = l cos β",
+        "from A, without turning: x_C/A = c cos β β and c vary y_C/A = c sin β in this frame: x″ = c",
+    ],
+)
+def test_what_a_frame_leaves_out(told: str) -> None:
+    assert told in page_of_file("ex-1-01")

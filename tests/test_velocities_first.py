@@ -41,8 +41,8 @@ def test_what_touches_a_fixed_surface_is_at_rest_there() -> None:
 
 def test_a_given_component_keeps_its_sign() -> None:
     page = page_of_file("gear-between-racks")
-    assert "-0.4 ω_gear = 1.2" in page
-    assert "-0.4 α_gear = -0.8" in page
+    assert "-2 r_g ω_gear = 1.2 m/s" in page
+    assert "-2 r_g α_gear = -0.8 m/s²" in page
 
 
 def test_a_place_and_its_one_open_coordinate_are_one_line() -> None:

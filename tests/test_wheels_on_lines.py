@@ -19,11 +19,8 @@ def test_a_pin_on_a_wheel_has_its_acceleration_told() -> None:
 
 def test_what_a_gear_carries_has_its_acceleration_along_the_contact_only() -> None:
     page = page_of_file("gear-between-racks")
-    assert page.count("a_K = α_gear") == page.count("along the contact: a_K = α_gear") == 1
-    assert (
-        "never slips at T: v_K = ω_gear × r_T/C at all times, differentiated: a_K = α_gear × r_T/C. The point T of gear"
-        in page
-    )
+    assert page.count("a_K = α_gear") == page.count("differentiated: a_K = α_gear") == 1
+    assert "never slips at T: v_K = ω_gear × r_T/C at all times, differentiated: a_K = α_gear × r_T/C. The" in page
 
 
 def test_an_answer_is_not_its_own_name() -> None:

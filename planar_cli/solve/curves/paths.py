@@ -6,7 +6,7 @@ eliminated. (An Introduction to Planar Dynamics, 1.1, 1.4.1.)
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -20,6 +20,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import GROUND, Find, Rod, with_article
 from planar_cli.problem.shared_points import carried_together
 from planar_cli.records import changing, record
@@ -33,6 +34,9 @@ from planar_cli.units import parse_unit
 PATH = (("x", "y"), ("r", "theta"))
 HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
 PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
+MANY, SHORT = 2, 12
+"""A place in so many coordinates that vary is told beside one in a frame that makes them fewer, where it is that short.
+"""
 LONGEST = 200
 """A line of more operations is left out of a page."""
 
@@ -76,6 +80,8 @@ class CurveReader:
             short = tuple(r for r in every if not _too_long(r))
             if len(short) < len(every):
                 heading = heading.removesuffix(":") + " (lines too long for a page are left out):"
+            if (others := tuple(self._from_other_frames(q))) and short and not short[0].words:
+                short = (*others, replace(short[0], words="in this frame"), *short[1:])
             passage = Passage(heading, short, CURVE)
             return self._found(find, self._named(q, curve, value)), passage
         loops = loops_of(self.regime)
@@ -109,6 +115,27 @@ class CurveReader:
         seen = [self._seen(at, q) for at in self._places(q.things[0])]
         plain = [Vec(simplified(at.x), simplified(at.y)) for at in seen]
         return min(plain, key=lambda at: len(self._varying(at)))
+
+    def _from_other_frames(self, q: Quantity) -> Iterator[Row]:
+        """Of a path in a moving frame, the place over the ground, and in a frame that does not turn, as long as more
+        than one coordinate varies in it: why that frame was chosen.
+        """
+        if q.word != "path" or len(q.things) != 2:
+            return
+        name, at = q.things[0], self._point(q.things[0])
+        frame = self.frame(q)
+        shape = self.regime.general.instant.scene.bodies[frame].shape if frame is not None else None
+        views = [(name, "over the ground", at)]
+        if isinstance(shape, Rod):
+            where = f"from {shape.start}, without turning"
+            views.append((f"{name}/{shape.start}", where, at - self._point(shape.start)))
+        for index, where, place in views:
+            varying = [s.name for s in self._varying(place)]
+            if len(varying) < MANY or longer(place.x, SHORT) or longer(place.y, SHORT):
+                return
+            note = f"{listed([f'`{s}`' for s in varying], 'and')} vary"
+            yield Row(where, (sp.Symbol(f"x_{index}", real=True), simplified(place.x)), note=note)
+            yield Row("", (sp.Symbol(f"y_{index}", real=True), simplified(place.y)))
 
     def _places(self, name: str) -> list[Vec]:
         """A point as each of the bodies carries it to which it belongs."""
