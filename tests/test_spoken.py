@@ -23,3 +23,8 @@ def test_said(stated: str, said: str) -> None:
     pieces = spoken(stated, {"v_0", "beta"})
     text = "".join(f"<{p.name}>" if isinstance(p, Name) else p.text for p in pieces if isinstance(p, Name | Text))
     assert text == said
+
+
+def test_a_size_stands_between_bars() -> None:
+    said = "".join(getattr(p, "text", getattr(p, "name", "")) for p in spoken("v(ball).mag = 4 m/s", ()))
+    assert said == "|v_ball| = 4 m/s"

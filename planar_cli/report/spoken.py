@@ -74,6 +74,8 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None, names:
     name = f"{LETTERS[word]}_{thing}"
     if part in AXES:
         name += part if len(thing) <= SHORT and part in ("x", "y") else f"_{part}"
+    if part == "mag":
+        return line("|", Name(name, of_thing=True), "|", behind)
     return line(PARTS.get(part or "", ""), *_way(part, names), Name(name, of_thing=True), _towards(part), behind)
 
 
