@@ -8,13 +8,20 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.equation.components import component
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 
 COMPONENT = re.compile(r"([va])\((\w+)\)\.[xy] = ")
+LONGEST = 12
+"""A component of more operations is told only with what is given put in."""
 LEVELS = {"v": "velocity", "a": "acceleration"}
 
 
@@ -43,7 +50,20 @@ def with_given(
     by = [g for g in given if put & g.residual.free_symbols and not g.residual.free_symbols <= w.residual.free_symbols]
     if len(by) != 1 or len(last.sides) > 2:
         return blocks
-    return [*blocks[:-1], replace(last, note=line(f"by ({number(stage, by[0].number)})"))]
+    whole = _whole(w, j, own, vectors)
+    return [*blocks[:-1], *whole, replace(last, note=line(f"by ({number(stage, by[0].number)})"))]
+
+
+def _whole(w: Written, j: Joining, own: Vec, vectors: VectorTelling) -> list[Block]:
+    """v_By = R ω_wheel + (x_B - R) ω_rod = 0, before what is given is put in; nothing along an oblique line."""
+    x, y = w.along or (sp.S.One, sp.S.One)
+    if j.base != GROUND or j.drift is not None or 0 not in (x, y) or vectors.phrases.symbolic:
+        return []
+    axis, part = ("x", own.x) if y == 0 else ("y", own.y)
+    part = simplified(part)
+    if longer(part, LONGEST) or not is_clean(vectors.phrases.ledger, part):
+        return []
+    return [Equation((line(Name(f"v_{component(index_of(j.place), axis)}")), vectors.phrases.math(part), line("0")))]
 
 
 def vector_before(w: Written, vectors: VectorTelling, level: str) -> list[Block]:
