@@ -169,5 +169,5 @@ def test_a_number_keeps_its_formula_where_its_equation_has_only_numbers() -> Non
 
 def test_a_speed_that_enters_a_blow_by_another_has_its_relation() -> None:
     page = page_of_file("load-of-a-movable-pulley-that-lands")
-    assert "(1): v_By = -v_A/2" in page
-    assert page.index("v_By = -v_A/2") < page.index("B: 1/2 m_B v_A,2 ↓")
+    assert "(1): v_B = v_A/2" in page
+    assert page.index("v_B = v_A/2") < page.index("B: 1/2 m_B v_A,2 ↓")

@@ -52,8 +52,8 @@ def test_times_are_counted_forward() -> None:
 
 
 def test_what_varies_elsewhere_is_no_letter() -> None:
-    """The jumper falls freely, a_P = -g; on the rope a_P is another one at every place."""
-    assert "a_max = -(m g + k (l + y_low))/m" in page("energy/bungee-jump")
+    """The jumper falls freely, a_P = g; on the rope a_P is another one at every place."""
+    assert "a_low = (m g - k (s_low - l))/m" in page("energy/bungee-jump")
 
 
 CAR = """

@@ -175,7 +175,7 @@ def test_energy_and_momentum_come_before_an_integrating_factor(stem: str, line: 
 
 
 @pytest.mark.parametrize(("stem", "line"), [
-    ("pile-driver", "the negative root: it moves downward"),
+    ("ball-bouncing-twice", "the negative root: it moves downward"),
     ("bob-whose-cord-catches-on-a-nail", "= -6.264 m/s the negative root: it moves to the left"),
 ])  # fmt: skip
 def test_a_root_is_told_by_the_way_in_which_a_body_slides(stem: str, line: str) -> None:

@@ -52,7 +52,7 @@ def test_a_motion_that_only_assumes() -> None:
 @pytest.mark.parametrize(
     ("stem", "heading"),
     [
-        ("bungee-jump", "From 1 to taut, constant acceleration of P along y:"),
+        ("bungee-jump", "From 1 to taut, constant acceleration of P downward:"),
         ("ex-1-06", "From thrown to half, constant acceleration of the ball along y:"),
     ],
 )

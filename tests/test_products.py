@@ -54,7 +54,7 @@ def test_what_leaks_takes_its_momentum_with_it() -> None:
 
 def test_the_impulse_of_the_weight_of_what_grows_has_no_number_in_letters() -> None:
     told = page_of_file("drop-that-grows-in-mist")
-    assert "impulse = ∫[0 → T] (-M g - g q t) dt = -T g (M + 1/2 T q) (2) ↑" in told
+    assert "impulse = ∫[0 → T] (M g + g q t) dt = T g (M + 1/2 T q) (2) ↓" in told
 
 
 def test_a_jet_brings_its_own_momentum() -> None:
