@@ -26,6 +26,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.data import GIVEN
 from planar_cli.report.drives import with_drives_told
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.words import components
@@ -61,10 +62,17 @@ def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
 
 
 def _is_used(rate: Equation, blocks: Sequence[Block]) -> bool:
-    """Does another equation hold the letter of a rate, which then has a line of its own, and none give it again?"""
+    """Does another equation hold the letter of a rate, which then has a line of its own, and none give its value; or is
+    it told as a component of a velocity, v_boat,x for ẋ_boat, of which it is not the letter?
+    """
     own = set(names_in(rate.sides[0]))
-    others = [b for b in blocks if isinstance(b, Equation) and b != rate]
-    again = any(set(names_in(b.sides[0])) == own for b in others)
+    others = [b for b in blocks if isinstance(b, Equation) and b != rate and b.lead != GIVEN]
+    given = {name for b in others for name in names_in(b.sides[0])}
+    axes = [name.removesuffix("_dot").partition("_") for name in own]
+    components = {f"v_{thing}{joined}{axis}" for axis, _, thing in axes if thing for joined in ("", "_")}
+    if components & given - set(names_in(rate.sides[1])):
+        return True
+    again = any(not b.lead and set(names_in(b.sides[0])) == own for b in others)
     return not again and any(own & set(names_in(side)) for b in others for side in b.sides)
 
 
