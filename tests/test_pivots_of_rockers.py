@@ -15,7 +15,7 @@ from worked import page_of_file
         "Likewise v_C along x: (2)",
         "C is l_BC from B and l_DC from D, the upper one; H: the foot of the perpendicular from C on BD",
         "BH = (BC² + BD² - DC²)/(2 BD) = (0.5² + 0.5292² - 0.4²) / (2 · 0.5292) = 0.3496 m",
-        "HC = √(BC² - BH²) = √(0.5² - 0.34962²) = 0.3574 m",
+        "HC = √(0.5² - 0.34962²) = 0.3574 m BH² + HC² = BC²",
     ],
 )
 def test_a_four_bar(told: str) -> None:

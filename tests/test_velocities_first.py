@@ -87,4 +87,6 @@ def test_with_accelerations_the_relative_velocity_is_the_road() -> None:
 
 
 def test_a_given_velocity_that_was_put_in_is_named() -> None:
-    assert "v_By = R ω_wheel + (x_B - R) ω_rod = 0 (2) v = (x_B - R) ω_rod by (1)" in page_of_file("wheel-that-pushes-a-rod")
+    assert "v_By = R ω_wheel + (x_B - R) ω_rod = 0 (2) v = (x_B - R) ω_rod by (1)" in page_of_file(
+        "wheel-that-pushes-a-rod"
+    )

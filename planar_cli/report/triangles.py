@@ -3,7 +3,7 @@
 H: the foot of the perpendicular from C on BD
 BD = √(0.5² + 0.1732²) = 0.5292 m
 BH = (BC² + BD² - DC²)/(2 BD) = 0.3496 m
-HC = √(BC² - BH²) = 0.3574 m
+HC = √(0.5² - 0.3496²) = 0.3574 m         BH² + HC² = BC²
 C = [0.1 + 0.3496 · 0.9449 + 0.3574 · 0.3273, …]
 """
 
@@ -95,7 +95,8 @@ def _sides(
         (first, abs(found[0])),
         phrases,
     )
-    yield Equation((height, line("√(", *one, "² - ", *part, "²)"), put, phrases.of_dimension(found[1], LENGTH)))
+    by = line(*part, "² + ", *height, "² = ", *one, "²")
+    yield Equation((height, put, phrases.of_dimension(found[1], LENGTH)), None, (), by)
 
 
 def _put(
