@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from worked import page_of_file
+from conftest import ROOT
+from worked import page_of_file, page_of_text
 
 
 @pytest.mark.parametrize(
@@ -38,3 +41,9 @@ def test_the_links_of_a_plate_have_their_own_unit_vectors() -> None:
 
 def test_the_rocker_of_a_driven_four_bar_has_moments_about_its_pivot() -> None:
     assert "↺ ΣM_C: 1/2 m_CB g (d - x_B) + c B_t = I_C α_CB" in page_of_file("four-bar-driven")
+
+
+def test_a_foot_beyond_the_first_end(tmp_path: Path) -> None:
+    text = (ROOT / "problems/kinematics/four-bar.yaml").read_text(encoding="utf-8").partition("answers:")[0]
+    page = page_of_text(tmp_path, text.replace("l_BC: 0.5 m, l_DC: 0.4 m", "l_BC: 0.2 m, l_DC: 0.6 m"))
+    assert "= -0.03780 m negative: H lies beyond B HC = √(0.2² - 0.03780²) = 0.1964 m" in page

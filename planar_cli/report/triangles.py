@@ -88,7 +88,8 @@ def _sides(
         (first, base, second),
         phrases,
     )
-    yield Equation((part, formula, put, phrases.of_dimension(found[0], LENGTH)))
+    beyond = line(f"negative: {foot} lies beyond {ends[0]}") if found[0] < 0 else ()
+    yield Equation((part, formula, put, phrases.of_dimension(found[0], LENGTH)), None, (), beyond)
     put = _put(
         lambda s: sp.sqrt(s[0] ** 2 - s[1] ** 2),
         lambda n: max(n[0] ** 2 - n[1] ** 2, ZERO).sqrt(),
