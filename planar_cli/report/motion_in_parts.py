@@ -68,8 +68,10 @@ def with_assumed_first(
     return [*blocks[: len(blocks) - len(early)], *assumed, *early], list(told[len(assumed) :])
 
 
-def same_all_the_time(found: MotionTrace, instant: InstantSolution) -> list[Block]:
-    """That what is asked at the end of a stretch has its value all the time."""
+def same_all_the_time(found: MotionTrace, instant: InstantSolution, told: Sequence[Block]) -> list[Block]:
+    """That what is asked at the end of a stretch has its value all the time; nothing where no equation is `told`."""
+    if not any(isinstance(b, Equation) for b in told):
+        return []
     regime = found.regime(instant)
     later = {stop for _, stop in regime.stretches} - {since for since, _ in regime.stretches}
     finds = [parts for state in later & regime.asked.keys() for parts in regime.asked[state].values()]

@@ -248,7 +248,7 @@ def _of_instants(
         if telling is not None and early and leads_through(telling, instant):
             blocks, told = with_assumed_first(blocks, early, told)
             place = len(blocks)
-        blocks += [*told, *(same_all_the_time(telling.found, instant) if telling is not None else ())]
+        blocks += [*told, *(same_all_the_time(telling.found, instant, told) if telling is not None else ())]
     return blocks, steps, count, place
 
 
