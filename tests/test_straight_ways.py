@@ -50,10 +50,11 @@ find: {v: v(block).mag @ 2, d: -x(block) @ 2}
         "v_Q,2 = √(2 g h) = √(2 · 9.81 · 2) = 6.264 m/s",
         "ram: m_1 v_Q,2 ↓, J ↑ = m_1 v_P,3 ↓",
         "↓ m_1 v_Q,2 = (m_1 + m_2) v_P,3",
-        "d = s_P,4 = 0.04703 m",
+        # The earlier place less the later one is how far it went against the axis.
+        "d = s_P,4 = 0.04703 m downward",
     ]),
     # What the author counts upward is turned back in the answer.
-    ("pile-driver", ["v_3 = -v_A,3 = -11.79 ft/s, that is 11.79 ft/s downward", "d = s_B,4 = 0.1543 ft"]),
+    ("pile-driver", ["v_3 = -v_A,3 = -11.79 ft/s, that is 11.79 ft/s downward", "d = s_B,4 = 0.1543 ft downward"]),
     ("stone-in-well", ["a = g = 9.81 m/s²", "v_splash = g t_splash = 9.81 · 3.7925 = 37.20 m/s"]),
     ("bungee-jump", ["man: m g ↓, k_c (s - l) ↑ = m a ↓", "U of the weight of man = m g s_fast"]),
     # A momentum that varies in time counts so too, and what hangs on a rope with what goes up.

@@ -22,6 +22,8 @@ AXES = ("x", "y")
 WAYS = ("to the right", "upward", "to the left", "downward")
 TURNS = ("omega", "alpha", "moment", "H")
 MOVES = ("v", "a", "friction", "reaction", "force", "coriolis", "momentum")
+TIME_OF = "t__"
+"""Stands before a state in the name of its time; times are made in the order of the states."""
 
 
 def direction_words(
@@ -32,7 +34,7 @@ def direction_words(
     """
     if not number or found.values is None:
         return ""
-    return _words(found, number > 0) or _oblique(found, number > 0, ledger, value, slopes)
+    return _words(found, number > 0, ledger) or _oblique(found, number > 0, ledger, value, slopes)
 
 
 def steepness_words(found: Found, degrees: Decimal) -> str:
@@ -72,7 +74,7 @@ def _moves(found: Found, what: Quantity) -> bool:
     return what.word in MOVES or (what.word == "impulse" and found.unit.dimension != ANGULAR_MOMENTUM)
 
 
-def sense_of_formula(found: Found, acute: Collection[sp.Symbol]) -> str:
+def sense_of_formula(found: Found, acute: Collection[sp.Symbol], ledger: Ledger) -> str:
     """The same behind a formula, where its letters tell its sign: " counterclockwise". `acute`: angles among them."""
     (formula, *others) = found.expressions or (None,)
     if formula is None or others or formula.free_symbols == set():
@@ -80,7 +82,7 @@ def sense_of_formula(found: Found, acute: Collection[sp.Symbol]) -> str:
     sign = _sign(formula, acute)
     if sign < 0 and _is_tension(found):
         return ", that is compression"
-    words = _words(found, sign > 0) if sign else ""
+    words = _words(found, sign > 0, ledger) if sign else ""
     return f"{', that is' if sign < 0 else ''} {words}" if words else ""
 
 
@@ -101,12 +103,12 @@ def _sign(formula: sp.Expr, acute: Collection[sp.Symbol]) -> int:
     return sign
 
 
-def _words(found: Found, positive: bool) -> str:
+def _words(found: Found, positive: bool, ledger: Ledger) -> str:
     what = found.find.found.what if found.find is not None else None
     what = what.operand if isinstance(what, Grouped) else what
     if isinstance(what, Binary):
         if (axis := _displaced(what)) is not None:
-            return WAYS[axis + (0 if positive else 2)]
+            return WAYS[axis + (0 if positive != _is_turned_round(what, ledger) else 2)]
         what = _times_mass(what, found)
     if not isinstance(what, Quantity):
         return ""
@@ -137,6 +139,13 @@ def _displaced(what: Binary) -> int | None:
         return None
     same = (end.word, end.things) == (start.word, start.things) and not end.parts and not start.parts
     return AXES.index(end.word) if same and end.word in AXES and end.at != start.at else None
+
+
+def _is_turned_round(what: Binary, ledger: Ledger) -> bool:
+    """Is the place in the later state taken from that in the earlier one, y(b) @ 1 - y(b) @ 2?"""
+    times = [name for name in ledger.symbols if name.startswith(TIME_OF)]
+    ends = [f"{TIME_OF}{side.at}" for side in (what.left, what.right) if isinstance(side, Quantity)]
+    return all(end in times for end in ends) and times.index(ends[0]) < times.index(ends[1])
 
 
 def _times_mass(what: Binary, found: Found) -> Quantity | None:

@@ -254,7 +254,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
             formula = swallowed(expr, found, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), formula]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
-        sense = sense_of_formula(found, set(phrases.ledger.letters) - set(phrases.ledger.coordinates))
+        sense = sense_of_formula(found, set(phrases.ledger.letters) - set(phrases.ledger.coordinates), phrases.ledger)
         return (
             *_in_asked_unit(line, found, phrases),
             *_unit_of_formula(found, phrases),

@@ -146,7 +146,7 @@ def _way(states: Sequence[Sequence[float]], frame: Frame, n: int) -> Going | Non
     if aside > STRAIGHT * top or back < -STRAIGHT * top:
         return None
     i = frame.x if y == 0 else frame.y
-    return Going(x, y, states[0][i] * states[-1][i] < 0, from_zero=states[0][i] == 0)
+    return Going(x, y, _changes_sign(states[0][i], states[-1][i]), from_zero=states[0][i] == 0)
 
 
 def _aside(states: Sequence[Sequence[float]], frame: Frame, n: int) -> bool:
@@ -170,3 +170,8 @@ def _states(motion: Traced, last: str) -> Iterator[tuple[float, ...]]:
             if step.t1 < min(piece.t1, end):
                 yield tuple(step.at(step.t1))
         yield tuple(piece.at(min(piece.t1, end)))
+
+
+def _changes_sign(first: float, last: float) -> bool:
+    """Do two places lie on both sides of zero? One that is only off by rounding lies at it."""
+    return first * last < 0 and abs(last) > STRAIGHT * abs(first)
