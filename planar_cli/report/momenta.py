@@ -144,11 +144,14 @@ class MomentumTelling:
 
 
 def in_its_sense(b: BalanceTrace, put: Callable[[sp.Expr], sp.Expr]) -> BalanceTrace:
-    """The balance of a linear momentum, counted the other way where all its terms are negative. `put`: what is known
-    put in.
+    """The balance of a linear momentum, counted the other way where all its terms, or both momenta, are negative.
+    `put`: what is known put in.
     """
-    linear = not b.law.letter and not b.law.name
-    if not linear or not counts_the_other_way(put(b.before + b.gain), put(b.after), moments=False):
+    if b.law.letter or b.law.name:
+        return b
+    before, gain, after = put(b.before), put(b.gain), put(b.after)
+    against = after != 0 and counts_the_other_way(before, after, moments=False)
+    if not against and not counts_the_other_way(before + gain, after, moments=False):
         return b
     return replace(
         b,
