@@ -179,7 +179,7 @@ def _bare(text: str) -> str:
 
 def value_of(side: str) -> tuple[float, str] | None:
     """Number and unit of a side that is a value; None: it is a formula."""
-    match = re.fullmatch(rf"({NUMBER})(°| [^\s·]+(?:·\S+)*)?(?:,? (?:{_AFTER}).*)?", side.strip())
+    match = re.fullmatch(rf"({NUMBER})(°| [^\s·]+(?:·\S+)*)?(?:[,;]? (?:{_AFTER}).*)?", side.strip())
     if match is None:
         return None
     unit = (match[2] or "").strip()
@@ -193,7 +193,7 @@ def value_of(side: str) -> tuple[float, str] | None:
 _PLAIN = "°|rad|rev|rpm|m|mm|cm|km|ft|in|mi|s|min|h|kg|g|t|N|kN|lbf|lb|slug|J|kJ|W|kW|hp|Hz|mph|Pa|kPa|1|kt|%"
 _UNIT = re.compile(rf"(?:{_PLAIN})[²³]?(?:[·/](?:\(?(?:{_PLAIN})[²³]?(?:·(?:{_PLAIN})[²³]?)*\)?))*")
 _AFTER = "to the|upward|downward|clockwise|counterclockwise|by |in tension|in compression|that is|at |above|below|along"
-_AFTER += r"|up the|down the|perpendicular|\(asked"
+_AFTER += r"|up the|down the|perpendicular|\(asked|in the direction|against the direction|beyond it"
 _SUPER = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
@@ -215,7 +215,10 @@ class Told:
     value: tuple[float, str] | None
 
 
-SENSE = re.compile(r",?(?: that is)? (?:clockwise|counterclockwise|upward|downward|to the left|to the right)$")
+SENSE = re.compile(
+    r",?(?: that is)? (?:clockwise|counterclockwise|upward|downward|to the left|to the right)$"
+    r"| (?:in|against) the direction of motion$|; (?:beyond|below) it .*$"
+)
 """What a formula as an answer has behind it."""
 
 
@@ -509,7 +512,7 @@ def unused(page: Page) -> Iterator[str]:
         if "∫" in r.text or r.text.startswith("The law") or _LAW_OF_MOTION.search(r.text):
             integrated.add(r.part)
         if r.kind == "text":
-            if "together" in r.text:
+            if "together" in r.text or "the accelerations in these by" in r.text:
                 numbers |= {(r.part, n) for n in cited_in(r.text)}
             continue
         cited = {(r.part, n) for n in cited_in(r.lead)}
@@ -566,11 +569,12 @@ def renamed(page: Page) -> Iterator[str]:
             yield f"name: {a.name} for {same[-1].left}"
         for r in own[-1:]:
             v = value_of(r.sides[-1])
-            words = re.search("clockwise|to the|upward|downward|above|below", a.text)
+            words = re.search("clockwise|to the|upward|downward|above|below|the direction of motion", a.text)
             if v and v[0] * a.value[0] < 0 and not words:
                 yield f"sign: {a.name}: {r.text}"
+    states = {word for r in page.rows for word in re.findall(r"\b(?:At|to) (\w+)", r.text)}
     for r in page.of("equation"):
-        if found := re.search(r"[av]_[a-z]{3,}[xy](?:[,\s]|$)", r.text):
+        if (found := re.search(r"[av]_([a-z]{3,}[xy])(?:[,\s]|$)", r.text)) and found[1] not in states:
             yield f"axis: {found[0]}"
 
 

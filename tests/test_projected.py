@@ -81,7 +81,7 @@ def test_no_component_is_told_by_halves() -> None:
 
 
 def test_why_a_component_is_taken_stands_after_the_vectors() -> None:
-    assert "both have the same v_C; along DC, where ω_DC does not enter: e_DC =" in _page("kinematics/four-bar")
+    assert "with the same v_C; along DC, where ω_DC does not enter: e_DC =" in _page("kinematics/four-bar")
 
 
 def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() -> None:

@@ -214,11 +214,25 @@ def _told(block: Block) -> str:
 
 
 def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
-    """Of `From 1 to 2, work and kinetic energy:` whether all that stands under it is known too."""
+    """Of `From 1 to 2, work and kinetic energy:` whether all that stands under it is known too. What numbered equations
+    give is not led to by the words above these.
+    """
     if not _announces(blocks[i]):
         return True
     stop = next((k for k in range(i + 1, len(blocks)) if isinstance(blocks[k], Paragraph | Heading)), len(blocks))
+    result = next((k for k in range(i + 1, stop) if _is_numbered(blocks[k - 1]) and _cites(blocks[k])), stop)
+    if all(map(_is_numbered, blocks[i + 1 : result])):
+        stop = result
     return all(known[i + 1 : stop])
+
+
+def _is_numbered(block: Block) -> bool:
+    return isinstance(block, Equation) and block.number is not None
+
+
+def _cites(block: Block) -> bool:
+    """Is it a line without a number that begins with those of others?"""
+    return isinstance(block, Equation) and block.number is None and bool(NUMBERED.search(_read(block.lead)))
 
 
 def _is_led_anew(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:

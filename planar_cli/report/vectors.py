@@ -152,7 +152,7 @@ class VectorTelling:
             if (key := f"same {level} {j.joint}") in self._told:
                 return line("Likewise ", own, " ", side)
             self._told.add(key)
-            return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
+            return line(f"{j.mover} and {j.base} are joined at {place}, with the same ", own, "; ", side)
         e = unit_beside(self, j)
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel"), *e]
         if level != "velocity":
