@@ -23,12 +23,12 @@ def test_moments_about_an_instantaneous_centre_have_the_components_of_accelerati
 
 def test_an_equation_in_accelerations_that_are_known_gets_their_numbers() -> None:
     page = page_of_file("slider-crank-driven")
-    assert "(6): A_t = (2.113 - 0.8112 (-16.68) - 1.1682 (-13.353) - 0.01125 · 116.9 + 0.2154 (-17.32))/0.5745" in page
+    assert "(6): A_t = (2.113 - 0.01125 · 116.9 - 0.8112 (-16.68) + 0.2154 (-17.32) - 1.1682 (-13.353))/0.5745" in page
 
 
 def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:
     page = page_of_file("chain-5")
-    assert "+ 1.5 · 0.06788 a_G,CD,x + 1 · 0.05130 a_G,BC,x + 2 · 0.19384 a_G,DE,x" in page
+    assert "+ 0.04167 α_DE + 1 · 0.05130 a_G,BC,x + 1 · 0.1410 a_G,BC,y + 1.5 · 0.06788 a_G,CD,x" in page
 
 
 def test_half_of_a_rod_that_coordinates_place_is_told_by_its_length() -> None:

@@ -16,7 +16,7 @@ def test_a_share_of_an_energy_is_told_by_the_energies() -> None:
     assert "T_1 = 1/2 m v_0² = 1/2 · 40 · 1.7194² = 59.13 J" in page
     # As it stands in the balance of energies.
     assert "T_2 = 1/2 I_C ω_2² = 9.067 · 1.8964² = 32.61 J" in page
-    assert "share = 1 - T_2/T_1 = 1 - 32.61/59.13 = 0.4485" in page
+    assert "share = 1 - T_2/T_1 = 1 - 3 h² / (4 (b² + h²)) = 1 - 3 · 1² / (4 (0.6² + 1²)) = 0.4485" in page
 
 
 def test_an_energy_of_a_share_has_the_letter_of_its_page() -> None:

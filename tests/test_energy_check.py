@@ -31,7 +31,7 @@ def test_both_sides_agree(stem: str) -> None:
     [
         (
             "sledge-down-a-slope-and-out-over-level-snow",
-            "U = m g L sin β - μ m g (L cos β + x_P,3) = 6039 - 6039 = 0 J",
+            "U = m g L sin β - μ m g (L cos β + x_3) = 6039 - 6039 = 0 J",
         ),
         (
             "load-wound-up-against-axle-friction",

@@ -165,7 +165,7 @@ def test_a_prescribed_motion_that_is_read_off_has_no_law_of_forces(tmp_path: Pat
     ("car-that-brakes-in-a-bend", "v_car = 60 ft/s"),
     ("car-that-brakes-in-a-bend", "v_car⁴ + a_car,t² = 100 in ft²/s⁴"),
     ("ball-in-a-forked-slot", "0.64 ω² = 4 in m²/s²"),
-    ("gear-between-racks", "-0.4 α_gear = -0.8 in m/s²"),
+    ("gear-between-racks", "-2 r_g α_gear = -0.8 m/s²"),
 ])  # fmt: skip
 def test_a_statement_in_numbers_has_its_unit(stem: str, row: str) -> None:
     path = next(p for p in PROBLEMS if p.stem == stem)

@@ -10,10 +10,10 @@ from worked import page_of_file
 
 LINES = [
     "ξ, η: coordinates of P along axes that turn with frame, x and y at the start",
-    "(3) ξ_2 = ξ_1 + u t_2 = 1 + 0.4 · 0.5 = 1.2 m",
+    "(2) ξ_2 = ξ_1 + u t_2 = 1 + 0.4 · 0.5 = 1.2 m",
     "At 2, in axes ξ, η that turn with frame: η = ξ²/(2 p) = 1.2² / (2 · 1) = 0.72 m",
     "Velocity, v = v_rel + ω × r, along ξ and η: v_rel = [ξ̇, η̇], ω × r = [-w η, w ξ]",
-    "v_P,frame = u √(p² + ξ²) / p",
+    "sliding = √(ξ̇² + η̇²) = √(0.4² + 0.48²) = 0.6248 m/s",
     "a = a_rel + 2 ω × v_rel - ω² r, along ξ and η: a_rel = [0, η̈], 2 ω × v_rel = [-2 w η̇, 2 w ξ̇]",
     "v_ξ = ξ̇ - η w = 0.4 - 0.72 · 3 = -1.76 m/s",
     "v_Px,2 = v_ξ cos θ_2 - v_η sin θ_2 = -1.76 cos 85.94° - 4.08 sin 85.94° = -4.194 m/s",
