@@ -71,7 +71,8 @@ class Link(Joint):
         length = scene.value(self.length) if self.length is not None else scene.length(reach)
         direction = reach / length
         joining = swing(scene, self.name, (a, start), (b, end), direction, 1 / length)
-        actions = (Action(start.body, start.point, direction), Action(end.body, end.point, -direction))
+        drawn = direction if self.length is not None else reach / scene.reach_by_letter(reach, self.between)
+        actions = (Action(start.body, start.point, drawn), Action(end.body, end.point, -drawn))
         push = Push(f"S_{self.name}", "tension", self.name, f"{a}{b}", actions)
         return (Mode("", "", Facts((joining,), pushes=(push,))),)
 

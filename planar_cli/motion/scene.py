@@ -214,6 +214,9 @@ class MovingScene(Carried):
 
     # --- what loads ask ----------------------------------------------------------------------------------------------
 
+    def reach_by_letter(self, reach: Vec, ends: tuple[str, str]) -> Any:
+        return self.length(reach)
+
     def lettered_length(self, reach: Vec, name: str, words: str) -> Any:
         return self.length(reach)
 

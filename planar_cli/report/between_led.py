@@ -1,7 +1,7 @@
 """A link or a taut cord between two points on straight guides: its length in coordinates, and that differentiated.
 
 x² + y² = AB²                                    differentiated:              x v_A + y v_B = 0
-                                                 differentiated once more:    x a_A + y a_B = -v_A² - v_B²
+                                                 differentiated once more:    v_A² + x a_A + v_B² + y a_B = 0
 """
 
 from __future__ import annotations
@@ -40,7 +40,8 @@ def between_led(
     if coordinates is not None:
         reach, put = coordinates
         length = Equation((phrases.math(reach.x**2 + reach.y**2), whole))
-        return [*(() if once else (keeps, length)), Paragraph(line(times, *(() if once else _put(put, phrases)), ":"))]
+        rest = _derived(w, phrases) if once else _put(put, phrases)
+        return [*(() if once else (keeps, length)), Paragraph(line(times, *rest, ":"))]
     arm, reach = Name(f"r_{index_of(j.place)}/{index_of(j.far)}"), reach_of(j, system)
     length = Equation((line(arm, " · ", arm), whole), None, (), line(arm, " = ", *_vector(reach, phrases)))
     ending = ":" if w.words == OF_LENGTH else ", divided by its length:"
@@ -53,6 +54,11 @@ def _vector(reach: Vec, phrases: Phrases) -> Line:
     if phrases.symbolic:
         return line("[", phrases.math(reach.x), ", ", phrases.math(reach.y), "]")
     return phrases.vector(phrases.certain(reach.x), phrases.certain(reach.y), LENGTH)
+
+
+def _derived(w: Written, phrases: Phrases) -> Line:
+    """, v_A² + x a_A + v_B² + y a_B = 0: with all its terms, before those of the speeds go to the other side."""
+    return () if w.right == 0 else line(", ", phrases.math(w.left - w.right), " = 0")
 
 
 def _put(put: Sequence[tuple[sp.Symbol, sp.Expr]], phrases: Phrases) -> Line:
