@@ -64,7 +64,7 @@ def test_a_balance_to_another_state_tells_it_too() -> None:
     problem, wrong = load_text(BOAT)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert "Likewise at any time, with t for t_mid: v_Q = 6 m s t (t - T) / ((M + m) T³)" in page
+    assert "Likewise at any time, with t for t_mid: v_Q = -m v_P,boat / (M + m) = 6 m s t (t - T)" in page
     assert "∫[0 → T] (6 m s t (t - T) / ((M + m) T³)) dt" in page
     # A displacement, and a mass times an acceleration, have a direction; each stands under its state.
     assert "that is 1.12 m to the left" in page
@@ -76,7 +76,10 @@ def test_what_keeps_the_motion_as_given_is_told_with_the_diagrams() -> None:
     problem, wrong = load_text(BOAT)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert "drive_1 → = m a_P → drive_1: the force that keeps the motion as given boat, man:" in page
+    assert (
+        "drive_1 → = m a_P → drive_1: the force of boat and man on each other that keeps the motion as given boat, man:"
+        in page
+    )
 
 
 def test_a_given_relative_velocity_has_its_value_before_the_balance() -> None:
@@ -87,3 +90,11 @@ def test_a_given_relative_velocity_has_its_value_before_the_balance() -> None:
     assert page.count(given) == 1
     assert page.index(given) < page.index("0 = M v_Q,mid + m (v_P,boat,mid + v_Q,mid)")
     assert "v_Q,mid = -m v_P,boat,mid / (M + m) = -70 · 1.2 / (180 + 70) = -0.336 m/s" in page
+
+
+def test_beside_a_given_speed_it_is_a_multiple_of_that() -> None:
+    problem, wrong = load_text(BOAT)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+    assert "drive_1: the force of boat and man on each other that keeps the motion as given" in page
+    assert "; from mid to end: mean acceleration times the time, (0 + 0.2688)/2 · 2.5 = 0.336 m/s; 0 - v_Q,mid" in page

@@ -9,6 +9,8 @@ from planar_cli.report.blocks import Block, Forces, Line, Math, Name, Paragraph,
 
 DRIVE = re.compile(r"drive_\d+")
 FORCES, COUPLES = "↑↓→←↗↖↘↙", "↺↻"
+FORCE, COUPLE = "force", "couple"
+OPPOSITE = dict(zip(FORCES + COUPLES, "↓↑←→↙↘↖↗" + "↻↺", strict=True))
 
 
 def with_drives_told(blocks: Sequence[Block]) -> list[Block]:
@@ -18,24 +20,37 @@ def with_drives_told(blocks: Sequence[Block]) -> list[Block]:
     found: list[Block] = []
     told: set[str] = set()
     waiting: dict[str, str] = {}
+    on: dict[str, list[tuple[str, str]]] = {}
     for block in blocks:
         if isinstance(block, Forces):
-            waiting |= {name: what for name, what in _drives(block.left).items() if name not in told}
+            for name, what in _drives(block.left).items():
+                if name not in told:
+                    waiting[name] = COUPLE if what in COUPLES else FORCE
+                    on.setdefault(name, []).append((block.body, what))
         else:
-            words = ((n, f": the {what} that keeps the motion as given") for n, what in waiting.items())
-            found += [Paragraph(line(Name(n), told_of)) for n, told_of in words]
+            for name, what in waiting.items():
+                pair = _pair(on[name])
+                found.append(Paragraph(line(Name(name), f": the {what}{pair} that keeps the motion as given")))
             told |= waiting.keys()
             waiting = {}
         found.append(block)
     return found
 
 
+def _pair(acts: Sequence[tuple[str, str]]) -> str:
+    """` of boat and man on each other`, as where a man walks on a deck: on two bodies in opposite directions."""
+    match acts:
+        case [(one, arrow), (other, back)] if OPPOSITE[arrow] == back:
+            return f" of {one} and {other} on each other"
+    return ""
+
+
 def _drives(side: Line) -> dict[str, str]:
-    """The drives in one row, each with what it is by its arrow."""
+    """The drives in one row, each with its arrow."""
     found = {}
     for piece, after in zip(side, (*side[1:], Text("")), strict=True):
         name = piece.expr.name if isinstance(piece, Math) and piece.expr.is_Symbol else ""
         arrow = after.text.strip()[:1] if isinstance(after, Text) else ""
         if DRIVE.fullmatch(name) and arrow and arrow in FORCES + COUPLES:
-            found[name] = "couple" if arrow in COUPLES else "force"
+            found[name] = arrow
     return found

@@ -82,6 +82,8 @@ class _Ends:
 
     def __init__(self, motion: MotionTrace, states: tuple[str, str], law: Law, phrases: Phrases) -> None:
         self.states = states
+        self.over = "" if states[0] == motion.stretches[0][0] else "; from {} to {}".format(*states)
+        """Which stretch it is: without it the reader would take the first."""
         self.law, self.phrases, self.plain = law, phrases, motion.route.plain
         self.certain = not motion.symbolic and not (isinstance(motion.value, Sample) and motion.value.drawn)
         self.running = {"q": law.coordinate.symbol, "v": law.v, "t": phrases.ledger.symbols["t"]}
@@ -177,7 +179,7 @@ class _Ends:
         ends = self._difference(of, 2, half=True) if squared else self._difference(of)
         if (over == "t" or (squared and len(law) > 1)) and self._is_straight(rate, over, largest):
             # Over time the rates at both ends are easily found from the forces there; else it takes the formula.
-            told = law if len(law) > 1 else line(*law, " changes uniformly")
+            told = line(*law, *(() if len(law) > 1 else (" changes uniformly",)), self.over)
             figures = self._enough([(first, self._per), (last, self._per), (end - start, over)], _mean)
             pair = line("(", self._bare(first, self._per, figures), *self._plus(last, self._per, figures))
             mean = line(*pair, ")/2 · ")
@@ -294,7 +296,7 @@ class _Ends:
         """x_2 - x_1, or of squares, with its value; what is zero is left out."""
         (one, other), (a, b) = self._values(name), self.letters[name]
         change = other**power - one**power
-        parts: list[Inline | str] = [Math(b**power)] if other else []
+        parts: list[Inline | str] = [Math(b**power)] if other else [] if half or power > 1 else ["0"]
         if one:
             parts += [" - " if parts else "-", Math(a**power)]
         told = line("(", *parts, ")") if half and one and other else line(*parts)

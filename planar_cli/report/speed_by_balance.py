@@ -2,6 +2,8 @@
 
 From 1 to 2, wagon: impulse and momentum:         (1) F t_2 = (M + q t_2) v_2
 Likewise at any time, with t for t_2:   v = F t/(M + q t)
+
+Beside a speed that the file gives as a function of time it is a multiple of that: v_Q = -m v_P,boat/(M + m).
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from planar_cli.report.blocks import Block, Equation, Paragraph, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Relation
 
-MOMENTUM = "momentum"
+MOMENTUM, VELOCITY = "momentum", "velocity"
 
 
 def speed_by_balance(e: Relation, found: MotionTrace, phrases: Phrases) -> list[Block] | None:
@@ -34,7 +36,24 @@ def speed_by_balance(e: Relation, found: MotionTrace, phrases: Phrases) -> list[
         head = line("Likewise at any time, with t for ", phrases.math(found.route.plain.get(end, end)), ":")
     else:
         head = line(f"Impulse and momentum from {e.since} to any time t:")
-    return [Paragraph(head), Equation((phrases.math(speed), phrases.math(formula)))]
+    sides = (speed, *_by_given_speed(formula, found), formula)
+    return [Paragraph(head), Equation(tuple(map(phrases.math, sides)))]
+
+
+def _by_given_speed(formula: sp.Expr, found: MotionTrace) -> list[sp.Expr]:
+    """-m v_rel/(M + m): the speed as a constant times one that the file gives as a function of time; empty where it is
+    none.
+    """
+    t = found.ledger.symbols.get("t")
+    velocities = [stage for r in found.regimes for stage in r.solution.stages if stage.level == VELOCITY]
+    solved = [b for stage in velocities for b in stage.blocks if all(w.given for w in b.equations)]
+    for given in (one for block in solved if t is not None for one in block.lines):
+        if not given.formula.has(t) or given.formula.free_symbols & (found.varying - {t}):
+            continue
+        share = simplified(formula / given.formula)
+        if not share.has(t) and not share.is_number:
+            return [factored(share) * given.symbol]
+    return []
 
 
 def _at_any_time(e: Relation, found: MotionTrace) -> tuple[sp.Symbol, sp.Expr, sp.Symbol, Relation] | None:
