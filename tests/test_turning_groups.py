@@ -14,7 +14,10 @@ from worked import page_of_file
             [
                 "I_O,1 = 2 m_A d_A,1² + I_0 + 2 I_A = 2 · 0.06211 · 0.4167² + 0.25 + 2 · 0.001553 = 0.2747",
                 "T_1 = 1/2 I_O,1 w_0² = 1/2 · 0.27467 · 6² = 4.944 lbf·ft",
-                "(1) ↺ H_O: I_O,1 w_0 = I_O,2 ω_rod,2 (1) in numbers: 1.648 = 0.7923 ω_rod,2",
+                "A and B each have the momentum m_A d ω across the line to O and m_A v_rel along it",
+                "(1) ↺ H_O: 2 m_A d_A,1² w_0 + (I_0 + 2 I_A) w_0 = 2 m_A d_A,2² ω_rod,2 + (I_0 + 2 I_A) ω_rod,2",
+                "collected: I_O,1 w_0 = I_O,2 ω_rod,2 (1) in numbers: 1.648 = 0.7923 ω_rod,2",
+                "Hence: T_3 = 1/2 I_O,2 ω_rod,3²",
             ],
         ),
         ("two-balls-in-a-turning-tube", ["I_O,end = 2 m_P d_P,end² + I_tube = 2 · 0.5 · 0.8² + 0.8533 = 1.493 kg·m²"]),

@@ -87,14 +87,17 @@ class AskedTelling:
         compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
         vectors = list(self._vectors())
         places = list(dict.fromkeys(_at(r) for r, _, _ in asked))
-        last = places[0] if len(places) > 1 and not compared else ""
+        # What is asked of several states has no place under the heading of one.
+        general = [r for r in self._requests() if len(places) > 1 and not _at(r)]
+        last = places[0] if len(places) > 1 and "" not in places and not compared else ""
         if last:
             yield Paragraph(line(f"Hence, {place(last)}:"))
         elif (asked or compared or vectors or any(r.beside for r in self._requests())) and not turning.names:
             yield HENCE
         yield from compared
         told: set[sp.Symbol] = set()
-        for find in self._requests():
+        own_first = [*general, *(r for r in self._requests() if not any(r is g for g in general))]
+        for find in own_first:
             if len(places) > 1 and _at(find) not in ("", last) and any(r is find for r, _, _ in asked):
                 last = _at(find)
                 yield Paragraph(line(at(last)))
@@ -108,7 +111,11 @@ class AskedTelling:
                     yield from missing_couple(request, part.expr, self.found, self.phrases)
                     by_energies = energy_after(request, self.found, self.groups, self.numeric)
                     yield from by_energies or self._line(request, part, whole)
+            if any(find is g for g in general):
+                yield from (block for r, block in vectors if r is find)
         for find, block in vectors:
+            if any(find is g for g in general):
+                continue
             if last and _at(find) not in ("", last):
                 last = _at(find)
                 yield Paragraph(line(at(last)))

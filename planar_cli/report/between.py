@@ -35,7 +35,7 @@ from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.sides import said
 from planar_cli.report.spread import each_half
 from planar_cli.report.standing import standing, standing_lines
-from planar_cli.report.turning_groups import Turning, by_group, turning_group
+from planar_cli.report.turning_groups import Turning, by_group, group_lines, turning_group
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.solve.solution import InstantSolution
@@ -126,8 +126,7 @@ class BetweenTelling:
             whole = self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
             group = turning_group(b, self.numeric, self._put) if number in self.counted else None
             if group is not None:
-                yield from (t.line for t in group)
-                yield Equation(tuple(t.momentum for t in group), number, lead)
+                yield from group_lines(group, number, lead, law.about)
                 self.groups |= {b.since: group[0], b.stop: group[1]}
                 whole = replace(whole, number=None, lead=line(f"({number}) in numbers:"))
             yield whole

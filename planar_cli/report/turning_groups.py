@@ -1,6 +1,8 @@
 """The angular momentum of bodies that turn together about a fixed point while some move along others: by the moment of
 inertia of them all, at both states.
 
+    A and B each have the momentum m_A d ω across the line to O and m_A v_rel along it, which has no moment about O.
+    2 m_A d_A,1² ω_1 + (I_rod + 2 I_A) ω_1 = 2 m_A d_A,2² ω_2 + (I_rod + 2 I_A) ω_2
     I_O,1 = I_rod + 2 I_A + 2 m_A d_A,1²,   I_O,1 ω_1 = I_O,2 ω_2      d: distances from O
 
 What moves along a line through the point has no other part of it. (An Introduction to Planar Dynamics, 4.4.)
@@ -17,7 +19,7 @@ import sympy as sp
 from planar_cli.equation.plain import simplified
 from planar_cli.principles.base import Moving
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Math, Name, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.energy_pieces import STATE
 from planar_cli.report.ordering import term_key
@@ -33,6 +35,7 @@ CLOSE = Decimal("1e-12")
 class Share:
     """What one body has of the moment of inertia: its own and m d², as numbers in base units and in letters."""
 
+    body: str
     own: tuple[sp.Expr, Decimal]
     mass: tuple[sp.Expr, Decimal]
     arm: tuple[sp.Symbol, Decimal]
@@ -44,16 +47,60 @@ class Share:
 
 @record
 class Turning:
-    """Bodies that turn together at one state: the line of their moment of inertia, that with its number, their rate."""
+    """Bodies that turn together at one state: the line of their moment of inertia, that with its number, their rate,
+    and what each has of it.
+    """
 
     line: Equation
     inertia: tuple[sp.Symbol, Decimal]
     spin: sp.Expr
+    shares: tuple[Share, ...]
 
     @property
     def momentum(self) -> Math:
         """I ω."""
         return Math(self.inertia[0] * self.spin)
+
+    @property
+    def moments(self) -> Math:
+        """The same part by part: the moments of the momenta m d ω, then what turns: 2 m_A d_A² ω + (I_0 + 2 I_A) ω."""
+        orbits, own = list[sp.Expr](), list[sp.Expr]()
+        for count, one in _counted(self.shares):
+            if one.mass[1] and one.arm[1]:
+                orbits.append(count * one.mass[0] * one.arm[0] ** 2 * self.spin)
+            if one.own[1]:
+                own.append(count * one.own[0])
+        return Math(sp.Add(*orbits, sp.Add(*own) * self.spin, evaluate=False))
+
+
+def group_lines(group: tuple[Turning, Turning], number: int, lead: Line, about: str) -> Iterator[Block]:
+    """The balance of angular momenta of a group about a point, part by part, then by its moments of inertia."""
+    first, last = group
+    pairs = zip(first.shares, last.shares, strict=True)
+    sliding = tuple(s for s, later in pairs if s.mass[1] and abs(s.arm[1] - later.arm[1]) > CLOSE * s.arm[1])
+    if not sliding or not all(s.mass[0].is_Symbol for s in sliding):
+        yield from (t.line for t in group)
+        yield Equation(tuple(t.momentum for t in group), number, lead)
+        return
+    for count, one in _counted(sliding):
+        names = [s.body for s in sliding if _numbers_of(s) == _numbers_of(one)]
+        has = f"{', '.join(names[:-1])} and {names[-1]} each have" if count > 1 else f"{one.body} has"
+        mass, words = Math(one.mass[0]), f" v_rel along it, which has no moment about {about}."
+        yield Paragraph(line(f"{has} the momentum ", mass, f" d ω across the line to {about} and ", mass, words))
+    yield Equation(tuple(t.moments for t in group), number, lead)
+    yield from (t.line for t in group)
+    yield Equation(tuple(t.momentum for t in group), None, line("collected:"))
+
+
+def _numbers_of(share: Share) -> tuple[Decimal, Decimal, Decimal]:
+    return share.own[1], share.mass[1], share.arm[1]
+
+
+def _counted(shares: Sequence[Share]) -> Iterator[tuple[int, Share]]:
+    """Equal bodies once, with their number."""
+    for numbers in dict.fromkeys(map(_numbers_of, shares)):
+        alike = [s for s in shares if _numbers_of(s) == numbers]
+        yield len(alike), alike[0]
 
 
 def by_group(
@@ -116,7 +163,7 @@ def turning_group(
             return None
         name = sp.Symbol(f"I_{b.law.about}{STATE}{state}", positive=True)
         told = _line(name, known, phrases, "" if found else b.law.about)
-        found.append(Turning(told, (name, whole), put(spin.xreplace(turned))))
+        found.append(Turning(told, (name, whole), put(spin.xreplace(turned)), tuple(known)))
     return found[0], found[1]
 
 
@@ -138,6 +185,7 @@ def _share(
     fixed = (x, y) == (0, 0)
     letter = sp.Symbol(f"d_{m.center or m.body}{ending}", positive=True)
     return Share(
+        m.center or m.body,
         (sp.sympify(general.inertia), own),
         (sp.S.Zero if fixed else sp.sympify(general.mass), Decimal(0) if fixed else mass),
         (letter, reach.sqrt()),
@@ -150,9 +198,7 @@ def _line(name: sp.Symbol, shares: Sequence[Share], phrases: Phrases, about: str
     """
     letters: list[sp.Expr] = []
     terms: list[Term] = []
-    for numbers in dict.fromkeys((s.own[1], s.mass[1], s.arm[1]) for s in shares):
-        alike = [s for s in shares if (s.own[1], s.mass[1], s.arm[1]) == numbers]
-        count, one = len(alike), alike[0]
+    for count, one in _counted(shares):
         times = ((Decimal(count), 1),) if count > 1 else ()
         shown = phrases.of_dimension(one.own[1], INERTIA).number
         if one.own[1]:
