@@ -27,10 +27,10 @@ IN_FOLDERS = {
         show slopes tips whose_load yaml_errors
     """,
     "report": """
-        about_fixed_point along_path angles_alike another_equation another_point antiderivatives asked_energy
-        asked_in_general at_one_state axes_asked between_led blow_check blow_limits by_ends by_formula_above
-        by_geometry centre_check centre_reasons centre_speeds centres_put_in changes closed_letters coincident
-        common_centre cosine_check curvature damper_rates data_of_states discussion driving_speed durations
+        about_fixed_point across_the_way along_path angles_alike another_equation another_point antiderivatives
+        asked_energy asked_in_general at_one_state axes_asked between_led blow_check blow_limits by_ends
+        by_formula_above by_geometry centre_check centre_reasons centre_speeds centres_put_in changes closed_letters
+        coincident common_centre cosine_check curvature damper_rates data_of_states discussion driving_speed durations
         effects energy_check energy_of_groups evaluated_integrals exam extreme_rates first_second fixed_lines
         free_motions gathered given_momenta grooves harmonic_check hidden_data inertia_check inside_integrals
         integrated law_check laws_solved letter_check meanings meeting_check modes modes_of_blows motion_phrases

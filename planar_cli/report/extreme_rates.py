@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import by_name, identically_zero, longer, simplified
+from planar_cli.report.across_the_way import across_what_it_makes
 from planar_cli.report.blocks import Block, Equation, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.results import numbered
@@ -70,7 +71,9 @@ def with_rate(
     own = phrases.math(objective) if short else line(extreme.text.rpartition(" is ")[0])
     first = [] if function == objective else [Equation((own, phrases.math(function)), None, lead)]
     if (wave := _alone_in(function, free[0], extreme.sense, phrases)) is not None:
-        return _without_calculus(own, extreme.sense, wave, first, blocks[-1], phrases)
+        across = across_what_it_makes(extreme, instant) if extreme.sense < 0 else ()
+        words = [Paragraph(line(own, " is smallest where ", *across))] if across else []
+        return [*words, *_without_calculus(own, extreme.sense, wave, first, blocks[-1], phrases)]
     second = Equation((phrases.math(rate), phrases.math(sp.S.Zero)), None, line("d/d", phrases.math(free[0]), ":"))
     return [*blocks[:-1], *first, second, blocks[-1]]
 

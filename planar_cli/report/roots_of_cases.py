@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 from planar_cli.problem.expression import Name as Letter
@@ -12,21 +14,40 @@ from planar_cli.report.results import BEFORE_REASON, OTHER_ROOTS
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
+NUMBERED = re.compile(r"\(\d+\):")
 SAME = Decimal("1e-20")
 
 
 def with_roots_of_cases(blocks: list[Block], part: PartSolution, parts: Sequence[PartSolution]) -> list[Block]:
-    """The blocks of a case in which such a root is told so; the same list where there is none."""
+    """The blocks of a case in which such a root is told so; the same list where there is none. Of a root that an
+    earlier case has told, the line of this one is `(3), the other root:`.
+    """
     others = [p for p in parts if p is not part and p.case]
+    earlier = {p.case for p in parts[: parts.index(part)]}
     if not part.case or not others or not any(_told(b) for b in blocks):
         return blocks
     found: list[Block] = []
     for i, block in enumerate(blocks):
         letter = _letter(blocks[:i]) if (root := _told(block)) is not None else ""
         case = next((p.case for p in others if root is not None and _asks(p.found, letter, root)), "")
+        if case in earlier and (last := _led_by_number(found[-1:])) is not None:
+            found[-1] = replace(last, lead=line(_said(last).removesuffix(":"), ", the other root:"))
+            continue
         told = line("the other root, ", root, f", is that of case {case.replace('_', ' ')}") if root and case else ()
         found.append(Paragraph(told) if told else block)
     return found
+
+
+def _led_by_number(blocks: Sequence[Block]) -> Equation | None:
+    """The last of the blocks, where it is a line `(3):   β = …`."""
+    last = blocks[-1] if blocks else None
+    return last if isinstance(last, Equation) and NUMBERED.fullmatch(_said(last)) else None
+
+
+def _said(equation: Equation) -> str:
+    """The words that lead to an equation without a number, where they are plain."""
+    lead = equation.lead if equation.number is None else ()
+    return lead[0].text if len(lead) == 1 and isinstance(lead[0], Text) else ""
 
 
 def _told(block: Block) -> Value | None:
