@@ -48,6 +48,8 @@ def test_shared_friction_that_does_not_suffice_is_compared_at_its_best() -> None
 
 def test_why_the_second_contact_slips_too_is_told() -> None:
     page = page_of_file("stacked-blocks")
+    first = "N_A = m_A g = 5 · 9.81 = 49.05 N, N_B = m_B g + N_A = 8 · 9.81 + 49.05 = 127.5 N; it would need |F_B| = P"
+    assert page.count(first) == 2
     second = "Assume lower at B slips; upper at A does not slip Fails then a_B = (P - μ_B N_B)/(m_A + m_B) ="
     assert second in page
 
@@ -79,3 +81,9 @@ def test_the_answer_says_what_begins_at_the_limit() -> None:
     assert page.count("free-body diagram; ΣF = 0, ΣM = 0") == 2
     assert "F_max = F = 313.9 N; beyond it the crate tips about A" in page_of_file("crate-on-cart")
     assert "beyond" not in page_of_file("falling-pole")
+
+
+def test_normal_forces_stand_before_what_rests_on_them() -> None:
+    page = page_of_file("stacked-blocks-joined-over-a-pulley")
+    assert "Fails N_A = W_A = 30 lbf, N_B = N_A + W_B = 30 + 50 = 80 lbf; even with |F_A| = μ_1 N_A = 4.5 lbf:" in page
+    assert "N_A = m g - μ N_B = 10 · 9.81 - 0.2 · 31.99 = 91.70 N; it would need" in page_of_file("ladder-slips")

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from planar_cli.problem.expression import Number, Quantity, Relation
 from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
-from planar_cli.report.decisions import needed, worked_out
+from planar_cli.report.decisions import needed, of_rejected
 from planar_cli.report.limits_alike import assumed_alike
 from planar_cli.report.presses import bounded_in
 from planar_cli.report.shared_friction import at_best
@@ -56,7 +57,12 @@ def _then(natural: Trial, instant: InstantSolution, phrases: Phrases) -> Iterato
         if not trial.outcomes or (found := needed(trial, test)) is None:
             continue
         yield Note("Assume", line("; ".join(assumed_alike(_words(trial)))))
-        yield Note("Fails", worked_out(found, trial, instant, phrases).wants(" > ", phrases))
+        told = of_rejected(found, trial, instant, phrases)
+        first = needed(natural, natural.tests[0][0])
+        before = None if first is None else of_rejected(first, natural, instant, phrases).presses
+        if told.presses is not None and before is not None:
+            told = replace(told, presses=told.presses.without(before))
+        yield Note("Fails", told.wants(" > ", phrases))
         return
 
 
@@ -118,7 +124,7 @@ def _objection(trial: Any, instant: InstantSolution, phrases: Phrases) -> Line:
         return line("no reactions satisfy all of these: " + "; ".join(words))
     found = None if phrases.symbolic else needed(trial, test)
     if found is not None:
-        return worked_out(found, trial, instant, phrases).wants(" > ", phrases)
+        return of_rejected(found, trial, instant, phrases).wants(" > ", phrases)
     return line(f"this would not hold: {test.words}", _by_how_much(trial, test, phrases))
 
 

@@ -22,7 +22,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Value, line
 from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
-from planar_cli.report.what_it_needs import working
+from planar_cli.report.what_it_needs import presses, working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
@@ -30,7 +30,7 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import LENGTH, parse_unit
 
 if TYPE_CHECKING:
-    from planar_cli.report.what_it_needs import Working
+    from planar_cli.report.what_it_needs import Presses, Working
 
 NEAR = Decimal("1e-20")
 FORCES_ALONE = "free-body diagram; ΣF = 0"
@@ -43,7 +43,8 @@ class Needed:
 
     `size`, `limit`: numbers, SI; `formula`: of the limit; `own`: of the size, by what is known; None: nothing short.
     `press`: of the couple of a normal force, how far beside the middle that acts (a letter), and the force.
-    `working`: of a case that is rejected, where its own accelerations tell the size.
+    `working`: of a case that is rejected, where its own accelerations tell the size; `presses`: the normal force on
+    which the limit of that case rests.
     """
 
     symbol: sp.Symbol
@@ -54,11 +55,14 @@ class Needed:
     own: sp.Expr | None = None
     press: tuple[sp.Symbol, sp.Symbol, Decimal] | None = None
     working: Working | None = None
+    presses: Presses | None = None
 
     def wants(self, sign: str, phrases: Phrases) -> Line:
         """The same as a sentence, what its size rests on before it."""
+        first = () if self.presses is None else self.presses.told(phrases)
         before = () if self.working is None else self.working.told(phrases)
-        return line(*before, "; " if before else "", "it would need ", *self.told(sign, phrases))
+        parts = (*first, *(["; "] if first else []), *before, *(["; "] if before else []))
+        return line(*parts, "it would need ", *self.told(sign, phrases))
 
     def shown(self, phrases: Phrases) -> tuple[Value, Value]:
         """Size and limit with their unit."""
@@ -134,6 +138,12 @@ def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: P
         ):
             return replace(found, own=way.size, working=way)
     return replace(found, own=own)
+
+
+def of_rejected(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
+    """The same of a case that is rejected, with the normal force on which its limit rests."""
+    worked = worked_out(found, trial, instant, phrases)
+    return worked if found.press is not None else replace(worked, presses=presses(trial, found.formula, instant))
 
 
 def _formula(instant: InstantSolution, push: Push, size: Decimal, phrases: Phrases) -> sp.Expr | None:

@@ -2,6 +2,8 @@
 would need more than it has.
 
 even with |F_B| = μ_B N_B = 6.3 N it would need |F_A| = N_B = 55.1 N > μ_A N_A = 0.2 · 141.2 = 28.2 N
+
+The normal forces stand before what rests on them: first of all, where friction does not enter them.
 """
 
 from __future__ import annotations
@@ -18,14 +20,14 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.decisions import Needed, limits_of, needed
 from planar_cli.report.presses import bounded_in
-from planar_cli.report.what_it_needs import working
+from planar_cli.report.what_it_needs import listed, presses, working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import measure
 from planar_cli.solve.solution import InstantSolution
 
 if TYPE_CHECKING:
-    from planar_cli.report.what_it_needs import Working
+    from planar_cli.report.what_it_needs import Presses, Working
 
 Straight = tuple[Decimal, Decimal]
 """Value and slope of what a test measures, over the one reaction that is free."""
@@ -57,7 +59,9 @@ def at_best(trial: Trial, instant: InstantSolution, phrases: Phrases) -> Line:
     for helping, other in permutations(reversed(tests), 2):
         for free in _ends([_straight(trial, t) for t in tests[helping]]):
             if told := _told(trial, (helping, other), tests[other], free, phrases):
-                return _sentence(told, _slipping(trial, told, instant), phrases)
+                way, pressed = _slipping(trial, told, instant)
+                first = presses(trial, told.helping.formula + told.other.formula, instant)
+                return _sentence(told, way, pressed if first is None else first, first is not None, phrases)
     return ()
 
 
@@ -96,9 +100,10 @@ def _told(
     return Shared(names, helping, other)
 
 
-def _slipping(natural: Trial, shared: Shared, instant: InstantSolution) -> Working | None:
+def _slipping(natural: Trial, shared: Shared, instant: InstantSolution) -> tuple[Working | None, Presses | None]:
     """How the other friction is worked out where the helping one has reached its limit: its contact slips then, as in
-    one of the cases that were tried. None: the forces of that are other ones, or the way to them is long.
+    one of the cases that were tried; and the normal forces behind its limit. None: the forces of that are other ones,
+    or the way to them is long.
     """
     own = {p.name: p for p in natural.system.pushes}
     helping, other = (own[name] for name in shared.names)
@@ -108,12 +113,12 @@ def _slipping(natural: Trial, shared: Shared, instant: InstantSolution) -> Worki
         if apart == [helping.joint] and modes[helping.joint] == "slip":
             found = working(trial, other, shared.other.size, instant)
             if found is not None:
-                return found
-    return None
+                return found, presses(trial, shared.other.formula, instant)
+    return None, None
 
 
-def _sentence(shared: Shared, way: Working | None, phrases: Phrases) -> Line:
-    """The comparison, with what it rests on."""
+def _sentence(shared: Shared, way: Working | None, pressed: Presses | None, first: bool, phrases: Phrases) -> Line:
+    """The comparison, with what it rests on. `first`: do the normal forces stand before all else?"""
     found, other = shared.helping, replace(shared.other, own=None if way is None else way.size, working=way)
     whole = line("|", Math(found.symbol), "| = ", phrases.math(found.formula), " = ", found.shown(phrases)[1])
     shown, most = other.shown(phrases)
@@ -121,9 +126,13 @@ def _sentence(shared: Shared, way: Working | None, phrases: Phrases) -> Line:
     there = phrases if way is None else replace(phrases, value=way.value)
     put = () if way is None else there.substituted(other.formula, most)
     limit = line(" > ", there.math(other.formula), *(x for side in put for x in (" = ", side)), " = ", most)
-    before = () if way is None else way.told(phrases)
-    middle = line(": ", *before, "; it would need ") if before else line(" it would need ")
-    return line("even with ", *whole, *middle, *needs, *limit)
+    opening = line(*pressed.told(phrases), "; ") if first and pressed is not None else ()
+    letters = dict(() if pressed is None else pressed.letters) | dict(() if way is None else way.before)
+    if opening and pressed is not None:
+        letters = {s: e for s, e in letters.items() if s not in dict(pressed.letters)}
+    before = listed(letters.items(), way.value, phrases) if way is not None else ()
+    middle = line(": then ", *before, "; it would need ") if before else line(" it would need ")
+    return line(*opening, "even with ", *whole, *middle, *needs, *limit)
 
 
 def _settled(trial: Trial, free: Decimal) -> Trial:

@@ -1,11 +1,13 @@
 """What friction would have to be where an assumption fails, worked out by the equations of that case.
 
 then a_B = (P - μ_B N_B)/(m_A + m_B) = (90 - 0.1 · 127.5)/(5 + 8) = 5.942 m/s²; it would need |F_A| = m_A a_B = …
+
+The normal force on which its limit rests stands before it, N_A = m_A g = 5 · 9.81 = 49.05 N.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
 
@@ -20,6 +22,7 @@ from planar_cli.report.blocks import Line, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.finish import Finisher
 from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
 
 FEW, LONGEST = 3, 20
@@ -42,14 +45,67 @@ class Working:
 
     def told(self, phrases: Phrases) -> Line:
         """then a = (P - μ N)/m = 5.942 m/s², α = …; empty where nothing is told before."""
-        there = replace(phrases, value=self.value)
-        parts = line("then ")
-        for symbol, formula in self.before:
-            value = there.shown(symbol)
-            numbers = [piece for side in there.substituted(formula, value) for piece in (" = ", side)]
-            comma = ", " if len(parts) > 1 else ""
-            parts += line(comma, there.math(symbol), " = ", there.math(formula), *numbers, " = ", value)
-        return parts if len(parts) > 1 else ()
+        told = listed(self.before, self.value, phrases)
+        return line("then ", *told) if told else ()
+
+
+def listed(letters: Iterable[tuple[sp.Symbol, sp.Expr]], value: Valuation, phrases: Phrases) -> Line:
+    """`a = (P - μ N)/m = 5.942 m/s², α = …`: letters with their formulas and numbers."""
+    there, parts = replace(phrases, value=value), line()
+    for symbol, formula in letters:
+        size = there.shown(symbol)
+        numbers = [piece for side in there.substituted(formula, size) for piece in (" = ", side)]
+        comma = (", ",) if parts else ()
+        parts += line(*comma, there.math(symbol), " = ", there.math(formula), *numbers, " = ", size)
+    return parts
+
+
+@record
+class Presses:
+    """Normal forces of a rejected case: letters with their formulas, and the numbers of that case."""
+
+    letters: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    value: Valuation
+
+    def told(self, phrases: Phrases) -> Line:
+        """`N_A = m_A g = 5 · 9.81 = 49.05 N, N_B = m_B g + N_A = 127.5 N`."""
+        return listed(self.letters, self.value, phrases)
+
+    def without(self, before: Presses) -> Presses | None:
+        """Those that were not told before with the same number; None: that is none."""
+        told = dict(before.letters)
+        new = tuple((s, e) for s, e in self.letters if s not in told or self.value.known(s) != before.value.known(s))
+        return replace(self, letters=new) if new else None
+
+
+def presses(trial: Trial, limit: sp.Expr, instant: InstantSolution) -> Presses | None:
+    """The normal forces on which a limit of friction rests, by the equations of a case that is rejected, each with
+    those behind it. None: the limit rests on none, or the way to them is long.
+    """
+    if not trial.outcomes:
+        return None
+    symbols, outcome = trial.system.symbols, trial.outcomes[0]
+    normal = {symbols[p.name]: outcome.push(p.name) for p in trial.system.pushes if p.kind == "normal"}
+    wanted = sorted(normal.keys() & limit.free_symbols, key=lambda s: s.name)
+    if not wanted or any(normal[s] is None for s in wanted):
+        return None
+    try:
+        _, stages, value = Finisher(instant.instant, trial, (), {}).work(wanted, ())
+    except PlanarError:
+        return None
+    told = _Told.of(stages, value, instant, aside=False)
+    letters: dict[sp.Symbol, sp.Expr] = {}
+    for symbol in wanted:
+        own = told.formula(symbol)
+        if own is not None:
+            letters |= {**dict(told.behind(own, (symbol,))), symbol: own}
+    # A weight that the file gives is its letter: the page has the mass by it.
+    definitions = dict(instant.instant.scene.ledger.definitions)
+    weights = {s: simplified(e.xreplace(definitions)) for s, e in letters.items()}
+    letters |= {s: e for s, e in weights.items() if e.is_Symbol}
+    whole = all(s in letters or s not in told.formulas for e in letters.values() for s in e.free_symbols)
+    short = len(letters) <= FEW and all(_is_plain(e) and not longer(e, LONGEST) for e in letters.values())
+    return Presses(tuple(letters.items()), value) if whole and short and set(wanted) <= set(letters) else None
 
 
 def working(trial: Trial, push: Push, size: Decimal, instant: InstantSolution) -> Working | None:
@@ -64,13 +120,7 @@ def working(trial: Trial, push: Push, size: Decimal, instant: InstantSolution) -
         _, stages, value = finisher.work([symbol, *trial.system.tree.acceleration_unknowns()], ())
     except PlanarError:
         return None
-    named = {x.symbol: x.expression for stage in stages for x in stage.lines}
-    formulas = {s: e for s, e in named.items() if not s.name.endswith(PRIME)}
-    formulas |= {x.symbol: x.formula for s in stages for b in s.blocks for x in b.lines if not x.letters}
-    # The page has the letter without a prime for its own case.
-    put = {s: e for s, e in named.items() if s.name.endswith(PRIME)}
-    put |= {s: sp.S.Zero for stage in stages for s in stage.zero} | {s: sp.S.Zero for s in formulas if value(s) == 0}
-    told = _Told(formulas, put, value, instant)
+    told = _Told.of(stages, value, instant)
     own = told.formula(symbol)
     number = None if own is None else value.known(own)
     if own is None or number is None or abs(abs(number) - size) > NEAR * size:
@@ -92,6 +142,20 @@ class _Told:
     put: Mapping[sp.Symbol, sp.Expr]
     value: Valuation
     instant: InstantSolution
+    aside: bool = True
+
+    @classmethod
+    def of(cls, stages: Iterable[Stage], value: Valuation, instant: InstantSolution, aside: bool = True) -> _Told:
+        """What the stages of a rejected case tell. `aside`: is what the page tells with the same number left out?"""
+        stages = tuple(stages)
+        named = {x.symbol: x.expression for stage in stages for x in stage.lines}
+        formulas = {s: e for s, e in named.items() if not s.name.endswith(PRIME)}
+        formulas |= {x.symbol: x.formula for s in stages for b in s.blocks for x in b.lines if not x.letters}
+        # The page has the letter without a prime for its own case.
+        put = {s: e for s, e in named.items() if s.name.endswith(PRIME)}
+        put |= {s: sp.S.Zero for stage in stages for s in stage.zero}
+        put |= {s: sp.S.Zero for s in formulas if value(s) == 0}
+        return cls(formulas, put, value, instant, aside)
 
     def formula(self, symbol: sp.Symbol) -> sp.Expr | None:
         """The formula of an unknown without what is zero, and without names that the page does not explain."""
@@ -107,7 +171,7 @@ class _Told:
     def behind(self, expr: sp.Expr, seen: tuple[sp.Symbol, ...]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
         """The unknowns in a formula with their own, those first on which others rest."""
         for symbol in sorted(expr.free_symbols, key=lambda s: s.name):
-            own = None if symbol in seen or self._is_told(symbol) else self.formula(symbol)
+            own = None if symbol in seen or (self.aside and self._is_told(symbol)) else self.formula(symbol)
             if own is not None:
                 seen = (*seen, symbol)
                 for one, formula in self.behind(own, seen):
