@@ -50,7 +50,9 @@ def test_why_the_second_contact_slips_too_is_told() -> None:
     page = page_of_file("stacked-blocks")
     first = "N_A = m_A g = 5 · 9.81 = 49.05 N, N_B = m_B g + N_A = 8 · 9.81 + 49.05 = 127.5 N; it would need |F_B| = P"
     assert page.count(first) == 2
-    second = "Assume lower at B slips; upper at A does not slip Fails then a_B = (P - μ_B N_B)/(m_A + m_B) ="
+    second = (
+        "Assume lower slides on the floor; upper does not slide on lower Fails then a_B = (P - μ_B N_B)/(m_A + m_B) ="
+    )
     assert second in page
 
 

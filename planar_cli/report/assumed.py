@@ -11,6 +11,7 @@ from planar_cli.problem.facts import Mode
 from planar_cli.report.blocks import Block, Line, Math, Note, line
 from planar_cli.report.decisions import needed, of_rejected
 from planar_cli.report.limits_alike import assumed_alike
+from planar_cli.report.mode_words import words_of
 from planar_cli.report.presses import bounded_in
 from planar_cli.report.shared_friction import at_best
 from planar_cli.report.words import Phrases
@@ -71,7 +72,7 @@ def _way(mode: Mode) -> tuple[str, int]:
 
 
 def _words(trial: Trial) -> list[str]:
-    return list(dict.fromkeys(m.words for m in _assumed(trial)))
+    return list(dict.fromkeys(words_of(m, trial.system) for m in _assumed(trial)))
 
 
 def _assumed(trial: Trial) -> list[Mode]:
@@ -95,8 +96,8 @@ def _placed(trial: Trial) -> list[str]:
     """The words with the side on which a particle presses, where its place leaves that open: ball at P stays in
     contact, inside loop. Where it only just touches there is no such side.
     """
-    modes = _assumed(trial)
-    told = dict.fromkeys(f"{m.words}, {m.where}" if m.where and _presses(trial, m) else m.words for m in modes)
+    words = [(m, words_of(m, trial.system)) for m in _assumed(trial)]
+    told = dict.fromkeys(f"{w}, {m.where}" if m.where and _presses(trial, m) else w for m, w in words)
     return assumed_alike(told)
 
 

@@ -20,6 +20,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Value, line
+from planar_cli.report.mode_words import words_of
 from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
 from planar_cli.report.what_it_needs import presses, working
@@ -185,7 +186,7 @@ def decision_lines(instant: InstantSolution, phrases: Phrases, decides: bool) ->
         found = needed(trial, test)
         if found is None or found.size >= found.limit * (1 - NEAR):
             continue
-        words = _instead(test, happens) if largest else _holds(mode, test)
+        words = _instead(test, happens) if largest else _holds(mode, test, trial)
         if words:
             worked = worked_out(found, trial, instant, phrases)
             yield from _moments(worked, trial, instant)
@@ -230,9 +231,10 @@ def at_limit(instant: InstantSolution) -> set[sp.Symbol]:
     return found | {o.couple for o in offsets(instant.trial, instant.value) if o.letter in found}
 
 
-def _holds(mode: Mode, test: Test) -> str:
+def _holds(mode: Mode, test: Test, trial: Trial) -> str:
     """What does not happen, as there is enough."""
-    return mode.words if mode.name == "stick" and _of_friction(test) else f"it does not {_of_friction(test) or 'tip'}"
+    slides = _of_friction(test)
+    return words_of(mode, trial.system) if mode.name == "stick" and slides else f"it does not {slides or 'tip'}"
 
 
 def _of_friction(test: Test) -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.exact import ZERO
+from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.scene import GROUND, with_article
 from planar_cli.report.numbers import vector_words
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
@@ -25,6 +27,35 @@ def mode_words(found: Found, part: PartSolution) -> str:
             if {joint, system.aliases.get(joint)} & set(what.things):
                 return _sticks(instant, joint) if found.word == "stick" else _slides(instant, joint)
     return ""
+
+
+def words_of(mode: Mode, system: System) -> str:
+    """What is assumed of a contact. Where a body lies on another that moves, and neither turns, what slides on what: B
+    slides on the floor, A does not slide on B; else at which point: crate at C slips.
+    """
+    pairs = {n: pair for n, m in system.modes.items() if (pair := _sliding(m)) is not None}
+    own = next((pair for n, pair in pairs.items() if system.modes[n] is mode), None)
+    stacked = any(base != GROUND for _, base in pairs.values())
+    turning = {e.body for e in system.tree.edges if e.spin is not None}
+    if own is None or not stacked or turning & set(own) or sum(mover == own[0] for mover, _ in pairs.values()) != 1:
+        return mode.words
+    base = own[1] if own[1] != GROUND else _surface(mode, system, own[0])
+    return f"{own[0]} {'slides' if mode.name == 'slip' else 'does not slide'} on {base}" if base else mode.words
+
+
+def _sliding(mode: Mode) -> tuple[str, str] | None:
+    """What slides, or might, and on what; None: it rolls, or there is no friction."""
+    friction = next((p for p in mode.facts.pushes if p.kind == "friction"), None)
+    if friction is None or len(friction.actions) != 2 or not mode.words.endswith((" slips", " does not slip")):
+        return None
+    return friction.actions[0].body, friction.actions[1].body
+
+
+def _surface(mode: Mode, system: System, mover: str) -> str:
+    """What a body lies on that does not move, by its name in the file."""
+    joint = mode.facts.pushes[0].joint
+    (pair, *_) = (getattr(j, "between", ()) for j in system.scene.problem.joints if j.name == joint)
+    return next((with_article(other) for other in pair if other != mover), "")
 
 
 def _sticks(instant: InstantSolution, joint: str) -> str:
