@@ -142,8 +142,10 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
         whole = in_one_product(symbol, expr, phrases) if value is not None else None
-        shown = [phrases.math(in_twelfths(expr)), *([] if whole is None else [phrases.math(whole)])]
-        put = in_twelfths(expr) if whole is None else whole
+        # As the kinetics have it, where that of an apex comes first.
+        own = expr if len(sides) > 1 and not settled else in_twelfths(expr)
+        shown = [phrases.math(own), *([] if whole is None else [phrases.math(whole)])]
+        put = own if whole is None else whole
         sides += [*shown, *(phrases.substituted(put, value) if value is not None else ())]
     sides += [] if value is None else [value]
     return Equation(tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))

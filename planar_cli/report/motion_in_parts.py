@@ -10,6 +10,7 @@ from planar_cli.report.blocks import Block, Equation, Heading, Math, Note, Parag
 from planar_cli.report.in_order_of_time import in_turn, last_by_energy, states_of, states_told, steps_before
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
+from planar_cli.report.linear_lengths import with_linear_lengths
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.motion import MotionTelling
 from planar_cli.report.motion_phrases import motion_phrases
@@ -93,7 +94,7 @@ def placed(moving: Sequence[Block], blocks: Sequence[Block], place: int | None, 
     forces = {s.name for regime in motion.regimes for s in regime.constants}
     numbered = any(isinstance(b, Heading) or (isinstance(b, Equation) and b.number is not None) for b in moving)
     if place is None or numbered or _letters(moving) & forces:
-        return [*blocks, *moving]
+        return with_linear_lengths([*blocks, *moving])
     return [*blocks[:place], *moving, *blocks[place:]]
 
 

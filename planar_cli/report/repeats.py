@@ -27,6 +27,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.turned_diagrams import is_turned, steps_turned, without_arrows
 
@@ -38,8 +39,10 @@ TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBER = re.compile(r"Decimal\('([^']+)'\)")
 NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
-DEFINED, BETWEEN = ("moment of inertia of", "terminal speed"), ",  "
-"""Begins the line of a moment of inertia, and of what a drag makes; stands between the forces of a diagram."""
+DEFINED, BETWEEN = ("moment of inertia of", "terminal speed", "half disk, from", "sector, from"), ",  "
+"""Begins the line of a moment of inertia, of what a drag makes, and of the mass centre of a sector; stands between the
+forces of a diagram.
+"""
 
 
 def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
@@ -246,7 +249,7 @@ def _announces(block: Block) -> bool:
 
 
 def _defines(block: Block) -> bool:
-    """Is it the line of a moment of inertia, or of a terminal speed?"""
+    """Is it the line of a moment of inertia, of a mass centre, or of a terminal speed?"""
     if not isinstance(block, Equation) or block.number is not None or not block.lead:
         return False
     return isinstance(block.lead[0], Text) and block.lead[0].text.startswith(DEFINED)
@@ -291,6 +294,8 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
         shifted = _shifted(equations, printed)
         told.append(line("; ".join(_ranges(run, printed, cited) for run in shifted)))
     else:
+        linear = any(isinstance(b, Paragraph) and Text(LINEAR) in b.line for b in run)
+        told += [line("the linear equation")] if linear else []
         told += [valued for b in run if (valued := _valued(b))]
     last = " and " if len(equations) == 1 else ", "
     return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))

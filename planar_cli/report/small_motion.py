@@ -22,7 +22,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 from planar_cli.solve.law import Law
@@ -33,6 +33,7 @@ SMALL = Decimal("0.36")
 """Of an angle, in rad: about 20°; there sin θ is θ but for two parts in a hundred."""
 NEAR = Decimal("0.05")
 """By so much of the start, or of a time, the linear motion may be off."""
+LINEAR = " the equation of motion is linear"
 NATURAL, RATIO, DAMPED = sp.symbols("omega_0 zeta omega_d", positive=True)
 
 
@@ -138,8 +139,7 @@ def _off(told: tuple[Result, sp.Expr], x: Linear, phrases: Phrases) -> Decimal:
     r, formula = told
     own = phrases.value.extended(_sizes(x))(formula)
     start = abs(phrases.value(x.start))
-    rate = r.unknown.name.startswith(f"{x.law.coordinate.symbol.name}_dot")
-    whole = start * x.frequency if rate else start if _is_angle(r, phrases) else abs(r.value)
+    whole = start * x.frequency if _is_rate(r, x) else start if _is_angle(r, phrases) else abs(r.value)
     return abs(own - r.value) / whole
 
 
@@ -149,8 +149,8 @@ def _told(
     q, sizes = x.law.coordinate.symbol, _sizes(x)
     speed, rate = (sp.Symbol(f"{q.name}_{dots}", real=True) for dots in ("dot", "ddot"))
     turns = x.law.f.has(sp.sin, sp.cos)
-    ones = (", ", phrases.math(sp.sin(q)), " ≈ ", phrases.math(q), " and ", phrases.math(sp.cos(q)), " ≈ 1,")
-    yield Paragraph(line("For small ", phrases.math(q), *(ones if turns else ()), " the equation of motion is linear:"))
+    ones = (", as ", phrases.math(sp.sin(q)), " ≈ ", phrases.math(q), " and ", phrases.math(sp.cos(q)), " ≈ 1")
+    yield Paragraph(line("For small ", phrases.math(q), LINEAR, *(ones if turns else ()), "."))
     parts = (" + ", phrases.math(x.damping * speed), " + ", phrases.math(x.square * q))
     yield Equation((line(phrases.math(rate), *parts), phrases.math(sp.S.Zero)))
     yield _line(NATURAL, sp.sqrt(x.square), sizes, "rad/s", phrases)
@@ -174,8 +174,28 @@ def _told(
         sides: list[Any] = [phrases.math(r.unknown), phrases.math(formula), *([] if put is None else [put]), shown]
         yield Equation(tuple(sides), relation="≈")
     percent = max(1, int((off * 100).to_integral_value(rounding="ROUND_CEILING")))
-    start = line(", angles in parts of ", phrases.math(x.start)) if any(_is_angle(r, phrases) for r, _ in told) else ()
-    yield Paragraph(line(f"The whole equation, below, gives the same but for at most {percent} %", *start, "."))
+    yield Paragraph(_agreement(f"at most {percent} %", [r for r, _ in told], x, phrases))
+
+
+def _agreement(most: str, told: Sequence[Result], x: Linear, phrases: Phrases) -> Line:
+    """By how much the values of the whole equation are off, each kind of what it is measured by."""
+    rates = [r for r in told if _is_rate(r, x)]
+    angles = [r for r in told if r not in rates and _is_angle(r, phrases)]
+    start = phrases.math(x.start)
+    parts: list[Any] = []
+    if len(rates) + len(angles) < len(told):
+        parts.append(line(f"the time by {most}"))
+    if angles:
+        parts.append(line(f"the angle{'s' * (len(angles) > 1)} by {most} of ", start))
+    if rates:
+        parts.append(line(f"the angular velocity by {most} of ", phrases.math(NATURAL), " ", start))
+    last = len(parts) - 1
+    joined = [p for i, part in enumerate(parts) for p in (" and " if i and i == last else ", " if i else "", *part)]
+    return line("The whole equation, below, changes ", *joined, ".")
+
+
+def _is_rate(r: Result, x: Linear) -> bool:
+    return str(r.unknown.name).startswith(f"{x.law.coordinate.symbol.name}_dot")
 
 
 def _is_angle(r: Result, phrases: Phrases) -> bool:
