@@ -20,7 +20,7 @@ def test_a_time_follows_from_the_integral_over_the_speed() -> None:
     assert "From hand to top, dv/a = dt:" in page
     assert "terminal speed: v_t = √(m g/c) = √(0.15 · 9.81 / 0.0012) = 35.02 m/s" in page
     assert "t_top = [-v_t arctan(ṡ/v_t)/g] from ṡ = ṡ_hand to 0 (3) t_top = v_t arctan(ṡ_hand/v_t)/g" in page
-    assert "with it: s̈ = -g (1 + ṡ²/v_t²)" in page
+    assert "with v_t: s̈ = -g (1 + ṡ²/v_t²)" in page
     assert "tan(t_top" not in page
 
 

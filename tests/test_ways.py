@@ -24,7 +24,7 @@ def test_a_ball_in_air_has_two_diagrams() -> None:
     assert "m g ↓, c ṡ² ↑ = m s̈ ↓" in text
     assert "↓ ΣF: m g - c ṡ² = m s̈" in text
     assert "against its velocity" not in text
-    assert "with it: s̈ = g (1 - ṡ²/v_t²)" in text
+    assert "with v_t: s̈ = g (1 - ṡ²/v_t²)" in text
 
 
 def test_what_sinks_is_held_up() -> None:

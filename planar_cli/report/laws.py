@@ -84,20 +84,10 @@ class LawTelling:
             every = (r.law for leg in route.steps for r in leg.relations if r.law is not None)
             changes = len({_said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
             yield from law_blocks(law, self.phrases, {*self.varying, *unknown}, e.since if changes else "")
-        if law.terminal is not None and law.terminal[0] not in self.natural:
-            self.natural.add(law.terminal[0])
-            letter, formula, _ = law.terminal
-            value = self.phrases.shown(letter)
-            sides: tuple[Any, ...] = (
-                Math(letter),
-                self.phrases.math(formula),
-                *self.phrases.substituted(formula, value),
-                value,
-            )
-            yield Equation(sides, None, line("terminal speed:"))
+        yield from self.terminal_speed(law)
         if law.terminal is not None and _said(law) not in self._by_terminal:
             self._by_terminal.add(_said(law))
-            yield self._with_terminal(law, law.terminal[2])
+            yield self._with_terminal(law, law.terminal[0], law.terminal[2])
         own = law.vibration
         if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
             self.natural.add(own.natural)
@@ -109,13 +99,24 @@ class LawTelling:
             self._moved.add((own.natural, e.since))
             yield from motion_blocks(e, route, self.phrases, self.regimes)
 
-    def _with_terminal(self, law: Law, told: sp.Expr) -> Equation:
+    def terminal_speed(self, law: Law | None) -> Iterator[Block]:
+        """The speed at which a drag balances what drives, once."""
+        if law is None or law.terminal is None or law.terminal[0] in self.natural:
+            return
+        self.natural.add(law.terminal[0])
+        letter, formula, _ = law.terminal
+        value = self.phrases.shown(letter)
+        put = () if formula.is_Symbol else self.phrases.substituted(formula, value)
+        sides: tuple[Any, ...] = (Math(letter), self.phrases.math(formula), *put, value)
+        yield Equation(sides, None, line("terminal speed:"))
+
+    def _with_terminal(self, law: Law, letter: sp.Symbol, told: sp.Expr) -> Equation:
         """ÿ = -g (v_t² + v²)/v_t²: the law by its terminal speed, as it is integrated."""
         q = law.coordinate.symbol
         v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
         rate = sp.Symbol(f"{q.name}_ddot", real=True)
         shown = running(factor_terms(told.xreplace({law.v: v})), {*self.varying, v}, self.phrases, law)
-        return Equation((self.phrases.math(rate), shown), None, line("with it:"))
+        return Equation((self.phrases.math(rate), shown), None, line("with ", Math(letter), ":"))
 
 
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:

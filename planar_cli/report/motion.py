@@ -73,6 +73,7 @@ from planar_cli.report.speed_by_balance import speed_by_balance
 from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
+from planar_cli.report.terminal_speeds import terminal_first
 from planar_cli.report.times_given import times_given
 from planar_cli.report.told_at_once import is_by_functions, told_at_once
 from planar_cli.report.with_units import in_units_held
@@ -112,7 +113,6 @@ class MotionTelling:
         self._open: set[sp.Symbol] = set()
         self._swings = HarmonicTelling(found, phrases, self._law)
         self.between = telling_between(found, phrases, self.numeric)
-        self._kinds = Kinds(Scope(found.problem, ()))
         self.aims: list[tuple[BalanceTrace, int]] = []
         """Balances that were told before their turn, with their numbers."""
         self.early: list[RouteStep] = []
@@ -133,7 +133,7 @@ class MotionTelling:
         functions = passing_blocks(self.found, self.phrases, self.told_route)
         yield from functions if is_by_functions(self.found) else ()
         way = [*self.told_route(self.found.route), *swings(self.found, self.phrases, self._one)]
-        spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
+        spans = SpanTelling(Kinds(Scope(self.found.problem, ())).of, self.phrases, self.varying)
         made = self.found, self.phrases, self.numeric, self.wanted, spans, self.rates, self.between.groups
         asked = as_told(AskedTelling(*made).blocks(), way, self.numeric)
         yield from (*first_state_first(way, list(asked), self.found), *functions)
@@ -147,11 +147,12 @@ class MotionTelling:
         legs = [leg for leg in every if only is None or leg in only]
         given = [leg for leg in legs if leg.is_datum]
         followed = [leg for leg in given if leg.relations[0].kind == "followed"]
-        for leg in (x for x in given if x not in followed):
-            yield from self._datum(leg)
         derived = [leg for leg in legs if not is_untold(leg, self.found)]
-        needed = {s for leg in derived for s in leg.needs}
-        first = [leg for leg in followed if needed.intersection(leg.unknowns)]
+        ahead, law = terminal_first(given, derived)
+        yield from (b for leg in ahead for b in self._datum(leg))
+        yield from self._laws.terminal_speed(law)
+        yield from (b for leg in given if leg not in (*ahead, *followed) for b in self._datum(leg))
+        first = [leg for leg in followed if any(not x.needs.isdisjoint(leg.unknowns) for x in derived)]
         yield from self._integrated(followed if first else [])
         for leg in derived:
             i = legs.index(leg)
@@ -310,7 +311,6 @@ class MotionTelling:
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
-        ordered = in_order(e, dict(route.plain), self._neat, self.phrases)
         if ordered := in_order(e, dict(route.plain), self._neat, self.phrases) or as_written(e, self, route):
             return ordered
         residual = e.residual.xreplace(route.plain)

@@ -6,7 +6,7 @@ t = v_t arctan(v_0/v_t)/g, h = v_t² ln(1 + v_0²/v_t²)/(2 g), v² = v_t² (1 -
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -14,7 +14,7 @@ import sympy as sp
 from planar_cli.calculus.spans import Span
 from planar_cli.equation.plain import by_name, derivative, longer, simplified
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result, RouteStep, RouteTrace
-from planar_cli.solve.law import Law
+from planar_cli.solve.law import IN_THE_END, Law
 
 LONGEST = 60
 """Longer formulas are not rewritten."""
@@ -43,8 +43,26 @@ def by_terminal_speed(motion: MotionTrace) -> MotionTrace:
         return simplified(expr.xreplace(put))
 
     value = motion.value.extended({letter: motion.value(formula)})
-    route = _route(motion.route, told, (letter, formula), lambda law: _square(law, motion) is not None)
+    limit = _limit(motion, formula)
+    shares = _shares(motion, formula, limit)
+    terminal = letter, formula if limit is None else limit
+    route = _route(motion.route, told, terminal, lambda law: _square(law, motion) is not None, shares)
     return replace(motion, value=value, route=route)
+
+
+def _limit(motion: MotionTrace, formula: sp.Expr) -> sp.Symbol | None:
+    """The letter of the speed to which the motion tends in the end, where that is the terminal speed."""
+    ends = (leg for leg in motion.route.steps if leg.is_datum and any(e.words == IN_THE_END for e in leg.relations))
+    results = [r for leg in ends for r in leg.results if r.formula is not None and len(leg.results) == 1]
+    return next((r.unknown for r in results if simplified(r.formula - formula) == 0), None)
+
+
+def _shares(motion: MotionTrace, formula: sp.Expr, limit: sp.Symbol | None) -> dict[sp.Symbol, sp.Expr]:
+    """Speeds of states that the file gives as multiples of it, v = 0.95 √(m g/c), each by its number of times."""
+    data = {r.unknown: r.formula for leg in motion.route.steps if leg.is_datum for r in leg.results}
+    roots = {s: f for s, f in data.items() if f is not None and f.has(sp.Pow) and s != limit}
+    found = {s: simplified(f / formula) for s, f in roots.items()}
+    return {s: share for s, share in found.items() if share.is_Rational}
 
 
 def _square(law: Law, motion: MotionTrace) -> sp.Expr | None:
@@ -83,7 +101,11 @@ def _route(
     told: Callable[[sp.Expr], sp.Expr],
     terminal: tuple[sp.Symbol, sp.Expr],
     dragged: Callable[[Law], bool],
+    shares: Mapping[sp.Symbol, sp.Expr],
 ) -> RouteTrace:
+    by_share = {s: share * terminal[0] for s, share in shares.items()}
+    rests_on = {terminal[1]} if terminal[1].is_Symbol else set()
+
     def relation(e: Relation) -> Relation:
         if e.law is None or e.span is None or not dragged(e.law):
             return e
@@ -95,20 +117,26 @@ def _route(
         )
 
     def result(r: Result) -> Result:
-        return r if r.formula is None else replace(r, formula=told(r.formula))
+        return r if r.formula is None else replace(r, formula=told(r.formula).xreplace(by_share))
 
     def rests(leg: RouteStep) -> bool:
         return any(e.law is not None and e.span is not None and dragged(e.law) for e in leg.relations)
 
     def step(leg: RouteStep) -> RouteStep:
+        if leg.is_datum and not by_share.keys().isdisjoint(leg.unknowns):
+            multiples = (replace(r, formula=by_share.get(r.unknown, r.formula)) for r in leg.results)
+            return replace(leg, results=tuple(multiples), needs=leg.needs | rests_on)
         if not rests(leg):
             return leg
-        return replace(leg, relations=tuple(map(relation, leg.relations)), results=tuple(map(result, leg.results)))
+        relations, results = tuple(map(relation, leg.relations)), tuple(map(result, leg.results))
+        return replace(leg, relations=relations, results=results, needs=leg.needs | rests_on)
 
     own = {x for leg in route.steps if rests(leg) for x in leg.unknowns}
-    formulas = {s: told(f) if s in own else f for s, f in route.formulas.items()}
+    formulas = {s: told(f) if s in own else by_share.get(s, f) for s, f in route.formulas.items()}
     settled = route.settled | {terminal[0]}
-    return replace(route, steps=tuple(map(step, route.steps)), formulas=formulas, settled=settled)
+    # What a letter rests on stands before it.
+    steps = sorted(map(step, route.steps), key=lambda leg: rests_on.isdisjoint(leg.unknowns))
+    return replace(route, steps=tuple(steps), formulas=formulas, settled=settled)
 
 
 def _span(span: Span, told: Callable[[sp.Expr], sp.Expr]) -> Span:
