@@ -13,7 +13,7 @@ from worked import page_of_file
     # In the plane with its axes.
     ("ex-1-11", ["parallel: v_y = -3/4 v_x", "x_B = v_x,launch t_B"]),
     # What is asked as v_5 is the size of the velocity, and keeps its name.
-    ("parachutist", ["v_5 = v_after_5 = 39.75 m/s", "dv = ∫[0 → t_nearly] dt", "s_after_5 = v_t² ln"]),
+    ("parachutist", ["v_5 = v_after_5 = 39.75 m/s", "dv = ∫[0 → t] dt", "s_after_5 = v_t² ln"]),
     ("sledge-down-a-slope-and-out-over-level-snow", ["s̈ = a_1", "v_2² = 2 a_1 L"]),
     # Another point that moves, or a distance from a pole.
     ("ball-that-grips-a-rough-floor", ["m v_Gx,2 → at G"]),

@@ -79,14 +79,14 @@ class LawTelling:
         law = e.law
         if law is None or law.f == 0:
             return
-        if _said(law) not in self._told:
-            self._told.add(_said(law))
+        if said_by(law) not in self._told:
+            self._told.add(said_by(law))
             every = (r.law for leg in route.steps for r in leg.relations if r.law is not None)
-            changes = len({_said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
+            changes = len({said_by(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
             yield from law_blocks(law, self.phrases, {*self.varying, *unknown}, e.since if changes else "")
         yield from self.terminal_speed(law)
-        if law.terminal is not None and _said(law) not in self._by_terminal:
-            self._by_terminal.add(_said(law))
+        if law.terminal is not None and said_by(law) not in self._by_terminal:
+            self._by_terminal.add(said_by(law))
             yield self._with_terminal(law, law.terminal[0], law.terminal[2])
         own = law.vibration
         if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
@@ -191,7 +191,7 @@ def _text(equation: Equation) -> str:
     return " = ".join(plain(m.expr, m.values) for m in maths) if len(maths) == len(equation.sides) else ""
 
 
-def _said(law: Law) -> tuple[sp.Symbol, sp.Expr]:
+def said_by(law: Law) -> tuple[sp.Symbol, sp.Expr]:
     """What a law says, whatever stands for the own speed in it."""
     return law.coordinate.symbol, law.f.xreplace({law.v: sp.Symbol("v", real=True)})
 

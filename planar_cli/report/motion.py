@@ -11,7 +11,6 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.angles_found import by_trial
-from planar_cli.report.antiderivatives import integral_blocks
 from planar_cli.report.as_stated import as_written
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.at_quarters import with_number
@@ -24,7 +23,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.data_of_states import datum_blocks
 from planar_cli.report.eliminated import lead_of, with_others_put_in
 from planar_cli.report.energies_told import as_told
-from planar_cli.report.evaluated_integrals import by_its_function, evaluated
+from planar_cli.report.evaluated_integrals import by_its_function
 from planar_cli.report.extremes import aims_told
 from planar_cli.report.first_state import first_state_first
 from planar_cli.report.flights import FlightTelling
@@ -70,6 +69,7 @@ from planar_cli.report.roots_of_squares import is_long_root, rooted
 from planar_cli.report.solved_in_letters import solved_in_letters, solved_in_numbers
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.speed_by_balance import speed_by_balance
+from planar_cli.report.speed_laws import integrals_told
 from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
@@ -306,8 +306,7 @@ class MotionTelling:
         if span.unevaluated and (e.kind != "t(q)" or span.explicit is not None):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        told = evaluated(e, sides, route, self, self._laws.places)
-        yield from integral_blocks(sides, {*self.varying, *self._open}, e, self.phrases) if told is None else told
+        yield from integrals_told(e, sides, route, self, (self._laws.places, {*self.varying, *self._open}))
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
