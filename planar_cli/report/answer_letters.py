@@ -23,7 +23,7 @@ from planar_cli.solve.solved_problem import PartSolution
 
 def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Answer:
     """The answer to a find. `told`: the blocks before it, whose letters it may name."""
-    said = line(*answer_line(found, phrases), *letter_vector_words(found, part, phrases))
+    said = line(*answer_line(found, phrases, decimals=True), *letter_vector_words(found, part, phrases))
     if words := mode_words(found, part):
         return Answer(found.name, line(words), ":")
     relation = ":" if found.word or found.curve is not None else "="

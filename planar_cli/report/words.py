@@ -20,6 +20,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.enough_figures import figures_each
+from planar_cli.report.in_decimals import in_decimals
 from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import quantity, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
@@ -239,8 +240,8 @@ def is_angle(expr: sp.Expr, degrees: Collection[sp.Symbol]) -> bool:
     )
 
 
-def answer_line(found: Found, phrases: Phrases) -> Line:
-    """The answer of a find: its value with unit and direction, its formula, or its word."""
+def answer_line(found: Found, phrases: Phrases, decimals: bool = False) -> Line:
+    """The answer of a find: its value with unit and direction, its formula, or its word. `decimals`: and these."""
     if found.curve is not None:
         what = found.find.found.what if found.find is not None else None
         return curve_line(found.curve, phrases, isinstance(what, Quantity) and what.word == "hodograph")
@@ -254,6 +255,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
             formula = swallowed(expr, found, phrases.ledger, phrases.figures) or Math(phrases.neat(expr))
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), formula]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
+        if decimals and phrases.letters and found.kind == "number":
+            line = (*line, *in_decimals(found, phrases.neat, phrases.ledger, phrases.figures))
         sense = sense_of_formula(found, set(phrases.ledger.letters) - set(phrases.ledger.coordinates), phrases.ledger)
         return (
             *_in_asked_unit(line, found, phrases),
