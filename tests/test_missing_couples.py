@@ -15,9 +15,9 @@ HOIST = next(p for p in PROBLEMS if p.stem == "body-hoist-starting-softly")
 
 def test_the_drum_has_its_diagram_and_its_moments() -> None:
     page = page_of_file("body-hoist-starting-softly")
-    assert "drum, moments about O, with the couple M_1 that drives it:" in page
+    assert "drum at 1, moments about O, with the couple M_1 that drives it:" in page
     assert "T_rope ↓ at T, M_1 ↺ = I_drum α ↺" in page
-    assert "↺ ΣM_O: M_1 - T_rope,1 R = M k_O² α_1" in page
+    assert "↺ ΣM_O: M_1 - T_rope,1 R = M k_O² α_1 STEP 3" in page
 
 
 def test_another_couple_is_none() -> None:

@@ -22,4 +22,4 @@ def test_two_states_rest_on_one_law_of_the_speed() -> None:
 
 def test_one_state_alone_has_its_own_limits() -> None:
     page = page_of_file("ball-up-with-drag")
-    assert "∫[0 → ṡ_back]" in page
+    assert "_back] (v_t²" in page

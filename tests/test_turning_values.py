@@ -55,4 +55,5 @@ def test_an_integral_told_with_numbers_has_its_function_of_time() -> None:
     assert "y_L,1 = 0.6 (1 - 4 sin 45° / π) = 0.05981 m" in page
     assert "α_1 = 3 π/8 sin 45° = 0.8330 rad/s²" in page
     assert "α_max = 3 π/8 = 1.178 rad/s²" in page
-    assert "At any time: the tension in rope = 2943 + 141.4 sin(π t/4) in N At max" in page
+    assert "At any time: a_Ly = R α = 0.4712 sin(π t/4) in m/s²" in page
+    assert "= m (g + a_Ly) = 2943 + 141.4 sin(π t/4) in N largest where sin(π t/4) = 1 At max" in page

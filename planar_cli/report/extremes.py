@@ -8,21 +8,22 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Text, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.put_in import partly
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
-from planar_cli.report.turning_values import over_time
+from planar_cli.report.turning_values import SAME, over_time
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import AimTrace, MotionTrace, Relation, RouteStep
 from planar_cli.units import FORCE, PURE, pretty_unit
 
+WAVE = sp.Dummy("wave", real=True)
 FORCES = ("the tension", "the normal force", "the friction")
-LONGEST = 24
-"""A longer function of the time is not told."""
+LONGEST, SHORT, DEEP = 24, 12, 6
+"""A longer function of the time, or formula of a force, is not told; so many formulas stand one in another."""
 
 
 def aims_told(e: Relation, leg: RouteStep, telling: Any) -> Iterator[Block]:
@@ -52,7 +53,56 @@ def _force_over_time(e: Relation, telling: Any) -> Iterator[Block]:
     shown = partly(formula, {time}, telling.numeric) or telling.phrases.math(formula)
     unit = pretty_unit(coherent_unit(FORCE, us=found.ledger.us).text)
     yield Paragraph(line("At any time:"))
-    yield Equation((words, shown), None, (), line(f"in {unit}") if shown.values else ())
+    by, sides = _by_acceleration(formula, time, telling)
+    yield from by
+    yield Equation((words, *sides, shown), None, (), line(f"in {unit}") if shown.values else ())
+    (own_time,) = own
+    if (sine := _extreme_sine(formula, time, found.value.extended({time: found.value(own_time)}))) is not None:
+        yield Paragraph(line(f"{e.words.rpartition(' ')[2]} where ", telling.phrases.math(sine), " = 1"))
+
+
+def _extreme_sine(formula: sp.Expr, time: sp.Symbol, there: Any) -> sp.Expr | None:
+    """The sine or cosine which alone varies in a formula, as c_0 + c_1 sin(π t/4), where it is 1 at this time:
+    there one sees at once which kind of extreme value it is. `there`: the values at the time.
+    """
+    waves = formula.atoms(sp.sin, sp.cos)
+    if len(waves) != 1:
+        return None
+    (wave,) = waves
+    slope = sp.diff(formula.xreplace({wave: WAVE}), WAVE)
+    steady = not slope.has(time, WAVE) and not formula.xreplace({wave: sp.S.Zero}).has(time)
+    return wave if steady and abs(there(wave) - 1) < SAME else None
+
+
+def _by_acceleration(formula: sp.Expr, time: sp.Symbol, telling: Any) -> tuple[list[Block], list[Math]]:
+    """a = R α = 0.4712 sin(π t/4), and the force by it, m (g + a), as the equations have given both; nothing where the
+    force rests on more than one acceleration. `formula`: of the force, in the time.
+    """
+    found = telling.found
+    solved = {x.symbol: x.formula for r in found.regimes for s in r.solution.stages for b in s.blocks for x in b.lines}
+
+    def over_time_alone(expr: sp.Expr) -> sp.Expr:
+        for _ in range(DEEP):
+            expr = expr.xreplace(solved)
+        return expr
+
+    if len(found.regimes) > 1:
+        return [], []
+    units = found.ledger.units
+    forces = (s for s in solved if s in units and units[s].dimension == FORCE)
+    own = next((s for s in forces if identically_zero(over_time_alone(solved[s]) - formula)), None)
+    moving = [s for s in solved[own].free_symbols if s in solved] if own is not None else []
+    if own is None or len(moving) != 1 or longer(solved[own], SHORT):
+        return [], []
+    (a,) = moving
+    numbers = partly(over_time_alone(solved[a]), {time}, telling.numeric)
+    if numbers is None or found.ledger.roles[a].kind is not Kind.ACCELERATION:
+        return [], []
+    unit = pretty_unit(coherent_unit(found.ledger.units[a].dimension, us=found.ledger.us).text)
+    sides = (Math(a), telling.phrases.math(solved[a]), numbers)
+    return [Equation(sides, None, (), line(f"in {unit}") if numbers.values else ())], [
+        telling.phrases.math(solved[own])
+    ]
 
 
 def aim_blocks(

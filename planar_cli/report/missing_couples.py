@@ -1,13 +1,13 @@
 """A couple that is asked as what the moments on a body about its fixed axle lack: that of the motor that a `motion` of
 the file stands for.
 
-drum, moments about O, with the couple M_1 that drives it:
+drum at one, moments about O, with the couple M_1 that drives it:
 ↺ ΣM_O:   M_1 - T_rope,one R = M k_O² α_one
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -19,14 +19,16 @@ from planar_cli.equation.led import turns_about_a_fixed_point
 from planar_cli.equation.plain import longer
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import force_rows
+from planar_cli.report.steps import KINETICS, is_ritual
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Request
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ENERGY
 
 STATE = "__"
+DRIVES = " that drives it:"
 LONGEST = 24
 """A longer couple is told by its formula alone."""
 
@@ -49,11 +51,32 @@ def missing_couple(asked: Request, part: sp.Expr, found: MotionTrace, phrases: P
             own, others = sp.Symbol(asked.find.name, real=True), [t for t in terms if t not in alpha]
             left = phrases.math(sp.Add(own, *(-t for t in others), evaluate=False))
             place = edge.joining.place
-            words = f"{edge.body}, moments about {place}, with the couple "
-            yield Paragraph(line(words, Name(asked.find.name), " that drives it:"))
+            (state,) = states
+            words = f"{edge.body} at {state}, moments about {place}, with the couple "
+            yield Paragraph(line(words, Name(asked.find.name), DRIVES))
             yield from _diagram(regime.solution, edge.body, own, phrases)
             yield Equation((left, phrases.math(alpha[0])), None, line("↺ ", Name(f"ΣM_{place}"), ":"))
             return
+
+
+def with_couples_among_forces(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of a part with such diagrams and moments at the end of the step of the forces, if there is one."""
+    found = list(blocks)
+    start = next((i for i, b in enumerate(blocks) if _is_headed_so(b)), None)
+    step = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), None)
+    if start is None or step is None or step > start:
+        return found
+    stop = next(i for i, b in enumerate(blocks) if i > start and isinstance(b, Equation)) + 1
+    heads = (i for i, b in enumerate(blocks) if i > step and isinstance(b, Heading) and not is_ritual(b))
+    end = next(heads, len(blocks))
+    if end > start:
+        return found
+    return [*found[:end], *found[start:stop], *found[end:start], *found[stop:]]
+
+
+def _is_headed_so(block: Block) -> bool:
+    last = block.line[-1] if isinstance(block, Paragraph) and block.line else None
+    return isinstance(last, Text) and last.text == DRIVES
 
 
 def _diagram(solution: InstantSolution, body: str, couple: sp.Symbol, phrases: Phrases) -> Iterator[Block]:
