@@ -46,8 +46,21 @@ def with_known_turns(
         builder.clockwise = frozenset(wheel for wheel, sense in asked.items() if sense < 0)
         builder.known_senses = frozenset(scene.bodies)
     pivot = _pivot(scene, [found for _, found in modes]) if _starts(scene, statements) else None
-    if pivot is None:
-        return builder
+    return builder if pivot is None else _as_loaded(builder, scene, pivot)
+
+
+def turns_as_loaded(builder: TreeBuilder, scene: Scene, statements: Statements, modes: Iterable[Mode]) -> bool:
+    """Is it known which way the only body of a scene begins to turn, now that of the modes of its contact that which
+    holds is known: it rolls, or turns about the point where it sticks? Then the builder counts so.
+    """
+    if builder.clockwise or builder.known_senses or scene.displacement is not None or not _starts(scene, statements):
+        return False
+    pivot = _pivot(scene, [(mode,) for mode in modes])
+    return pivot is not None and bool(_as_loaded(builder, scene, pivot).known_senses)
+
+
+def _as_loaded(builder: TreeBuilder, scene: Scene, pivot: Joining) -> TreeBuilder:
+    """The builder, in which the only body counts the way in which all loads turn it about the point that holds it."""
     (body,) = scene.bodies
     motion = Motion(builder.build((pivot,)), scene.center, scene.arms.between, {})
     still = dict.fromkeys(motion.tree.velocity_unknowns(), sp.S.Zero)

@@ -8,7 +8,7 @@ from planar_cli.solve.diagnosis.cases import several_cases
 from planar_cli.solve.diagnosis.clash import demand_drawn
 from planar_cli.solve.diagnosis.failures import place
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
-from planar_cli.solve.instant.drawn_senses import in_evident_sense
+from planar_cli.solve.instant.drawn_senses import in_evident_sense, turning_as_loaded
 from planar_cli.solve.instant.finish import Finisher
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.verify import Disagreement
@@ -28,7 +28,8 @@ def outcome_that_holds(
     demand_passable(instant, held[0], finds)
     solutions = []
     if len(held) == 1:
-        held = [in_evident_sense(instant, held[0], Finisher(instant, held[0], (), units, state).asked(finds))]
+        turned = turning_as_loaded(instant, held[0])
+        held = [in_evident_sense(instant, turned, Finisher(instant, turned, (), units, state).asked(finds))]
     for trial in held:
         try:
             solutions.append(Finisher(instant, trial, rejected, units, state).solve(finds))

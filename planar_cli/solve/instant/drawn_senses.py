@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.known_turns import turns_as_loaded
 from planar_cli.equation.plain import trigonometric
 from planar_cli.problem.going import Going
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -39,6 +40,23 @@ def in_evident_sense(instant: Instant, trial: Trial, asked: Iterable[sp.Expr]) -
     if found.objection == trial.objection:
         return found
     instant.turned, instant.builder.going = before
+    return trial
+
+
+def turning_as_loaded(instant: Instant, trial: Trial) -> Trial:
+    """The same choice of modes, in which the only body counts the way in which its loads turn it about the contact
+    over which it rolls in that choice.
+    """
+    if len(instant.modes) != 1 or len(instant.modes[0][1]) == 1:
+        return trial
+    modes = trial.system.modes.values()
+    before = instant.builder.clockwise, instant.builder.known_senses
+    if not turns_as_loaded(instant.builder, instant.scene, instant.statements, modes):
+        return trial
+    found = instant.try_choice(trial.choice, instant.scene.valuations)
+    if found.objection == trial.objection:
+        return found
+    instant.builder.clockwise, instant.builder.known_senses = before
     return trial
 
 
