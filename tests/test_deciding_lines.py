@@ -89,3 +89,11 @@ def test_normal_forces_stand_before_what_rests_on_them() -> None:
     page = page_of_file("stacked-blocks-joined-over-a-pulley")
     assert "Fails N_A = W_A = 30 lbf, N_B = N_A + W_B = 30 + 50 = 80 lbf; even with |F_A| = μ_1 N_A = 4.5 lbf:" in page
     assert "N_A = m g - μ N_B = 10 · 9.81 - 0.2 · 31.99 = 91.70 N; it would need" in page_of_file("ladder-slips")
+
+
+def test_friction_is_drawn_as_it_acts_and_a_spool_turns_as_it_is_pulled() -> None:
+    page = page_of_file("spool-rolls-or-slips")
+    assert "α is counted clockwise, the way in which the loads turn the spool about C. (1)" in page
+    assert "↻ ΣM_C: P (R - r_h) = m a_G R + I_G α" in page
+    assert "F_C = P - m a_G = 50 - 20 · 0.8989 = 32.02 N" in page
+    assert "friction_50 = F_C = 32.02 N to the left" in page

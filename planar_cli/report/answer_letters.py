@@ -52,6 +52,8 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     ):
         # Its direction says in which sense it counts.
         return Answer(found.name, said, "=")
+    if asked == -symbol and _is_friction_as_it_acts(symbol, found, part, phrases):
+        return Answer(found.name, said if same else line(Math(symbol), " = ", said), relation)
     if asked == symbol and _is_of_another_state(found.name, symbol, part):
         return Answer(symbol.name, line(said, " (asked for as ", Name(found.name), ")"), "=")
     positive = (phrases.value.known(symbol) or 0) > 0 and (not phrases.symbolic or _goes_so(part))
@@ -60,6 +62,16 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     letter = line("|", Math(symbol), "|") if size and not positive else line(Math(symbol if size else asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
+
+
+def _is_friction_as_it_acts(symbol: sp.Symbol, found: Found, part: PartSolution, phrases: Phrases) -> bool:
+    """Is it a friction that is asked against the sense in which it acts and is drawn, with words for its direction?"""
+    if part.motion is not None or phrases.symbolic or found.values is None or (phrases.value.known(symbol) or 0) <= 0:
+        return False
+    systems = [i.trial.system for i in part.instants]
+    frictions = {s.symbols.get(p.name) for s in systems for p in s.pushes if p.kind == "friction"}
+    told = direction_words(found, found.values[0], phrases.ledger, phrases.value, phrases.slopes)
+    return symbol in frictions and bool(told)
 
 
 def _seeks_extremes(part: PartSolution) -> bool:

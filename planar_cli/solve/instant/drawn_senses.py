@@ -1,9 +1,8 @@
 """Senses in which forces and accelerations count: as they are asked; where nobody asks, those in which they act.
 
 A weight that goes down on a cord counts downward, m g - T = m a. A joint counts friction along its surface one way for
-all loads. Where F is asked up the slope it is drawn up the slope, so that the answer is F and not the opposite of what
-stands in the diagram; friction that only the tests of a contact need is drawn against the slip that it hinders, so that
-it comes out positive.
+all loads. With numbers it is drawn as it acts, so that it comes out positive. In letters, where F is asked up the slope
+it is drawn up the slope, so that the answer is F and not the opposite of what stands in the diagram.
 """
 
 from __future__ import annotations
@@ -61,7 +60,7 @@ def turning_as_loaded(instant: Instant, trial: Trial) -> Trial:
 
 
 def _against(trial: Trial, asked: list[sp.Expr]) -> frozenset[str]:
-    """The names of the frictions that count against what is asked, or that are negative and not asked."""
+    """The names of the frictions that count against how they act; in letters against what is asked."""
     system = trial.system
     told = {law.push for law in system.laws}
     frictions = [p.name for p in system.pushes if p.kind == "friction" and p.name not in told]
@@ -73,8 +72,13 @@ def _against(trial: Trial, asked: list[sp.Expr]) -> frozenset[str]:
     for name in frictions:
         symbol = system.symbols[name]
         factors = [_factor(e, symbol, trial) for e in asked if symbol in e.free_symbols]
-        opposed = bool(factors) and all(f is not None and f < 0 for f in factors)
-        backward = symbol not in held and bool(numbers) and all(n.get(symbol, 0) < 0 for n in numbers)
+        alone = bool(factors) and all(f is not None for f in factors)
+        opposed = alone and all(f is not None and f < 0 for f in factors)
+        backward = bool(numbers) and all(n.get(symbol, 0) < 0 for n in numbers)
+        if alone and not system.scene.ledger.symbolic and any(n.get(symbol, 0) for n in numbers):
+            opposed = False
+        else:
+            backward = backward and symbol not in held
         if opposed or backward:
             found.add(name)
     return frozenset(found)
