@@ -34,7 +34,7 @@ IN_FOLDERS = {
         effects energy_check energy_of_groups evaluated_integrals exam extreme_rates first_second fixed_lines
         free_motions gathered given_momenta grooves harmonic_check hidden_data inertia_check inside_integrals
         integrated law_check laws_solved letter_check meanings meeting_check modes modes_of_blows motion_phrases
-        nil_impulses on_circle only_reaction opened_sums origins oscillation_check parts passages passing
+        nil_impulses on_circle on_ellipse only_reaction opened_sums origins oscillation_check parts passages passing
         points_by_bodies polar_check presses products projected put_in put_into raw_moments reciprocals rests_on
         results_once rolled_contacts rolled_parts rolled_speeds rope_ends rope_rates round_check shared_friction
         shown slip_senses slips_at_start small_deviations special_case speeds_of_momenta squared standing

@@ -77,7 +77,8 @@ def test_half_a_period() -> None:
 
 def test_the_mass_of_the_body_is_its_letter() -> None:
     told = page("t = 3 s", "x: x(P) @ 2")
-    assert "F_P = m K/r²" in told
+    assert "force = m K/|r_P/S|²" in told
+    assert "ΣF" not in told
 
 
 def test_another_mass_stays_a_number() -> None:
@@ -90,5 +91,9 @@ def test_a_root_is_said_as_mathematics() -> None:
     assert "sqrt" not in told
 
 
-def test_a_force_without_a_name_is_called_by_its_point() -> None:
-    assert "force at P: F_P" in page("t = 3 s", "x: x(P) @ 2")
+def test_coordinates_by_the_eccentric_anomaly() -> None:
+    told = page("t = 3 s", "x: x(P) @ 2, y: y(P) @ 2")
+    assert "x = a (cos E_2 - ε) = 4 (cos(" in told
+    assert "arctan" not in told
+    assert "r_2" not in told
+    assert "arctan" in page("t = 3 s", "x: x(P) @ 2, r: r(P).mag @ 2")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from planar_cli.problem.expression import Name, Quantity, Side
+from planar_cli.problem.expression import Binary, Name, Number, Quantity, Side
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
@@ -38,7 +38,8 @@ from planar_cli.report.blocks import Line, line
 from planar_cli.report.given_points import points_given
 from planar_cli.report.given_states import laws_given, states_given
 from planar_cli.report.mentioned import Mentioned
-from planar_cli.report.sides import is_zero, number_of, said
+from planar_cli.report.sides import is_zero, number_of, said, said_of_force
+from planar_cli.units import MASS, parse_unit
 
 RIGHT_ANGLE = 90
 OF_MASS = frozenset({"mass", "I", "KE", "PE", "momentum", "H"})
@@ -101,12 +102,19 @@ def _oblique(side: Side) -> bool:
 
 def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
     """Masses and weights that the file gives as numbers, on a page that tells of no force that would need them."""
-    for body in () if page.kinetic else problem.bodies:
+    for body in () if page.kinetic or _forces_by_mass(problem) else problem.bodies:
         if _mass_letter(body, _heavy(problem)) in page.letters or body.name in _asked_of(problem):
             continue
         for what, side in (("mass", body.mass), ("weight", body.weight)):
             if side is not None and number_of(side) is not None and (value := said(side, figures)):
                 yield line(f"the {what} of {body.name}, ", value)
+
+
+def _forces_by_mass(problem: Problem) -> bool:
+    """Is a force written with a mass as a number, which need not be that of the body?"""
+    forces = (side for m in problem.loads if isinstance(side := getattr(m, "magnitude", None), Side))
+    units = (n.unit for side in forces for n in walk(side) if isinstance(n, Number) and n.unit)
+    return any(parse_unit(unit).dimension == MASS for unit in units)
 
 
 def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
@@ -214,11 +222,24 @@ def _of_member(member: Member, problem: Problem, figures: int) -> Iterator[Datum
         if letter and spec.name == "magnitude":
             yield from _datum(line(blocks.Name(letter)), value, figures, place)
             continue
+        if spec.name == "magnitude" and isinstance(value, Binary):
+            yield from _of_force(named, value, problem, figures, place)
+            continue
         for what, side in _sides(value, spec, named):
             yield from _datum(what, side, figures, place)
         if isinstance(value, Flow) and spec.name == "leaves" and is_zero(value.speed):
             # It exerts no force, so that nothing else speaks of it.
             yield Datum(line("speed of what leaves, relative to the body"), line("0"), place)
+
+
+def _of_force(named: str, side: Side, problem: Problem, figures: int, place: str) -> Iterator[Datum]:
+    """A force by its formula, m K/r², with the letter that a mass has on the page."""
+    heavy = _heavy(problem)
+    letters = {f"m_{b.name}": _mass_letter(b, heavy) for b in heavy}
+    told = said_of_force(side, figures)
+    if told is not None:
+        own = (blocks.Name(letters[p.name]) if isinstance(p, blocks.Name) and p.name in letters else p for p in told)
+        yield Datum(line(named), line(*own), place)
 
 
 def _sides(value: object, spec: KeySpec, named: str) -> Iterator[tuple[Line | str, Side]]:

@@ -42,6 +42,17 @@ def said(side: Side, figures: int) -> Line | None:
     return _said(side, figures, SUM) if all(map(_has_a_name, walk(side))) else None
 
 
+def said_of_force(side: Side, figures: int) -> Line | None:
+    """A magnitude as written, with distances by letters: m K/|r_P/S|², where a sentence has no place."""
+    return _said(side, figures, SUM) if all(_has_a_name(n) or _is_distance(n) for n in walk(side)) else None
+
+
+def _is_distance(node: Tree) -> bool:
+    """r(A/B).mag"""
+    apart = isinstance(node, Quantity) and node.word == "r" and len(node.things) == 2 and node.at is None
+    return apart and isinstance(node, Quantity) and [p.kind for p in node.parts] == ["mag"]
+
+
 def _has_a_name(node: Tree) -> bool:
     """Is it nothing that only a sentence can tell?"""
     match node:

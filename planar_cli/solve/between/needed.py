@@ -19,7 +19,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.instant.written import Written
-from planar_cli.solve.law import ANOMALY, Law
+from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.meetings import Together
 from planar_cli.solve.regimes.regime import Regime
@@ -58,7 +58,7 @@ def wanted_of(
     # By the letters of their own speeds: the start of a stretch may have been put into them.
     own = {law.v for law in laws}
     for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
-        if e.kind in ("followed", ANOMALY) and _is_passed(course, regime, e.stop):
+        if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
         for law in () if _told_by_balance(course, e, way) else laws_of(e):
             if law.v in own and (law.f != 0 or _has_other(law, laws)):

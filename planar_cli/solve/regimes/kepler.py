@@ -25,13 +25,13 @@ from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.timeline import Stop
 
 OWN = "anomaly of an ellipse"
-AXIS = "energy v²/2 - K/r = -K/(2 {a}) with the larger half axis {a} of the orbit and the attraction K m/r²"
+AXIS = "energy v²/2 - {K}/r = -{K}/(2 {a}) with the larger half axis {a} of the orbit and the attraction {K} m/r²"
 ECCENTRICITY = "the orbit is nearest to the centre, r = {a} (1 - {e}) with the eccentricity {e}"
 EQUATION = "Kepler's equation for the eccentric anomaly E"
 DISTANCE = "r = {a} (1 - {e} cos E)"
 DIRECTION = "tan(φ/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
 BY_ANGLE = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan(φ/2)"
-AGAIN = "{}, as T = 2 π √(a³/K), so that it is at the start again and φ has changed by {} π"
+AGAIN = "{}, as T = 2 π √(a³/{K}), so that it is at the start again and φ has changed by {} π"
 CLOSE = Decimal("1e-20")
 """A time is a whole number of periods, where it differs from it by no larger part."""
 
@@ -49,6 +49,11 @@ class Ellipse:
     since: Stop
 
 
+def attraction(mu: sp.Expr) -> str:
+    """What a page calls μ: by the letter of the file, where it has one, else K."""
+    return str(mu) if mu.is_Symbol else "K"
+
+
 def at_time(
     ellipse: Ellipse, stop: Stop, place: tuple[sp.Symbol, sp.Symbol], t: Decimal, ledger: Ledger
 ) -> Iterator[Equation]:
@@ -59,7 +64,11 @@ def at_time(
         yield from _equations(ellipse, stop, place, mean, ledger, dated=True)
         return
     r, phi, _ = ellipse.start
-    words = AGAIN.format("a whole period has passed" if turns == 1 else f"{turns} periods have passed", 2 * turns)
+    words = AGAIN.format(
+        "a whole period has passed" if turns == 1 else f"{turns} periods have passed",
+        2 * turns,
+        K=attraction(ellipse.mu),
+    )
     for now, told in ((place[0], r), (place[1], phi + (-1 if ellipse.clockwise else 1) * 2 * sp.pi * turns)):
         yield Equation(
             now - told, ANOMALY, words, stop.name, ellipse.since.name, family=(ANOMALY, stop.name, now.name), rank=1
@@ -122,4 +131,6 @@ def _equations(
         (later, *direction),
     )
     for like, residual, words, name in found:
-        yield replace(like, residual=residual, words=words.format(a=a, e=epsilon), family=(OWN, like.stop, name))
+        yield replace(
+            like, residual=residual, words=words.format(a=a, e=epsilon, K=attraction(mu)), family=(OWN, like.stop, name)
+        )

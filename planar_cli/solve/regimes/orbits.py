@@ -20,12 +20,12 @@ from planar_cli.equation.plain import letters, longer, simplified
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.regimes.equations import Equation
-from planar_cli.solve.regimes.kepler import Ellipse, at_direction, at_time
+from planar_cli.solve.regimes.kepler import Ellipse, at_direction, at_time, attraction
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
 
 KIND = "orbit"
-CONIC = "the orbit is a conic section, 1/r = K/h² + C cos(φ - φ_0) with h = r² φ̇ and the attraction K m/r²"
+CONIC = "the orbit is a conic section, 1/r = {K}/h² + C cos(φ - φ_0) with h = r² φ̇ and the attraction {K} m/r²"
 HALF = "half a revolution, by Kepler's third law"
 WHOLE = "one revolution, by Kepler's third law"
 ROUND = Decimal("1e-12")
@@ -75,7 +75,8 @@ def orbit_equations(
         elif passage.still and shape[0] > 0:
             dated += passage.by_anomaly(regime.general.instant.scene.ledger)
         if not any(letters(e.residual) & {stop.letters[orbit.r]} for e in dated):
-            yield Equation(passage.place(), KIND, CONIC, stop.name, since.name, family=family, rank=1)
+            words = CONIC.format(K=attraction(orbit.mu))
+            yield Equation(passage.place(), KIND, words, stop.name, since.name, family=family, rank=1)
         yield from dated
 
 
