@@ -19,7 +19,7 @@ from planar_cli.problem.expression import (
     Side,
     Word,
 )
-from planar_cli.problem.walk import Tree, walk
+from planar_cli.problem.walk import Tree, changed, walk
 from planar_cli.report import blocks
 from planar_cli.report.blocks import Line, Text, Value, line
 from planar_cli.report.numbers import superscript
@@ -43,14 +43,17 @@ def said(side: Side, figures: int) -> Line | None:
 
 
 def said_of_force(side: Side, figures: int) -> Line | None:
-    """A magnitude as written, with distances by letters: m K/|r_P/S|², where a sentence has no place."""
-    return _said(side, figures, SUM) if all(_has_a_name(n) or _is_distance(n) for n in walk(side)) else None
+    """A magnitude as written, with distances by the letters of their points: m K/SP², where a sentence has no place."""
+    return said(changed(side, _distance), figures)
 
 
-def _is_distance(node: Tree) -> bool:
-    """r(A/B).mag"""
-    apart = isinstance(node, Quantity) and node.word == "r" and len(node.things) == 2 and node.at is None
-    return apart and isinstance(node, Quantity) and [p.kind for p in node.parts] == ["mag"]
+def _distance(node: Side) -> Side | None:
+    """SP for r(P/S).mag"""
+    if not isinstance(node, Quantity) or node.word != "r" or node.at is not None or len(node.things) != 2:
+        return None
+    end, start = node.things
+    plain = [p.kind for p in node.parts] == ["mag"] and len(start) == len(end) == 1
+    return Name(f"{start}{end}", None, node.mark) if plain else None
 
 
 def _has_a_name(node: Tree) -> bool:
