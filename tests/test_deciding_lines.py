@@ -97,3 +97,8 @@ def test_friction_is_drawn_as_it_acts_and_a_spool_turns_as_it_is_pulled() -> Non
     assert "↻ ΣM_C: P (R - r_h) = m a_G R + I_G α" in page
     assert "F_C = P - m a_G = 50 - 20 · 0.8989 = 32.02 N" in page
     assert "friction_50 = F_C = 32.02 N to the left" in page
+
+
+def test_a_trial_that_fails_is_worked_with_positive_numbers() -> None:
+    page = page_of_file("spool-rolls-or-slips")
+    assert "= 5.393 rad/s² clockwise; it would need |F_C| = P - m R α = 120 - 20 · 0.4 · 5.3933 = 76.85 N >" in page

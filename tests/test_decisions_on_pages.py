@@ -35,7 +35,7 @@ def _page(name: str) -> str:
         ("friction/crate-pulled", "it would need |F_A| = P cos 25° = 200 cos 25° = 181.3 N > μ_s N_A"),
         ("friction/stacked-blocks", "then a_B = (P - μ_B N_B)/(m_A + m_B) = (90 - 0.1 · 127.5)/(5 + 8) = 5.942 m/s²;"),
         ("friction/stacked-blocks", "it would need |F_A| = m_A a_B = 5 · 5.942 = 29.71 N > μ_A N_A"),
-        ("friction/spool-rolls-or-slips", "it would need |F_C| = m R α + P = 20 · 0.4 (-5.3933) + 120 = 76.85 N >"),
+        ("friction/spool-rolls-or-slips", "it would need |F_C| = P - m R α = 120 - 20 · 0.4 · 5.3933 = 76.85 N >"),
         ("friction/ladder-sliding", "it would need |F_A| = N_B = 56.96 N > μ_A N_A = 0.2 · 141.45 = 28.29 N"),
         ("systems/block-on-a-table-and-a-moving-pulley", "then T = 1/2 m_B g = 1/2 · 10 · 9.81 = 49.05 N; it would"),
         ("friction/stacked-blocks", "|F_A| = 6.633 N < μ_A N_A = 0.3 · 49.05 = 14.715 N"),

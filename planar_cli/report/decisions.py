@@ -144,7 +144,11 @@ def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: P
 def of_rejected(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
     """The same of a case that is rejected, with the normal force on which its limit rests."""
     worked = worked_out(found, trial, instant, phrases)
-    return worked if found.press is not None else replace(worked, presses=presses(trial, found.formula, instant))
+    pressed = None if found.press is not None else presses(trial, found.formula, instant)
+    # A letter that is told with a positive size for its opposite does not stand beside itself.
+    turned = worked.working.senses.keys() if worked.working is not None else set()
+    apart = pressed is None or not turned & dict(pressed.letters).keys()
+    return replace(worked, presses=pressed) if apart else worked
 
 
 def _formula(instant: InstantSolution, push: Push, size: Decimal, phrases: Phrases) -> sp.Expr | None:

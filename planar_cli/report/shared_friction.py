@@ -113,7 +113,7 @@ def _slipping(natural: Trial, shared: Shared, instant: InstantSolution) -> tuple
         if apart == [helping.joint] and modes[helping.joint] == "slip":
             found = working(trial, other, shared.other.size, instant)
             if found is not None:
-                return found, presses(trial, shared.other.formula, instant)
+                return found, None if found.senses else presses(trial, shared.other.formula, instant)
     return None, None
 
 
@@ -130,7 +130,7 @@ def _sentence(shared: Shared, way: Working | None, pressed: Presses | None, firs
     letters = dict(() if pressed is None else pressed.letters) | dict(() if way is None else way.before)
     if opening and pressed is not None:
         letters = {s: e for s, e in letters.items() if s not in dict(pressed.letters)}
-    before = listed(letters.items(), way.value, phrases) if way is not None else ()
+    before = listed(letters.items(), way.value, phrases, way.senses) if way is not None else ()
     middle = line(": then ", *before, "; it would need ") if before else line(" it would need ")
     return line(*opening, "even with ", *whole, *middle, *needs, *limit)
 

@@ -8,7 +8,7 @@ The normal force on which its limit rests stands before it, N_A = m_A g = 5 · 9
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -36,27 +36,35 @@ PRIME = "′"
 @record
 class Working:
     """The size of a friction as a formula, and what is told before it: letters and their formulas, each in what stands
-    before it. `value`: the numbers of the rejected case.
+    before it. `value`: the numbers of the rejected case; `senses`: in words the sense of an angular acceleration that
+    is told with a positive size.
     """
 
     size: sp.Expr
     before: tuple[tuple[sp.Symbol, sp.Expr], ...]
     value: Valuation
+    senses: Mapping[sp.Symbol, str] = field(default_factory=dict)
 
     def told(self, phrases: Phrases) -> Line:
         """then a = (P - μ N)/m = 5.942 m/s², α = …; empty where nothing is told before."""
-        told = listed(self.before, self.value, phrases)
+        told = listed(self.before, self.value, phrases, self.senses)
         return line("then ", *told) if told else ()
 
 
-def listed(letters: Iterable[tuple[sp.Symbol, sp.Expr]], value: Valuation, phrases: Phrases) -> Line:
-    """`a = (P - μ N)/m = 5.942 m/s², α = …`: letters with their formulas and numbers."""
+def listed(
+    letters: Iterable[tuple[sp.Symbol, sp.Expr]],
+    value: Valuation,
+    phrases: Phrases,
+    senses: Mapping[sp.Symbol, str] | None = None,
+) -> Line:
+    """`a = (P - μ N)/m = 5.942 m/s², α = …`: letters with their formulas, numbers, and senses in words."""
     there, parts = replace(phrases, value=value), line()
     for symbol, formula in letters:
         size = there.shown(symbol)
         numbers = [piece for side in there.substituted(formula, size) for piece in (" = ", side)]
         comma = (", ",) if parts else ()
         parts += line(*comma, there.math(symbol), " = ", there.math(formula), *numbers, " = ", size)
+        parts += line(f" {senses[symbol]}") if senses and symbol in senses else ()
     return parts
 
 
@@ -129,7 +137,20 @@ def working(trial: Trial, push: Push, size: Decimal, instant: InstantSolution) -
     before = tuple(told.behind(own, ()))
     if len(before) > FEW or any(longer(e, LONGEST) or not _is_plain(e) for e in (own, *(e for _, e in before))):
         return None
-    return Working(own, before, value)
+    return _turned(Working(own, before, value), trial)
+
+
+def _turned(way: Working, trial: Trial) -> Working:
+    """The same with each angular acceleration that is negative told as a positive size, with its sense in words."""
+    turns = {e.spin_rate: e.turn for e in trial.system.tree.edges if e.spin_rate is not None}
+    back = {s: n for s, _ in way.before if s in turns and (n := way.value.known(s)) is not None and n < 0}
+    if not back:
+        return way
+    opposite = {s: -s for s in back}
+    before = tuple((s, simplified((-e if s in back else e).xreplace(opposite))) for s, e in way.before)
+    senses = {s: "clockwise" if turns[s] > 0 else "counterclockwise" for s in back}
+    value = way.value.extended({s: -n for s, n in back.items()})
+    return Working(simplified(way.size.xreplace(opposite)), before, value, senses)
 
 
 @record
