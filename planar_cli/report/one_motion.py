@@ -9,15 +9,16 @@ the lines that it rests on.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise, takewhile
 
-from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Paragraph, Text
+from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Note, Paragraph, Text
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.restated import is_restated
 
 STRETCH = "MOTION"
 """The label of the heading of a stretch of a motion."""
-STEP, ANALYSIS = "STEP", "Kinematic analysis"
+STEP, ANALYSIS, ASSUME = "STEP", "Kinematic analysis", "Assume"
 TITLES = ("Motion over time", "Motion")
 STATES, HENCE = "states ", "Hence"
 
@@ -41,6 +42,35 @@ def in_one_motion(blocks: Sequence[Block]) -> Sequence[Block]:
             return blocks
     told = Heading(f"{STEP} 1", TITLES[0], STATES + ", ".join(states))
     return [*blocks[: starts[0]], told, *data, *_asked_in_turn(moving)]
+
+
+def without_single_stretch(blocks: Sequence[Block]) -> list[Block]:
+    """The blocks of a part without the heading of the only stretch that has forces of its own, where what follows leads
+    through states before it as well: what is assumed of it stands with the rest, and its forces say whose they are.
+
+    Assume      from 1 to meets: the spring is free
+                from meets to lowest: the spring pushes
+
+    STEP 1  Kinetic analysis
+      From meets to lowest:
+    """
+    heads = [i for i, b in enumerate(blocks) if isinstance(b, Heading)]
+    labels = [b.label for b in blocks if isinstance(b, Heading)]
+    if labels[:1] != [STRETCH] or labels.count(STRETCH) > 1 or len(heads) < 3 or heads[1] == heads[0] + 1:
+        return list(blocks)
+    start, step, *later = heads
+    stretch, first = blocks[start], blocks[step]
+    assert isinstance(stretch, Heading)
+    assert isinstance(first, Heading)
+    led = [b.aside for b in (blocks[i] for i in later) if isinstance(b, Heading)]
+    listed = [a.removeprefix(STATES).split(", ") for a in led if isinstance(a, str) and a.startswith(STATES)]
+    words, assumed = stretch.text, list(blocks[start + 1 : step])
+    earlier = len(listed) == 1 and not words.startswith(f"from {listed[0][0]} ") and words.startswith("from ")
+    if not earlier or not all(isinstance(b, Note) and b.kind == ASSUME for b in assumed):
+        return list(blocks)
+    notes = [replace(b, line=(Text(f"{words}: "), *b.line)) for b in assumed if isinstance(b, Note)]
+    whose = Paragraph((Text(f"{words[:1].upper()}{words[1:]}:"),))
+    return [*blocks[:start], *notes, first, whose, *blocks[step + 1 :]]
 
 
 def _asked_in_turn(blocks: Sequence[Block]) -> list[Block]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.report.blocks import Block, Heading, Text
-from planar_cli.report.one_motion import STEP, STRETCH, in_one_motion
+from planar_cli.report.one_motion import STEP, STRETCH, in_one_motion, without_single_stretch
 
 SOLVING, SINGLE = "Solving the equations", "1 equation, 1 unknown"
 KINETICS, EQUILIBRIUM = "Kinetic analysis", "Equilibrium"
@@ -19,7 +19,7 @@ def without_ritual(blocks: Sequence[Block]) -> Iterator[Block]:
     """
     left_out = 0
     if any(isinstance(b, Heading) and b.label == STRETCH for b in blocks):
-        blocks = in_one_motion(blocks)
+        blocks = without_single_stretch(in_one_motion(blocks))
     for block, after in zip(blocks, [*blocks[1:], None], strict=True):
         if not isinstance(block, Heading) or not block.label.startswith(STEP):
             yield block
