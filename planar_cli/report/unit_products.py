@@ -5,6 +5,7 @@ along DC, where ω_DC does not enter:
     e_DC = [-0.1316, 0.9913]
     (k × r_B/A) · e_DC = -0.1316 (-0.1732) + 0.9913 · 0.1 = 0.1219 m       the factor of ω_AB and of α_AB
     r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m              that of ω_AB²
+    ω_AB (k × r_B/A) · e_DC + ω_BC (k × r_C/B) · e_DC = 0                  before it is told in numbers
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.along_slots import NEARLY
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Text, Value, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import sum_along, unit_along
 from planar_cli.report.told import Told
@@ -44,7 +45,8 @@ def with_products(told: Told, words: list[Block], j: Joining | None, w: Written,
         return []
     if not isinstance(last, Paragraph) or last.line[-1] != Text(":"):
         return []
-    arms = [*_arms(told, j.mover, j), *_arms(told, j.base, j)] if j.base != GROUND else []
+    chains = [list(_arms(told, body, j)) for body in (j.mover, j.base)] if j.base != GROUND else []
+    arms = [arm for chain in chains for arm in chain]
     unit = unit_along(Vec(*w.along), told.phrases)
     link = next((arm for arm in arms if _is_along(arm, unit)), None)
     if link is None or "k" in told.system.scene.ledger.symbols or any(abs(abs(u) - 1) < NEARLY for u in unit):
@@ -55,7 +57,31 @@ def with_products(told: Told, words: list[Block], j: Joining | None, w: Written,
     if (key := f"unit {e}") not in told.valued:
         told.valued.add(key)
         first = [Equation((e, told.phrases.vector(unit[0], unit[1], PURE)))]
-    return [*words, *first, *(b for arm in arms for b in _products(told, arm, (e, unit), level, arm is not link))]
+    products = [b for arm in arms for b in _products(told, arm, (e, unit), level, arm is not link)]
+    sides = [line(*_along(told, chain, e, level, link)) or line("0") for chain in sorted(chains, key=len, reverse=True)]
+    whole = [Equation(tuple(sides))] if all(chains) else []
+    return [*words, *first, *products, *whole]
+
+
+def _along(told: Told, chain: Sequence[Arm], e: Line, level: str, link: Arm) -> Iterator[Inline | Line | str]:
+    """The component along e of the velocity, or acceleration, of the end of a chain that hangs on the ground:
+    ω_AB (k × r_B/A) · e + ω_BC (k × r_C/B) · e, of the accelerations α (k × r) · e - ω² r · e.
+    """
+    motion, idle, opens = told.motion, (0, *told.zero), True
+    for arm in chain:
+        name, math = _name(arm), told.phrases.math
+        turns, begins = motion.velocities[arm.body].angular, motion.accelerations[arm.body].angular
+        rate = turns if level == "velocity" else begins
+        if rate not in idle and arm is not link:
+            yield line("" if opens else " + ", math(rate), " (", Name("k"), " × ", name, ") · ", *e)
+            opens = False
+        if level != "velocity" and turns not in idle:
+            yield line("-" if opens else " - ", math(turns**2), " ", name, " · ", *e)
+            opens = False
+
+
+def _name(arm: Arm) -> Name:
+    return Name(f"r_{arm.end.replace('_', ',')}/{arm.start.replace('_', ',')}")
 
 
 def _is_along(arm: Arm, unit: Sequence[Decimal]) -> bool:
@@ -87,7 +113,7 @@ def _products(told: Told, arm: Arm, along: tuple[Line, Sequence[Decimal]], level
     (e, unit), (x, y), motion = along, arm.sizes, told.motion
     turns, begins = motion.velocities[arm.body].angular, motion.accelerations[arm.body].angular
     idle = (0, *told.zero)
-    name = Name(f"r_{arm.end.replace('_', ',')}/{arm.start.replace('_', ',')}")
+    name = _name(arm)
     if (turns if level == "velocity" else begins) not in idle and enters:
         yield from _product(told, line("(", Name("k"), " × ", name, ") · ", *e), (-y, x), unit)
     if level != "velocity" and turns not in idle:
