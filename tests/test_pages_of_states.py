@@ -205,7 +205,10 @@ def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
     """A block let go on a spring: its speed is no factor where it is largest, which is in the place of rest."""
     solution, _ = worked(ROOT / "problems" / "oscillations" / "block-hung-on-a-spring.yaml")
     page = " ".join(Terminal(width=110).render(narrate(solution)).split())
-    assert "where its derivative is zero: s_fastest = s_eq (2) cos(ω_n t_fastest) = 0 ω_n t_fastest = π/2" in page
+    assert (
+        "where the acceleration along the path is zero: s_fastest = s_eq (2) cos(ω_n t_fastest) = 0 ω_n t_fastest = π/2"
+        in page
+    )
     assert "s_lowest = s_eq + (l_0 - s_eq) cos π = 2 s_eq - l_0 = 2 · 0.34905 - 0.3 = 0.3981 m" in page
     assert "simple harmonic motion:" in page
 

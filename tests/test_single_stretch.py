@@ -14,3 +14,8 @@ def test_the_spring_that_is_free_at_first() -> None:
 
 def test_a_stretch_after_steps_of_its_own_keeps_it() -> None:
     assert "MOTION from meets to leaves" in page_of_file("block-runs-into-a-spring")
+
+
+def test_a_speed_is_largest_where_nothing_accelerates_it() -> None:
+    page = page_of_file("weight-dropped-on-a-spring")
+    assert "|v_P| is largest, where the acceleration along the path is zero: (3) g = k s_P,fastest/m" in page

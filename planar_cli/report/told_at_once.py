@@ -15,7 +15,7 @@ from planar_cli.problem.scene import Rod
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import at
-from planar_cli.report.turning_values import DERIVATIVE, over_time
+from planar_cli.report.turning_values import over_time, why_there
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     FUNCTION,
@@ -59,10 +59,10 @@ def told_at_once(
     if over_time(e) and r.formula == 0 and r.unknown not in (e.residual / r.unknown).free_symbols:
         # Of a place everybody knows that its speed is zero there.
         speed = found.ledger.roles[found.general.get(r.unknown, r.unknown)].kind is Kind.SPEED
-        words = e.words if speed else f"{e.words}, {DERIVATIVE}"
+        words = e.words if speed else f"{e.words}, {why_there(e)}"
     elif over_time(e) and (resting := _place_of_rest(r, later, found)) is not None:
         # A vibration is fastest where it would rest, which its law has told by then.
-        words, shown = f"{e.words}, {DERIVATIVE}", Math(resting[1])
+        words, shown = f"{e.words}, {why_there(e)}", Math(resting[1])
         yield from law(resting[0])
     elif (rod := _rod(e, r, found)) is not None:
         words = rod

@@ -18,6 +18,8 @@ from planar_cli.solve.instant.roots import Root
 LARGEST, SMALLEST = " is largest", " is smallest"
 SAME = Decimal("1e-20")
 DERIVATIVE, EQUALLY_FAST = "where its derivative is zero", "where both have the same velocity"
+UNACCELERATED = "where the acceleration along the path is zero"
+SPEED = re.compile(r"(?:v\(\w+\)\.mag|\|v(?:_\w+)?\|) is (?:largest|smallest)")
 GAP = re.compile(r"([xys])(?:_\w+|\(\w+\)) - \1(?:_\w+|\(\w+\)) is (?:largest|smallest)")
 
 
@@ -28,9 +30,9 @@ def over_time(e: Relation) -> bool:
 
 def why_there(e: Relation) -> str:
     """Where something is largest or smallest: its derivative is zero; that of a difference of two places along one
-    axis, x_A - x_B, where both are equally fast.
+    axis, x_A - x_B, where both are equally fast; that of a speed, d|v|/dt = a_t, where this acceleration is.
     """
-    return EQUALLY_FAST if GAP.fullmatch(e.words) else DERIVATIVE
+    return EQUALLY_FAST if GAP.fullmatch(e.words) else UNACCELERATED if SPEED.fullmatch(e.words) else DERIVATIVE
 
 
 def other_kind(found: MotionTrace, r: Result, left: list[Root], phrases: Phrases) -> Paragraph | None:
