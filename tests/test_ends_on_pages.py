@@ -14,4 +14,4 @@ def test_a_rope_tied_to_the_centre_of_what_rolls_says_so_of_that_centre() -> Non
 def test_an_answer_along_a_slope_tells_its_direction() -> None:
     page = page_of_file("wheel-pulled-uphill")
     assert "a_G = 1.642 m/s² up the slope" in page
-    assert "that is 22.08 N down the slope" in page
+    assert "friction_C = F_C = 22.08 N down the slope" in page

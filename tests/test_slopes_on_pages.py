@@ -15,7 +15,7 @@ FILES = {p.stem: p for p in PROBLEMS}
 @pytest.mark.parametrize(
     ("stem", "answer"),
     [
-        ("wheel-pulled-uphill", "friction_C = F_C = -22.08 N, that is 22.08 N down the slope"),
+        ("wheel-pulled-uphill", "friction_C = F_C = 22.08 N down the slope"),
         ("ball-on-a-rough-slope", "v_along = v_t,3 = 0.5555 m/s down the slope"),
         ("ball-on-a-rough-slope", "v_across = v_n,3 = 3.078 m/s perpendicular to the slope, upward"),
         ("ball-on-a-rough-slope", "J_t = 0.07476 N·s up the slope"),
