@@ -102,3 +102,9 @@ def test_friction_is_drawn_as_it_acts_and_a_spool_turns_as_it_is_pulled() -> Non
 def test_a_trial_that_fails_is_worked_with_positive_numbers() -> None:
     page = page_of_file("spool-rolls-or-slips")
     assert "= 5.393 rad/s² clockwise; it would need |F_C| = P - m R α = 120 - 20 · 0.4 · 5.3933 = 76.85 N >" in page
+
+
+def test_a_wheel_that_others_hang_on_counts_the_way_its_centre_is_asked() -> None:
+    page = page_of_file("rod-on-a-rolling-disk")
+    assert "α_disk is counted clockwise, the way in which the disk rolls along a_G." in page
+    assert "↻ ΣM_G: F_C R = I_disk α_disk" in page

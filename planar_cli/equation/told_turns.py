@@ -23,12 +23,11 @@ def rolling_as_asked(
     scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
 ) -> dict[str, int]:
     """The sense, 1 counterclockwise and -1 clockwise, in which wheels roll from rest on the ground, where the finds ask
-    for the acceleration of the centre of the only one that turns among others, all the same way; over time for the
-    velocity of anything that goes with them.
+    for the acceleration of their centre among others, all the same way; over time for the velocity of anything that
+    goes with them.
     """
     over_time = bool(scene.problem.states)
-    turning = [b for b in scene.bodies if scene.rigid(b)]
-    if len(scene.bodies) == 1 or (not over_time and len(turning) != 1) or not _rests(scene, statements):
+    if len(scene.bodies) == 1 or not _rests(scene, statements):
         return {}
     found: dict[str, set[int]] = {}
     for joining in (j for _, ways in modes if len(ways) == 1 for j in ways[0].facts.joinings):
