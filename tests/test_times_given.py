@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from conftest import ROOT
+from worked import worked
+
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
@@ -25,3 +28,8 @@ def test_a_time_on_which_no_number_rests() -> None:
     assert problem is not None, wrong
     page = Terminal().render(narrate(solve_problem(problem)))
     assert "t_late = 2.5 s" in " ".join(page.split())
+
+
+def test_times_stand_in_the_order_of_states() -> None:
+    told = Terminal(100).render(narrate(worked(ROOT / "problems" / "hard" / "comet.yaml")[0]))
+    assert 0 < told.index("t_2 =") < told.index("t_3 =")

@@ -26,6 +26,8 @@ from planar_cli.problem.walk import walk
 
 FEW = 12
 """So many draws are tried where every try solves the scene."""
+LENGTH_OF = "length {}{}"
+"""Title of a distance between two points that has a letter."""
 
 
 class Decided:
@@ -55,6 +57,19 @@ class Decided:
     if TYPE_CHECKING:
 
         def value(self, side: Side) -> sp.Expr: ...
+        def length(self, v: Vec) -> sp.Expr: ...
+
+    def reach_by_letter(self, reach: Vec, ends: tuple[str, str]) -> sp.Expr:
+        """|r|; at one instant AB for √(x² + y²) of given coordinates, so that no root is carried through the page."""
+        length, ledger = self.length(reach), self.ledger
+        given = length.free_symbols
+        if not length.is_Pow or self.displacement is not None or ledger.symbolic or len(given) < 2:
+            return length
+        if not given <= set(ledger.coordinates) & ledger.values.keys() or not all(len(e) == 1 for e in ends):
+            return length
+        name, title = "".join(ends), LENGTH_OF.format(*ends)
+        known = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == length), None)
+        return ledger.define(name, length, "m", title, positive=True) if known is None else known
 
     def drawn_by(self, body: str) -> tuple[str, ...]:
         """The points by which a body of no particular shape is drawn; of any other body none."""

@@ -49,9 +49,6 @@ from planar_cli.problem.shapes import attached, closest_first, fixed_points, own
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
 
-LENGTH_OF = "length {}{}"
-"""Title of a distance between two points that has a letter."""
-
 
 class Scene(Decided):
     """Geometry and bodies of one problem at one instant; built once, then only asked.
@@ -217,18 +214,6 @@ class Scene(Decided):
         if v not in self._lengths:
             self._lengths[v] = self._length(v)
         return self._lengths[v]
-
-    def reach_by_letter(self, reach: Vec, ends: tuple[str, str]) -> sp.Expr:
-        """|r|; at one instant AB for √(x² + y²) of given coordinates, so that no root is carried through the page."""
-        length, ledger = self.length(reach), self.ledger
-        given = length.free_symbols
-        if not length.is_Pow or self.displacement is not None or ledger.symbolic or len(given) < 2:
-            return length
-        if not given <= set(ledger.coordinates) & ledger.values.keys() or not all(len(e) == 1 for e in ends):
-            return length
-        name, title = "".join(ends), LENGTH_OF.format(*ends)
-        known = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == length), None)
-        return ledger.define(name, length, "m", title, positive=True) if known is None else known
 
     def _length(self, v: Vec) -> sp.Expr:
         for one, other in ((v.x, v.y), (v.y, v.x)):

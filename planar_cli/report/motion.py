@@ -74,7 +74,7 @@ from planar_cli.report.state_words import at
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.terminal_speeds import terminal_first
-from planar_cli.report.times_given import times_given
+from planar_cli.report.times_given import with_times_given
 from planar_cli.report.told_at_once import is_by_functions, told_at_once
 from planar_cli.report.with_units import in_units_held
 from planar_cli.report.words import Phrases
@@ -128,7 +128,7 @@ class MotionTelling:
         return [Heading(f"STEP {step}", title, states), *(body[1:] if body[0] == HENCE else body)]
 
     def _body(self) -> Iterator[Block]:
-        yield from (*times_given(self.found, self.phrases), *turning_blocks(self.found, self.phrases))
+        yield from turning_blocks(self.found, self.phrases)
         yield from () if self.early else nil_impulses(self.found, self.phrases)
         functions = passing_blocks(self.found, self.phrases, self.told_route)
         yield from functions if is_by_functions(self.found) else ()
@@ -136,7 +136,8 @@ class MotionTelling:
         spans = SpanTelling(Kinds(Scope(self.found.problem, ())).of, self.phrases, self.varying)
         made = self.found, self.phrases, self.numeric, self.wanted, spans, self.rates, self.between.groups
         asked = as_told(AskedTelling(*made).blocks(), way, self.numeric)
-        yield from (*first_state_first(way, list(asked), self.found), *functions)
+        told = first_state_first(way, list(asked), self.found)
+        yield from (*with_times_given(list(told), self.found, self.phrases), *functions)
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
