@@ -90,7 +90,7 @@ def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
             turn = regime.solution.trial.system.tree.turn((c.body,))
             words = "" if c.symbol.name in own else _meaning(c, scene, turn)
             if words:
-                meanings.setdefault(c.symbol, line(Name(c.symbol.name), f": {words}", *_by_place(c)))
+                meanings.setdefault(c.symbol, line(Math(c.symbol), f": {words}", *_by_place(c)))
     return meanings
 
 
