@@ -18,7 +18,10 @@ from conftest import ROOT
 PAGES = tuple(sorted((ROOT / "tests" / "golden").glob("*.solution.txt")))
 WIDTH = 110
 LABELS = tuple("Given|Find|Principle|Effects|Not used|Assume|Fails|Instead|Answer|Check|Discussion".split("|"))
-FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan atan2 ln exp sign abs e π √ ∫".split())
+FUNCTIONS = frozenset(
+    "sin cos tan cot sec csc arcsin arccos arctan atan2 sinh cosh tanh arsinh arcosh artanh".split()
+    + "ln exp sign abs e π √ ∫".split()
+)
 NUMBER = r"-?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 SYMBOL = re.compile(r"[^\W\d_][\u0300-\u036f\u20d7]?[\w\u0300-\u036f]*(?:[,/][A-Za-z]\w*)*′?")
 SIDES = re.compile(r" (?:=|≤|≥|<|>|≈) ")
@@ -243,6 +246,9 @@ def answers(page: Page) -> list[Told]:
             signed = turned if turned and value_of(head) else rest
             if value_of(SENSE.sub("", signed)) is None and symbols(SENSE.sub("", signed)):
                 signed = SENSE.sub("", signed)
+            if value_of(signed) is None:
+                # Of a formula with its number in decimals behind it the line is that of the formula.
+                signed = signed.partition(" = ")[0]
             # |ṡ_2|, and -ṡ_2, are told by the line of ṡ_2.
             found.append(Told(name, letter.lstrip("-").strip("|"), signed, part, value_of(signed)))
     return found

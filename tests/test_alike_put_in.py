@@ -9,7 +9,7 @@ from worked import page_of_file
 @pytest.mark.parametrize("line", [
     "From 1 to 2, B moves as A does, by symmetry. From 1 to 2, rod, A, B:",
     "I_O,1 = 2 m_A d_A,1² + I_0 + 2 I_A = 2 · 0.06211 · 0.4167² + 0.25 + 2 · 0.001553 = 0.2747 slug·ft²",
-    "(1) ↺ H_O: I_O,1 w_0 = I_O,2 ω_rod,2 (1) in numbers:",
+    "collected: I_O,1 w_0 = I_O,2 ω_rod,2",
     "T_2 = 1/2 I_O,2 ω_rod,2² + m_A v_A,rod,2²",
     "(2): v_A,rod,2 = √((4.944 - 1.714)/0.06211) = 7.211 ft/s",
     "v² = (d ω)² + v_rel² of what slides T_2 = 1/2 I_O,2 ω_rod,2² +",

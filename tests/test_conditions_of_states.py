@@ -23,7 +23,6 @@ def test_a_letter_of_a_state_and_its_constant() -> None:
 @pytest.mark.parametrize(("stem", "lines"), [
     ("ball-in-a-forked-slot", ("-2.5 rad/s (given: ω_fork > 0)", "-12.5 rad/s² (given: α_fork > 0)")),
     ("block-on-turntable", ("7.848 N (with it the other equations have no solution)", "-2.557 rad/s (given: w > 0)")),
-    ("boat-with-two-courses", ("other root, 126.9°, is that of case slow", "other root, 53.13°, is that of case fast")),
 ])  # fmt: skip
 def test_why_a_root_is_left_out(stem: str, lines: tuple[str, ...]) -> None:
     """By the condition that this root does not meet, in the notation of the page."""

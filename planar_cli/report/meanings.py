@@ -90,7 +90,9 @@ def _meanings(found: MotionTrace) -> dict[sp.Symbol, Line]:
             turn = regime.solution.trial.system.tree.turn((c.body,))
             words = "" if c.symbol.name in own else _meaning(c, scene, turn)
             if words:
-                meanings.setdefault(c.symbol, line(Math(c.symbol), f": {words}", *_by_place(c)))
+                # The letter of a way may be told in short, like its rates.
+                letter = Name(c.symbol.name) if c.words.startswith(WAY) else Math(c.symbol)
+                meanings.setdefault(c.symbol, line(letter, f": {words}", *_by_place(c)))
     return meanings
 
 
