@@ -64,16 +64,16 @@ def test_words_that_no_page_says(words: str) -> None:
 
 
 @pytest.mark.parametrize(("rule", "most"), [
-    pytest.param(without_source, 28.7, id="1: numbers without a line"),
+    pytest.param(without_source, 27.9, id="1: numbers without a line"),
     pytest.param(unknowns_bare, 6.9, id="2: bare numbers"),
-    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 11, id="3: words of kinematics"),
-    pytest.param(decimals, 28.9, id="4: decimals among letters"),
-    pytest.param(swallowed, 7.3, id="4: units swallowed"),
-    pytest.param(diagrams, 1, id="5: force lists"),
+    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 9.7, id="3: words of kinematics"),
+    pytest.param(decimals, 27.4, id="4: decimals among letters"),
+    pytest.param(swallowed, 6.9, id="4: units swallowed"),
+    pytest.param(diagrams, 0.8, id="5: force lists"),
     pytest.param(axes, 0.1, id="5: arrows of sums of forces"),
-    pytest.param(unused, 59.2, id="6: unused equations"),
-    pytest.param(repeated, 51, id="7: lines of an earlier case"),
-    pytest.param(renamed, 11, id="8: names and signs"),
+    pytest.param(unused, 55.3, id="6: unused equations"),
+    pytest.param(repeated, 48.6, id="7: lines of an earlier case"),
+    pytest.param(renamed, 10.3, id="8: names and signs"),
 ])  # fmt: skip
 def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most: float) -> None:
     """`most`: places on a hundred pages; it may only fall."""
@@ -101,6 +101,6 @@ def test_every_page_is_checked() -> None:
     assert len(silent) <= SILENT
 
 
-FULL_ANSWERS = 0.79
+FULL_ANSWERS = 0.792
 LONG, LONG_PAGES = 120, 13
 SILENT = 2
