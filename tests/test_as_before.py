@@ -89,7 +89,7 @@ def test_no_heading_without_lines(stem: str) -> None:
 def test_named_quantities_by_the_same_formulas() -> None:
     """Another height of the same toy: its mass and mass centre by their new values alone."""
     page = page_of_file("toy-on-a-round-end")
-    assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
+    assert "As before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
     assert page.count("y_1 = r - 4 r/(3 π)") == 1
 
 

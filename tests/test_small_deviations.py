@@ -93,4 +93,4 @@ def test_a_number_that_nothing_needs_is_not_worked_out_again() -> None:
     page = page_of_file("toy-on-a-round-end")
     assert page.count("I = m_1 (y_G - y_1)² + m_2 (y_2 - y_G)² + I_1 + I_2") == 1
     assert page.count("I_2 = m_2") == 1
-    assert "as before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
+    assert "As before, now with m_2 = 0.9 kg, y_2 = 0.145 m, m = 1.685 kg, y_G = 0.1043 m" in page
