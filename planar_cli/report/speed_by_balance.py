@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.report.blocks import Block, Equation, Paragraph, line
+from planar_cli.report.clean import common_dimension
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, Relation
 
@@ -27,6 +28,9 @@ def speed_by_balance(e: Relation, found: MotionTrace, phrases: Phrases) -> list[
     if own is None:
         return None
     speed, formula, end, balance = own
+    if common_dimension(found.ledger, speed, formula) is None:
+        # Its numbers hide units.
+        return None
     relations = [r for leg in found.route.steps for r in leg.relations]
     before = relations[: next((i for i, r in enumerate(relations) if r is e), len(relations))]
     others = (_at_any_time(r, found) for r in before if r.since == e.since)
