@@ -22,5 +22,5 @@ def test_the_letters_of_mass_centres(name: str, line: str) -> None:
 
 def test_a_letter_has_no_prime_where_nothing_on_its_part_of_the_page_is_called_so_without() -> None:
     text = page_of_file("spool-rolls-or-slips")
-    assert "spool rolls without slipping: a_G = -R α" in text
+    assert "spool rolls without slipping: a_G = R α" in text
     assert "′" not in text
