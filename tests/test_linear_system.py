@@ -29,7 +29,7 @@ def _files() -> list[Path]:
     names = {
         p.name.removesuffix(".solution.txt")
         for p in PAGES
-        if re.search(r"N·m\n(?:\n|  Rows.*\n)*  together:", p.read_text(encoding="utf-8"))
+        if re.search(r"(?:N·m|\n  \(\d+\) [ \d.-]+)\n(?:\n|  Rows.*\n)*  together:", p.read_text(encoding="utf-8"))
     }
     return [p for p in PROBLEMS if f"{p.parent.name}-{p.stem}" in names]
 
