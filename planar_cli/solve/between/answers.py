@@ -209,6 +209,9 @@ def closed_formula(expr: sp.Expr, route: Route, course: MotionEquations) -> sp.E
     most = LONGEST if symbolic else CLOSED_OPS
     if expr.is_number or expr.is_Symbol or longer(expr, most):
         return expr
+    if not symbolic and any(a.has(sp.tan) for a in expr.atoms(sp.atan)):
+        # By a place on an ellipse, tan(φ/2) = √((1 + ε)/(1 - ε)) tan(E/2), which nothing makes plainer.
+        return expr
     found = with_short_roots(simplified(expr))
     found = course.scene.without_bars(found) if symbolic else found
     # What only a factor of a higher degree shows to be the same above and below.
