@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 
 import pytest
 from answered import solve
@@ -85,19 +84,20 @@ def page(text: str) -> str:
 
 
 @pytest.mark.parametrize(("text", "condition", "answer"), [
-    (CABINET.format(assume=""), "Assume b > μ h", "β = arctan(μ)"),
-    (CABINET.format(assume="assume: [b > mu*h]"), "Assume b > μ h", "β = arctan(μ)"),
-    (CABINET.format(assume="assume: [b < mu*h]"), "Assume b < μ h", "β = arctan(b/h)"),
-    (CRATE, "Assume b > 2 μ d", "P = μ m g"),
+    (CABINET.format(assume=""), "Assume b > μ h", "β = arctan(μ); beyond it the cabinet slips"),
+    (CABINET.format(assume="assume: [b > mu*h]"), "Assume b > μ h", "β = arctan(μ); beyond it the cabinet slips"),
+    (CABINET.format(assume="assume: [b < mu*h]"), "Assume b < μ h", "β = arctan(b/h); beyond it the cabinet tips"),
+    (CRATE, "Assume b > 2 μ d", "P = μ m g; beyond it the crate slips"),
     (WEDGED.format(data=LETTERS, extreme="largest"), "Assume cos β > μ sin β",
      "P = m g (μ cos β + sin β) / (cos β - μ sin β)"),
-    (LADDER.format(data="symbols: {l: m, mu: 1, nu: 1, m: kg}"), "Assume 1 > μ ν", "β = arctan((1 - μ ν) / (2 μ))"),
+    (LADDER.format(data="symbols: {l: m, mu: 1, nu: 1, m: kg}"), "Assume 1 > μ ν",
+     "β = arctan((1 - μ ν) / (2 μ)); below it the ladder slips"),
 ])  # fmt: skip
 def test_an_extreme_in_letters_is_told_with_its_condition(text: str, condition: str, answer: str) -> None:
     told = page(text)
     assert condition in told
     assert told.count(condition) == 1, "once"
-    assert re.search(rf"{re.escape(answer)}(; (beyond|below) it the \w+ [\w ]+)? Check", told)
+    assert f"{answer} Check" in told
 
 
 @pytest.mark.parametrize(("text", "message"), [

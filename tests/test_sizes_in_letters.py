@@ -131,9 +131,13 @@ def test_nothing_is_assumed_that_never_holds(tmp_path: Path) -> None:
     [
         ("1 + cos(theta)", "90 deg", {"a_r": "-b w²", "a_th": "-2 b w²", "v": "√2 b w"}),
         ("1 - cos(theta)", "60 deg", {"v": "b w", "a_r": "0", "a_th": "√3 b w²"}),
-        ("theta", "pi", {"v_r": "b w", "v_th": "π b w", "a_r": "-π b w²", "a_th": "2 b w²", "v": "b w √(1 + π²)"}),
+        (
+            "theta",
+            "pi",
+            {"v_r": "b w", "v_th": "π b w", "a_r": "-π b w²", "a_th": "2 b w²", "v": "b w √(1 + π²) = 3.297 b w"},
+        ),
         ("2 - cos(theta)", "-pi/2", {"r": "2 b", "v_r": "-b w", "a_r": "-2 b w²", "a_th": "-2 b w²"}),
-        ("1", "20 deg", {"r": "b", "v": "b w", "d": "b √(5 - 4 cos 20°)"}),
+        ("1", "20 deg", {"r": "b", "v": "b w", "d": "b √(5 - 4 cos 20°) = 1.114 b"}),
     ],
 )
 def test_an_angle_that_is_given_appears_with_its_number(
@@ -143,7 +147,7 @@ def test_an_angle_that_is_given_appears_with_its_number(
     page = _page(tmp_path, _file(form, "symbols: {b: m, w: rad/s}", at))
     answers = page.partition("Answer")[2].partition("Check")[0]
     for name, formula in told.items():
-        assert re.search(rf"\b{name} = (.* = )?{re.escape(formula)}( = [\d.]+ .*)?\n", answers), answers
+        assert re.search(rf"\b{name} = (.* = )?{re.escape(formula)}\n", answers), answers
     assert "θ" not in answers
     assert "Assume" not in page
 
