@@ -64,6 +64,16 @@ def test_the_time_at_a_direction(degrees: float) -> None:
     assert answer(told, "T") == pytest.approx((anomaly - 0.5 * math.sin(anomaly)) * 4, rel=1e-3)
 
 
+@pytest.mark.parametrize(("speed", "angle"), [("(sqrt(3)) m/s", "φ"), ("(-sqrt(3)) m/s", "Δφ")])
+def test_the_angle_counts_the_way_it_flies(speed: str, angle: str) -> None:
+    """Clockwise φ is the opposite of the angle that it has turned through."""
+    for when, find in (
+        ("t = 3 s", "phi: r(P).angle @ 2"),
+        (f"r(P).angle = {70 if angle == 'φ' else -70} deg", "T: t @ 2"),
+    ):
+        assert f"tan({angle}/2)" in page(when, find, speed)
+
+
 @pytest.mark.parametrize("periods", [1, 2])
 def test_after_whole_periods_it_is_at_the_start(periods: int) -> None:
     told = page(f"t = {8 * periods}*pi*(1 s)", "x: x(P) @ 2, y: y(P) @ 2")

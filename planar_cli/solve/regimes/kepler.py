@@ -29,8 +29,9 @@ AXIS = "energy v²/2 - {K}/r = -{K}/(2 {a}) with the larger half axis {a} of the
 ECCENTRICITY = "the orbit is nearest to the centre, r = {a} (1 - {e}) with the eccentricity {e}"
 EQUATION = "Kepler's equation for the eccentric anomaly E"
 DISTANCE = "r = {a} (1 - {e} cos E)"
-DIRECTION = "tan(φ/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
-BY_ANGLE = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan(φ/2)"
+DIRECTION = "tan({turned}/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
+BY_ANGLE = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan({turned}/2)"
+TURNED = ", where Δφ is the angle through which it has turned"
 AGAIN = "{}, as T = 2 π √(a³/{K}), so that it is at the start again and φ has changed by {} π"
 CLOSE = Decimal("1e-20")
 """A time is a whole number of periods, where it differs from it by no larger part."""
@@ -39,13 +40,14 @@ CLOSE = Decimal("1e-20")
 @record
 class Ellipse:
     """An orbit that is passed from its nearest end on. `mu` [m³/s²]; r, φ and φ̇ at the start; `rate`: the value of
-    √(μ/a³) [1/s]; `clockwise`: φ decreases.
+    √(μ/a³) [1/s]; `clockwise`: φ decreases; `from_axis`: φ begins at zero.
     """
 
     mu: sp.Expr
     start: tuple[sp.Symbol, sp.Symbol, sp.Symbol]
     rate: Decimal
     clockwise: bool
+    from_axis: bool
     since: Stop
 
 
@@ -111,11 +113,12 @@ def _equations(
     passed = stop.t - ellipse.since.t
     turned = (phi - place[1]) if ellipse.clockwise else (place[1] - phi)
     half, wide = 2 * sp.pi * turns, sp.sqrt((1 + epsilon) / (1 - epsilon))
-    direction = (
-        (turned - 2 * sp.atan(wide * sp.tan(big / 2)) - half, DIRECTION, place[1].name)
-        if dated
-        else (big - 2 * sp.atan(sp.tan(turned / 2) * sp.sqrt((1 - epsilon) / (1 + epsilon))) - half, BY_ANGLE, big.name)
-    )
+    after, angle = ("", "φ") if ellipse.from_axis and not ellipse.clockwise else (TURNED, "Δφ")
+    if dated:
+        direction = turned - 2 * sp.atan(wide * sp.tan(big / 2)) - half, DIRECTION + after, place[1].name
+    else:
+        residual = big - 2 * sp.atan(sp.tan(turned / 2) * sp.sqrt((1 - epsilon) / (1 + epsilon))) - half
+        direction = residual, BY_ANGLE + after, big.name
     start = Equation(sp.S.Zero, ANOMALY, "", ellipse.since.name, rank=1)
     later = replace(start, stop=stop.name, since=ellipse.since.name)
     found = (
@@ -131,6 +134,5 @@ def _equations(
         (later, *direction),
     )
     for like, residual, words, name in found:
-        yield replace(
-            like, residual=residual, words=words.format(a=a, e=epsilon, K=attraction(mu)), family=(OWN, like.stop, name)
-        )
+        told = words.format(a=a, e=epsilon, K=attraction(mu), turned=angle)
+        yield replace(like, residual=residual, words=told, family=(OWN, like.stop, name))

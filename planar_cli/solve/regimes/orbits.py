@@ -148,7 +148,7 @@ class _Passage:
         spin, passed, turned = self._number(turning), self._passed(), self.turned(self.stop)
         if e >= 1 or not cube or cube < 0 or not spin or self.ends(self.stop):
             return
-        ellipse = Ellipse(mu, (r, phi, turning), cube.sqrt(), spin < 0, self.since)
+        ellipse = Ellipse(mu, (r, phi, turning), cube.sqrt(), spin < 0, self._number(phi) == 0, self.since)
         place = self.orbit.at(self.stop)[:2]
         if passed is not None and passed > 0:
             yield from at_time(ellipse, self.stop, place, passed, ledger)
