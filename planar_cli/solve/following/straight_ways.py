@@ -149,11 +149,6 @@ def _way(states: Sequence[Sequence[float]], frame: Frame, n: int) -> Going | Non
     return Going(x, y, _changes_sign(states[0][i], states[-1][i]), from_zero=states[0][i] == 0)
 
 
-def _aside(states: Sequence[Sequence[float]], frame: Frame, n: int) -> bool:
-    """Does a body move along both axes?"""
-    return all(any(y[n + i] != 0 for y in states) for i in (frame.x, frame.y))
-
-
 def _time(motion: Traced, name: str) -> float:
     moment = motion.moment(name)
     return 0.0 if moment is None else moment.t
