@@ -43,6 +43,22 @@ def test_a_counterweight_beyond_the_pin_keeps_its_coordinates(tmp_path: Path) ->
     assert "I_O = 3/2 M R² + 1/3 m l²" in text
 
 
+def test_a_hole_beside_the_pin_leaves_no_negative_distance(tmp_path: Path) -> None:
+    """The mass centre is on the other side of the pin; of a hole in a disk that is held at its edge it is not."""
+    wheel = """
+title: Disk with a hole
+plane: vertical
+given: {R: 300 mm, r_h: 60 mm, s: 180 mm, m_d: 90 kg, m_h: 4 kg}
+points: {O: [0, 0], C: [CENTRE, 0], A: [s, 0]}
+bodies: {wheel: {parts: [{disk: C, radius: R, mass: m_d}, {disk: A, radius: r_h, mass: -m_h}], points: [O]}}
+joints: [{pin: {at: O, between: [wheel, ground]}}]
+instant: [at rest]
+find: {alpha: alpha(wheel)}
+"""
+    assert "x_G = m_2 s/m = -4 · 0.18 / 86" in page_of_text(tmp_path, wheel.replace("CENTRE", "0"))
+    assert "OG = (m_2 s + m_d R)/m" in page_of_text(tmp_path, wheel.replace("CENTRE", "R"))
+
+
 def test_a_coordinate_that_all_parts_share_is_that_letter() -> None:
     text = page_of_file("unbalanced-wheel")
     assert "y_G" not in text

@@ -219,9 +219,7 @@ class MassReader:
     def _about_centre(self, body: Body, shape: Uniform, mass: sp.Expr, about: sp.Expr) -> sp.Expr:
         """Of a moment of inertia about another point, which can not be less than the whole mass at the centre has."""
         value = about - mass * self._shift(body, shape)
-        drawn, known = value, {**self.ledger.values, **self.ledger.definitions}
-        while drawn.free_symbols & known.keys():
-            drawn = drawn.xreplace(known)
+        drawn = self._known(value)
         drawn = simplified(drawn) if drawn.free_symbols else drawn
         if drawn.is_negative:
             told = body.inertia if body.inertia is not None else body.gyration
@@ -286,7 +284,12 @@ class MassReader:
         if not pin or not own or any(self._varies(mass) for (mass, _), _ in parts):
             return None
         centres = [Vec(self._opened(u.center.x), self._opened(u.center.y)) for _, u in parts]
-        return parts_in_line(pin, self.points(pin), centres, self._vanishes)
+        line = parts_in_line(pin, self.points(pin), centres, self._vanishes)
+        if line is None or not any(self._known(mass).is_nonpositive for (mass, _), _ in parts):
+            return line
+        # By a hole the mass centre may lie on the other side of the pin.
+        moment = sp.Add(*(mass * away for ((mass, _), _), away in zip(parts, line.distances, strict=True)))
+        return line if self._known(moment).is_positive else None
 
     def _opened(self, expr: sp.Expr) -> sp.Expr:
         """In the letters of the file, without those of ours."""
@@ -345,10 +348,14 @@ class MassReader:
 
     def _vanishes(self, gap: sp.Expr) -> bool:
         """Is it zero with all that is known of its letters?"""
+        return bool(simplified(self._known(gap)) == 0)
+
+    def _known(self, expr: sp.Expr) -> sp.Expr:
+        """With all that is known of its letters."""
         known = {**self.ledger.values, **self.ledger.definitions}
-        while gap.free_symbols & known.keys():
-            gap = gap.xreplace(known)
-        return bool(simplified(gap) == 0)
+        while expr.free_symbols & known.keys():
+            expr = expr.xreplace(known)
+        return expr
 
     def _about(self, center: Vec, number: int, part: tuple[tuple[sp.Expr, sp.Expr], Uniform], body: Body) -> sp.Expr:
         """Moment of inertia of a part about the mass centre of the whole; of numbers by named steps."""
