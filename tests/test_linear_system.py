@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from pathlib import Path
 
 import numpy as np
@@ -122,6 +122,15 @@ def test_rows_nearly_alike_have_more_figures() -> None:
     said, _ = system(rows, (X, Y), {X: Decimal(1), Y: Decimal(1)}, 4)
     assert isinstance(said, Paragraph)
     assert SENSITIVE in str(said)
+
+
+@pytest.mark.parametrize("figures", [11, 40])
+def test_more_figures_than_rows_mostly_have(figures: int) -> None:
+    with localcontext(prec=60):
+        rows = [_row(1, "1.00012", "1", "1.33341"), _row(2, "1", "1", "1.33333")]
+        x = Decimal("0.00008") / Decimal("0.00012")
+        said, *_ = system(rows, (X, Y), {X: x, Y: Decimal("1.33333") - x}, figures)
+    assert DEPENDENT not in str(said)
 
 
 def test_rows_that_only_differ_far_behind_are_called_dependent() -> None:

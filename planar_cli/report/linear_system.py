@@ -17,8 +17,10 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Tab
 from planar_cli.report.numbers import as_printed, significant
 from planar_cli.report.ordering import NUMBER
 
-MOST, ALIKE = 10, 2
-"""More figures help nobody; by so many figures more than the others a number of a column may have."""
+MOST, MORE, ALIKE = 10, 6, 2
+"""More figures, or so many more than the roots have, help nobody; by so many figures more than the others a number of a
+column may have.
+"""
 HALF = Decimal("0.5000001")
 """Of the last figure of a root: by so much it may differ."""
 GAP, WIDEST = 3, 96
@@ -56,7 +58,7 @@ def system(
 ) -> list[Block]:
     """The rows of a system. `roots`: what they give, shown to so many `figures`."""
     kept = [row.cleaned() for _, row, _ in rows]
-    for printed in range(figures, MOST + 1):
+    for printed in range(figures, max(MOST, figures + MORE) + 1):
         places = {s: _decimals(kept, s, printed) for s in unknowns}
         told = _table(rows, kept, unknowns, places, printed)
         if told is None:
