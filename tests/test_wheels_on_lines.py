@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+import pytest
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 
 def test_the_mass_centre_of_a_wheel_is_reached_from_its_middle() -> None:
@@ -21,6 +25,22 @@ def test_what_a_gear_carries_has_its_acceleration_along_the_contact_only() -> No
     page = page_of_file("gear-between-racks")
     assert page.count("a_K = α_gear") == page.count("differentiated: a_K = α_gear") == 1
     assert "never slips at T: v_K = ω_gear × r_T/C at all times, differentiated: a_K = α_gear × r_T/C. The" in page
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line"),
+    [
+        ("v(K).x = 1.2 m/s", "v(K).x = 0 m/s", "never slips at T; gear does not turn now: a_K = α_gear × r_T/C Given"),
+        ("angle: 0 deg}", "angle: 0 deg, speed: 0.3 m/s}", "v_K = v_C + ω_gear × r_T/C at all times, differentiated"),
+    ],
+)
+def test_what_a_gear_carries_that_does_not_turn_or_runs_on_a_belt(
+    tmp_path: Path, old: str, new: str, line: str
+) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "gear-between-racks")
+    text = path.read_text(encoding="utf-8").partition("answers:")[0]
+    assert old in text
+    assert line in page_of_text(tmp_path, text.replace(old, new))
 
 
 def test_an_answer_is_not_its_own_name() -> None:

@@ -97,9 +97,13 @@ def _carried(body: str, place: str, level: str, vectors: VectorTelling) -> Itera
     ground = carrier.joining if carrier is not None and carrier.parent == GROUND else None
     straight = ground is not None and ground.rolling is not None and vectors.phrases.value.is_zero(ground.rolling.base)
     if straight and j.rolling is not None and ground is not None:
-        omega, alpha = (vectors.phrases.math(t[edge.parent].angular) for t in (motion.velocities, motion.accelerations))
-        arm = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}")
-        whole = (f" and never slips at {j.place}: ", Name(f"v_{own}"), " = ", omega, " × ", arm, " at all times")
-        along = (", differentiated: ", Name(f"a_{own}"), " = ", alpha, " × ", arm)
+        omega, alpha = (t[edge.parent].angular for t in (motion.velocities, motion.accelerations))
+        arm, touches = Name(f"r_{index_of(j.place)}/{index_of(ground.place)}"), Name(f"v_{index_of(ground.place)}")
+        gained = line(Name(f"a_{own}"), " = ", vectors.phrases.math(alpha), " × ", arm)
+        if vectors.phrases.value.is_zero(omega):
+            yield Paragraph(line(*note, f" and never slips at {j.place}; {edge.parent} does not turn now: ", *gained))
+            return
+        driven = () if ground.drift is None else (touches, " + ")
+        whole = (Name(f"v_{own}"), " = ", *driven, vectors.phrases.math(omega), " × ", arm, " at all times")
         across = f". The point {j.place} of {edge.parent} has an acceleration across the contact as well."
-        yield Paragraph(line(*note, *whole, *along, across))
+        yield Paragraph(line(*note, f" and never slips at {j.place}: ", *whole, ", differentiated: ", *gained, across))
