@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from worked import page_of_file
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 LADDER = "a_B = -l α cos β = -4 · 1.299 cos 50° = -3.340 m/s² < 0: ladder slides at B downward, against its friction"
 SPOOL = "a_C = a_G + R α = 4.5285 + 0.4 · 9.782 = 8.441 m/s² > 0: spool slides at C to the right, against its friction"
@@ -28,6 +31,16 @@ def test_the_sense_of_a_slip_is_told(name: str, line: str) -> None:
 def test_what_slides_on_a_body_has_its_acceleration_by_its_own_forces() -> None:
     page = page_of_file("stacked-blocks")
     assert "a_A = μ_A N_A/m_A = μ_A g = 0.3 · 9.81 = 2.943 m/s²" in page
+    assert "a_A,lower" not in page
+
+
+def test_its_component_is_that_of_its_acceleration_along_a_slope(tmp_path: Path) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "stacked-blocks")
+    text = path.read_text(encoding="utf-8").partition("cases:")[0]
+    page = page_of_text(tmp_path, text.replace("angle: 0 deg", "angle: 20 deg"))
+    assert "a_A = (μ_A N_A - m_A g sin 20°)/m_A" in page
+    assert "a_A in the sense → = a_A cos 20° = -0.5897 cos 20° = -0.5541 m/s²" in page
+    assert "upper: → ΣF_x = -15.7644 + 12.9937 = -2.771 N, m_A a_A cos 20° = -2.771 N" in page
     assert "a_A,lower" not in page
 
 

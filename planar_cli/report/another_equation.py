@@ -16,6 +16,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.counted import sense_of
+from planar_cli.report.own_accelerations import in_letters_found
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -77,7 +78,7 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
             continue
         parts = [product_of(getattr(a.force, axis), a.size) for a in acting if a.force is not None]
         moved = None if still or motion is None else motion.acceleration(model.center, body)
-        inertia = sp.S.Zero if moved is None else model.mass * getattr(moved, axis)
+        inertia = sp.S.Zero if moved is None else in_letters_found(model.mass * getattr(moved, axis), instant)
         if None not in parts:
             yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), tuple(p for p in parts if p is not None), FORCE, inertia)
 

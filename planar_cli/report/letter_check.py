@@ -14,6 +14,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.counted import sense_of
+from planar_cli.report.own_accelerations import in_letters_found
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
@@ -77,8 +78,8 @@ def _left(instant: InstantSolution, name: str, used: list[Written]) -> Iterator[
     for axis, arrow in (("x", "→"), ("y", "↑")):
         if not any(w.law == "force" and w.lead == axis and w.bodies == (name,) for w in used):
             parts = (getattr(f, axis) * e for _, f, _, e in acting if f is not None)
-            inertia = sp.S.Zero if still else body.mass * getattr(a, axis)
-            yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), sp.Add(*parts), sp.sympify(inertia))
+            inertia = sp.S.Zero if still else in_letters_found(sp.sympify(body.mass * getattr(a, axis)), instant)
+            yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), sp.Add(*parts), inertia)
 
 
 def _told(

@@ -10,7 +10,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import tidy
+from planar_cli.equation.plain import simplified, tidy
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -39,6 +39,14 @@ def with_own_accelerations(part: PartSolution) -> PartSolution:
     return replace(part, instants=tuple(instants), found=found)
 
 
+def in_letters_found(expr: sp.Expr, instant: InstantSolution) -> sp.Expr:
+    """An expression without what no line of the page finds, as an acceleration relative to a moving body."""
+    formulas = {s: f for stage in instant.stages for s, f in stage.algebra.formulas.items()}
+    unknowns = {u for stage in instant.stages for b in stage.blocks for u in b.unknowns}
+    put = {s: formulas[s] for s in expr.free_symbols - unknowns if s in formulas}
+    return simplified(expr.xreplace(put)) if put else expr
+
+
 def _relative(x: Explicit, instant: InstantSolution, found: tuple[Found, ...]) -> sp.Symbol | None:
     """The acceleration along the way on a moving body of which a line tells the whole one, where one equation alone
     gives either; None: it is another line, or more rests on it.
@@ -63,8 +71,9 @@ def _relative(x: Explicit, instant: InstantSolution, found: tuple[Found, ...]) -
 
 
 def _put(expr: sp.Expr, x: Explicit, relative: sp.Symbol) -> sp.Expr:
-    """The whole acceleration as its letter, where it is the whole of an expression."""
-    return x.symbol if relative in expr.free_symbols and sp.expand(expr - x.expression) == 0 else expr
+    """The whole acceleration as its letter, where an expression is a multiple of it, as a component is."""
+    factor = sp.diff(expr, relative)
+    return factor * x.symbol if factor != 0 and sp.expand(expr - factor * x.expression) == 0 else expr
 
 
 def _solved(x: Explicit, block: SolvedBlock) -> sp.Expr | None:

@@ -18,6 +18,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.numbers import vector_words
+from planar_cli.report.own_accelerations import in_letters_found
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.study import TINY
 from planar_cli.solve.solution import InstantSolution
@@ -97,7 +98,4 @@ def _along(own: Action, other: Action, way: Vec, instant: InstantSolution) -> sp
         whole = whole - motion.acceleration(other.point, other.body)
     named = {e: s for stage in instant.stages for s, e in stage.algebra.explicit.items()}
     found = simplified(sp.sympify(whole.dot(way)))
-    relative = {s: f for stage in instant.stages for s, f in stage.algebra.formulas.items()}
-    unknowns = {u for stage in instant.stages for b in stage.blocks for u in b.unknowns}
-    put = {s: relative[s] for s in found.free_symbols - unknowns if s in relative}
-    return named.get(found, simplified(found.xreplace(put)))
+    return named.get(found, in_letters_found(found, instant))
