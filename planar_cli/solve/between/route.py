@@ -146,8 +146,10 @@ class Router:
         for target in sorted(targets, key=lambda t: t in best and best[t].equations[0].kind == "followed"):
             self._collect(target, best, order)
         formulas, steps = dict[sp.Symbol, sp.Expr](self.plain), list[DerivedStep]()
-        for derivation in one_by_one(each_once(order), self._inside, self._regular):
-            step = self._work(derivation)
+        derivations = one_by_one(each_once(order), self._inside, self._regular)
+        for derivation in derivations:
+            used = frozenset(targets).union(*(d.needs for d in derivations if d is not derivation))
+            step = self._work(derivation, used)
             if step is None:
                 continue
             steps.append(step)
@@ -314,15 +316,16 @@ class Router:
 
     # --- work --------------------------------------------------------------------------------------------------------
 
-    def _work(self, derivation: Derivation) -> DerivedStep | None:
-        """Solve in symbols; of several roots the one with the known value."""
+    def _work(self, derivation: Derivation, used: frozenset[sp.Symbol]) -> DerivedStep | None:
+        """Solve in symbols; of several roots the one with the known value. `used`: what is asked, or others need."""
         pool = [
             self._in_place(e, self._without_zeros(self.residual(e), derivation.unknowns)) for e in derivation.equations
         ]
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
-            step = linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL, not self.symbolic)
+            most, by_time = (60, None) if self.symbolic else (LONG_POOL, used)
+            step = linear_step(pool, left, self.value, most, by_time)
             if step is None:
                 break
             index, x, formula = step

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
@@ -31,12 +31,12 @@ SQUARE = 2
 
 
 def linear_step(
-    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int, by_time: bool = False
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int, used: Collection[sp.Symbol] | None = None
 ) -> tuple[int, sp.Symbol, sp.Expr] | None:
-    """An equation that is linear in an unknown which it really contains; the shortest formula. `by_time`: or places as
-    functions of the one time that is unknown.
+    """An equation that is linear in an unknown which it really contains; the shortest formula. `used`: what other
+    equations of the way need, or is asked; with it also places as functions of the one time that is unknown.
     """
-    if by_time and len(pool) > 1 and (placed := _by_the_time(pool, left, value)) is not None:
+    if used is not None and len(pool) > 1 and (placed := _by_the_time(pool, left, value, used)) is not None:
         return placed
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
@@ -56,9 +56,12 @@ def linear_step(
     return index, x, formula
 
 
-def _by_the_time(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -> tuple[int, sp.Symbol, sp.Expr] | None:
+def _by_the_time(
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, used: Collection[sp.Symbol]
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
     """The first of places and speeds that are put in as functions of the one time that is unknown, where a linear or
-    quadratic equation for the time is left: 30 t = 1/2 · 4 (t - 2)². None: it is no such thing.
+    quadratic equation for the time is left: 30 t = 1/2 · 4 (t - 2)². None: it is no such thing, or only the time
+    since an earlier state counts, which is the other root, and nothing else needs to know when either is.
     """
     times = [x for x in left if x.name.startswith(TIME)]
     if len(times) != 1 or any(longer(r, LONGEST) for r in pool):
@@ -74,6 +77,9 @@ def _by_the_time(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -
         rest = [r.xreplace({x: formula}) for r in rest]
         waiting.remove(x)
     last = sp.fraction(together(rest[0]))[0] if len(rest) == 1 else sp.S.Zero
+    earlier = [s for s in letters(last) - {*times, *used} if s.name.startswith(TIME) and times[0] not in used]
+    if any(expanded(last.xreplace({times[0]: s})) == 0 for s in earlier):
+        return None
     return first if last.is_polynomial(*times) and 0 < sp.degree(last, times[0]) <= SQUARE else None
 
 
