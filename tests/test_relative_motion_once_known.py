@@ -22,6 +22,19 @@ instant: [v(ball).mag = 4 m/s, omega(fork) > 0, alpha(fork) > 0, SIZE]
 find: {omega: omega(fork), alpha: alpha(fork)}
 """
 
+FAR_END = """
+title: Crank pin at the far end of a slot
+points: {C: [0, 0], O: [0.4 m, 0.3 m], P: [0.56 m, 0.42 m]}
+bodies: {crank: {rod: [O, P]}, arm: {rod: [C, P]}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: C, between: [ground, arm]}
+  - guide: {point: P, along: arm}
+motion: [omega(crank) = 4 rad/s ccw]
+find: {omega: omega(arm), alpha: alpha(arm)}
+"""
+PRINCIPLE = "Motion relative to a turning body: v_P = v_P′ + v_rel, a_P = a_P′ + a_rel + 2 ω × v_rel."
+
 
 def page(text: str) -> str:
     problem, wrong = load_text(text)
@@ -31,9 +44,17 @@ def page(text: str) -> str:
 
 def test_a_velocity_that_is_found_last_has_no_number_before() -> None:
     told = page(FORK.replace("SIZE", "a(ball).mag = 30 m/s^2"))
+    assert PRINCIPLE in told
     before, after = told.split("(1): ω")
     assert after.startswith(" = 4 rad/s")
     assert "α = 18 rad/s²" in after
     assert "v_A′ = ω × r_A/O r_A/O = [-1, 0] m" in before
     assert "a_cor =" not in before
     assert "a_A = a_A′ + a_rel + 2 ω × v_rel" in before
+
+
+def test_the_principle_is_named_where_the_pin_is_at_rest_in_its_slot() -> None:
+    told = page(FAR_END)
+    assert "a_P = a_P′ + a_rel e + a_cor" in told
+    assert "a_cor · n" not in told
+    assert PRINCIPLE in told

@@ -227,8 +227,8 @@ def coriolis_told(spin: Math, e: Line) -> Line:
     """+ a_cor, a_cor = 2 ω × v_rel e, where components along e and across it follow; else the product alone. `e`: with
     the space before it.
     """
-    product = line("2 ", spin, " × ", Name("v_rel"), *e)
-    return line(" + ", Name("a_cor"), ", ", Name("a_cor"), " = ", *product) if e else line(" + ", *product)
+    before = (" + ", Name("a_cor"), ", ", Name("a_cor"), " = 2 ") if e else (" + 2 ",)
+    return line(*before, spin, " × ", Name("v_rel"), *e)
 
 
 def coriolis_across(told: Told, slot: Slot, normal: Sequence[Decimal], figures: int) -> tuple[Line, Line, Line]:

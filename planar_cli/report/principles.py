@@ -82,8 +82,9 @@ def _printed(page: Sequence[Block]) -> Printed:
         heads = [p.name for p in own if isinstance(p, Name)]
         texts = [p.text for p in own if isinstance(p, Text)]
         if not isinstance(block, Equation):
-            # a_P = a_P′ + a_rel + 2 ω × v_rel, said before its component; the last term only of a body that turns.
-            coriolis |= RELATIVE in heads and DOUBLED in texts
+            # a_P = a_P′ + a_rel + 2 ω × v_rel, or + a_cor, said before its component; the last term only of a body that
+            # turns.
+            coriolis |= RELATIVE in heads and (DOUBLED in texts or CORIOLIS in heads)
             centre |= any(ABOUT_CENTRE in text for text in texts)
             continue
         names |= set(heads)
