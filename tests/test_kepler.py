@@ -95,6 +95,27 @@ def test_another_mass_stays_a_number() -> None:
     assert "m K/r²" not in page("t = 3 s", "r: r(P).mag @ 2", mass="2 kg").replace("3 K m", "")
 
 
+def test_equal_masses_of_two_bodies_are_not_told_apart() -> None:
+    """Of G (5 kg) (5 kg)/r² one is the mass of the other body."""
+    stars = """
+title: Two stars
+plane: horizontal
+given: {G: 2 N*m^2/kg^2}
+points: {A: [0, 0], B: [2 m, 0]}
+bodies: {A: {particle: A, mass: 5 kg}, B: {particle: B, mass: 5 kg}}
+loads: [{force: {body: A, at: A, towards: B, magnitude: G*LAW/r(A/B).mag^2}}]
+instant: [at rest]
+find: {a_A: a(A).x}
+"""
+    for law in ("(5 kg)*(5 kg)", "(5 kg)^2"):
+        problem, diagnostics = load_text(stars.replace("LAW", law))
+        assert problem is not None, diagnostics
+        told = re.sub(r"\s+", " ", Terminal(200).render(narrate(solve_problem(problem))))
+        assert "m_A²" not in told
+        assert "m_A m_B" not in told
+        assert "a_A = 2.5 m/s²" in told
+
+
 def test_a_root_is_said_as_mathematics() -> None:
     told = page("t = 3 s", "x: x(P) @ 2", "sqrt(3*K/(4 m))")
     assert "√(3 K/(4 m)):" in told

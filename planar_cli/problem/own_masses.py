@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Name, Number, Quantity, Side
+from planar_cli.problem.expression import Binary, Name, Number, Quantity, Side
 from planar_cli.problem.scene import Body, Problem
 from planar_cli.problem.walk import changed, walk
 from planar_cli.units import MASS, parse_unit
@@ -34,16 +34,23 @@ def _named(load: Load, problem: Problem) -> Load:
         return load
     body = next((b for b in problem.bodies if b.name == getattr(load, "body", None)), None)
     mass = None if body is None else _mass(body, problem)
-    if body is None or mass is None or all(_kilograms(n) != _kilograms(mass) for n in numbers):
+    own = [] if mass is None else [n for n in numbers if _kilograms(n) == _kilograms(mass)]
+    if body is None or not own or any(_is_twice(n, own) for n in walk(law)):
         return load
 
     def rule(side: Side) -> Side | None:
-        if isinstance(side, Number) and _is_mass(side) and _kilograms(side) == _kilograms(mass):
-            return Quantity("mass", (body.name,), None, (), None, side.mark)
-        return None
+        return Quantity("mass", (body.name,), None, (), None, side.mark) if side in own else None
 
     changes: Any = {"magnitude": changed(law, rule)}
     return replace(load, **changes)
+
+
+def _is_twice(side: Any, own: list[Number]) -> bool:
+    """Is it a product of the number with itself? One of both is the mass of another body then, and none tells which."""
+    if not isinstance(side, Binary) or side.operator not in ("*", "^"):
+        return False
+    first, second = (any(n in own for n in walk(s)) for s in (side.left, side.right))
+    return first and (second or side.operator == "^")
 
 
 def _mass(body: Body, problem: Problem) -> Number | None:
