@@ -28,10 +28,13 @@ def test_the_length_in_the_coordinates_of_the_file() -> None:
     page = page_of_file("two-sliders-on-a-link")
     told = ("x² + y² = AB²", "(1) v_A x + v_B y = 0", "Differentiated once more, a_A x + a_B y + v_A² + v_B² = 0: (2)")
     assert [t for t in told if t not in page] == []
+    assert "+ v_A² + v_B² = 0: (2) a_A x + a_B y = -v_A² - v_B² STEP 2" in page
     assert "length AB: AB = √(x² + y²) = √(0.3² + 0.4²) = 0.5 m" in page
     assert "F - T x/AB = m_A a_A" in page
     assert page.count("√") == 2
-    assert "(3), (4) in (2)" in page
+    assert (
+        "(3): a_A = F/m_A - T x/(m_A AB) (4): a_B = -T y/(m_B AB) - g (3), (4) in (2): T = AB (F x/m_A + v_A²" in page
+    )
     assert "in m" not in page.partition("STEP 2")[0]
 
 

@@ -1,11 +1,44 @@
-"""What an unknown is in the one letter of its block comes with its working."""
+"""What would be fractions of fractions in letters is told in numbers, each line once, with its terms before
+their sum, and then evaluated.
+"""
 
 from __future__ import annotations
 
+import pytest
+import sympy as sp
 from worked import page_of_file
 
+from planar_cli.report.nested import in_storeys
 
-def test_each_term_stands_before_the_sum() -> None:
-    page = page_of_file("rod-disk-wall")
-    assert "N_E = -0.3182 α_rod - 0.1061 α_rod + 0.05303 α_rod = -0.3712 α_rod in N" in page
-    assert "O_x = 0.15 α_disk = -0.3182 α_rod in N" in page
+M, R, i, m, alpha = sp.symbols("M R I m alpha")
+
+
+@pytest.mark.parametrize("line", [
+    "disk: M g ↓ at O, N_C ↑ at C, F_C → at C (assumed), O_x ← at O, O_y ↓ at O = M a_O → at O",
+    "= m a_O → at G_rod, 1/2 m l α_rod ↖ at G_rod",
+    "(4) → ΣF_x: O_x - N_E = m a_O - √2/4 m l α_rod",
+    "(2): α_disk = -2.121 α_rod in rad/s² (1) in (3): O_x = 0.15 α_disk = -0.3182 α_rod in N",
+    "(1) in (4): N_E = -0.3182 α_rod - 0.1061 α_rod + 0.05303 α_rod = -0.3712 α_rod in N",
+    "(2) to (4) in (5): 0.0825 α_rod = -0.5203 in N·m α_rod = -0.52025/0.0825 = -6.306 rad/s²",
+    "(3): O_x = -0.3182 (-6.306) = 2.007 N (4): N_E = -0.3712 (-6.306) = 2.341 N",
+])  # fmt: skip
+def test_a_disk_with_a_rod_at_a_wall(line: str) -> None:
+    assert line in page_of_file("rod-disk-wall")
+
+
+def test_what_has_a_short_result_in_letters_keeps_its_letters() -> None:
+    page = page_of_file("cylinder-that-unwinds-from-another")
+    assert "(3): α_A = -m g R/I_A - m a_Gy R/I_A" in page
+
+
+@pytest.mark.parametrize(
+    ("formula", "storeys"),
+    [
+        ((m / 2 + (M * R + i / R) / R) * alpha, True),
+        (1 / (m + i / R), True),
+        ((M * R**2 + i) * alpha / R, False),
+        (m / R - i / R, False),
+    ],
+)
+def test_fractions_of_fractions(formula: sp.Expr, storeys: bool) -> None:
+    assert in_storeys(formula) == storeys

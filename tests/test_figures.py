@@ -40,10 +40,8 @@ def demand_whole(path: Path) -> None:
         if isinstance(block, Drawing) and isinstance(before, Forces):
             pieces = (*before.left, *before.right)
             ways = [p.text for p in pieces if isinstance(p, Text) and p.way is not None]
-            told = [t for t in ways if "against its velocity" not in t]
             drawn = [m for panel in block.figure.panels for m in panel.marks if isinstance(m, Arrow | Turn)]
-            # What acts against a velocity has an arrow where that has a sense in the position that is drawn.
-            assert len(told) <= len(drawn) <= len(ways), (before, drawn)
+            assert len(drawn) == len(ways), (before, drawn)
     figures = dict(figures_of(page))
     for figure in figures.values():
         for paper in papers_of(figure):

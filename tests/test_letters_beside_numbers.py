@@ -33,13 +33,14 @@ def test_what_an_answer_is_in_the_data(name: str, formula: str) -> None:
 @pytest.mark.parametrize(
     ("name", "line"),
     [
+        ("momentum/sand-wagon", "t_2 = M (v_1 - v_2) / (v_2 q) = 800 (3 - 1.5) / (1.5 · 40) = 20 s"),
         ("motion/body-hoist-starting-softly", "v_1 = R ω_1 = 0.4 · 0.4393 = 0.1757 m/s"),
         ("motion/boat-with-two-courses", "v_boat,x = v_stream,x + w cos β = 6.928 + 5 cos 53.13° = 9.928 m/s"),
         ("textbook/ex-4-07", "ω_rod = v_O/IO = 1/0.21213 = 4.714 rad/s"),
     ],
 )
 def test_no_formula_that_holds_for_numbers_of_the_file_alone(name: str, line: str) -> None:
-    """Of 1.5 rad/s and 4 s only a number is left in it, of 45° a root."""
+    """Of 3 m/s and 1.5 m/s only their ratio is left in it, of 1.5 rad/s and 4 s a number, of 45° a root."""
     assert f" {line}\n" in _page(name)
 
 

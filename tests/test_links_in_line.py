@@ -26,6 +26,7 @@ def page() -> str:
         "At 2, v_slider,x = 0, OA and AB lie in one line, stretched, inclined at φ_2:",
         "(l - r_c) sin φ_1 = e",
         "From 1 to 2 the crank turns, at its constant rate, through: Δθ_2 = θ_2 - θ_1 = π + φ_1 - φ_2 = 180° + 23.58°",
+        "Δθ_2 = θ_2 - θ_1 = π + φ_1 - φ_2 = 180° + 23.58° - 11.54° = 192.0° = 3.352 rad",
         "Folded, OA points away from B; its angle, counterclockwise from the x axis: θ_1 = π - φ_1",
         "Stretched, OA points to B; its angle, counterclockwise from the x axis: θ_2 = 2 π - φ_2",
         "From θ_0 = 0° on, OA comes to θ_1 first, then to θ_2",

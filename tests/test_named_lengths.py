@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
+import sympy as sp
+from sympy.parsing.sympy_parser import implicit_multiplication_application, parse_expr, standard_transformations
 from worked import page_of_file
 
 MOMENT = "↺ ΣM_O: -F_coil AK′ - F_dashpot DW′ = I_O α"
@@ -35,8 +38,10 @@ def test_the_derivative_is_the_arm(angle: float) -> None:
     a, k = (size * math.cos(angle), size * math.sin(angle)), (size, -h)
     length = math.hypot(a[0] - k[0], a[1] - k[1])
     arm = abs(a[0] * k[1] - a[1] * k[0]) / length
-    told = size * (size * math.sin(angle) * (1 - math.cos(angle)) + math.cos(angle) * (h + size * math.sin(angle)))
-    assert told / length == pytest.approx(arm)
+    (told,) = set(re.findall(r"d\(AK\)/dθ = (.*?) / AK ", page_of_file("bar-with-spring-and-damper")))
+    values = {"l": size, "h": h, "θ": angle, "sin": sp.sin, "cos": sp.cos}
+    formula = parse_expr(told, values, (*standard_transformations, implicit_multiplication_application))
+    assert formula / length == pytest.approx(arm)
 
 
 def test_moments_about_an_axis_need_no_acceleration_of_the_centre() -> None:

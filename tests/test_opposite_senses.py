@@ -21,7 +21,7 @@ def test_one_velocity_in_opposite_senses_keeps_two_letters() -> None:
     problem, wrong = load_text(text)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert "v_P,3 = -v_Qy,3" in page
+    assert "one velocity along the common normal: (2) v_P,3 = -v_Qy,3 ram, pile:" in page
     assert "(m_1 - m_2)" not in page
 
 

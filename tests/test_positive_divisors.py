@@ -29,6 +29,7 @@ def test_the_minus_of_a_divisor_stands_before() -> None:
 @pytest.mark.parametrize(("stem", "told"), [
     ("wedge-drawn-to-a-wall-by-its-block", "-m g sin β / (M + 2 m - 2 m cos β), that is to the left"),
     ("bob-on-a-cart", "α = -(M + m) g sin φ / (l (M + m sin² φ)), that is clockwise"),
+    ("collar-drawn-up-from-its-rod-by-a-spring", "need |F_rod| = 4/5 k (l_B - l_0) = 4/5 · 18 (1.6667 - 1) = 9.6"),
     ("collar-drawn-up-from-its-rod-by-a-spring", "= 4/5 · 18 (1.6667 - 1) = 9.6 lbf > -μ N = -0.3 (-1.2) = 0.36 lbf"),
 ])  # fmt: skip
 def test_on_the_page(stem: str, told: str) -> None:

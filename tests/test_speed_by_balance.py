@@ -69,7 +69,7 @@ def test_a_balance_to_another_state_tells_it_too() -> None:
     # A displacement, and a mass times an acceleration, have a direction; each stands under its state.
     assert "that is 1.12 m to the left" in page
     assert "F = 29.03 N to the left" in page
-    assert page.index("At one: ") < page.index("F = M a_Q,one")
+    assert page.index("At mid: ") < page.index("At one: ") < page.index("F = M a_Q,one") < page.index("At mid: K = ")
 
 
 def test_what_keeps_the_motion_as_given_is_told_with_the_diagrams() -> None:

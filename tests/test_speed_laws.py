@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unicodedata import normalize
+
 from worked import page_of_file
 
 
@@ -21,5 +23,5 @@ def test_two_states_rest_on_one_law_of_the_speed() -> None:
 
 
 def test_one_state_alone_has_its_own_limits() -> None:
-    page = page_of_file("ball-up-with-drag")
-    assert "_back] (v_t²" in page
+    page = normalize("NFC", page_of_file("ball-up-with-drag"))
+    assert "From top to back, dv/a = dt: ∫[0 → ṡ_back] (v_t² / (g (v_t² - ṡ²))) dṡ = ∫[t_up → t_back] dt" in page
