@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from planar_cli.later import defer
 
 ROOT = Path(__file__).parent.parent
@@ -12,3 +14,15 @@ PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.nam
 
 # As on the command line, before any test loads SymPy.
 defer()
+
+HELD: set[Path] = set()
+"""The problem files whose printed page this run compares with the golden file, on one worker or another."""
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Each worker collects all tests of the run."""
+    for item in session.items:
+        if isinstance(item, pytest.Function) and item.originalname == "test_printed_solution":
+            path = item.callspec.params["path"]
+            assert isinstance(path, Path)
+            HELD.add(path)

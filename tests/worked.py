@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from conftest import PROBLEMS, ROOT
+from conftest import HELD, PROBLEMS, ROOT
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
@@ -52,11 +52,11 @@ def worked(path: Path) -> tuple[Solution, tuple[Verdict, ...]]:
 def page_of_file(stem: str) -> str:
     """The printed solution of a file of problems/ by its name or that of its folder with it, in one line.
 
-    A run on several workers, such as the whole one, takes it from the golden file: another worker holds that to what is
-    printed now, and to solve each file on all workers is most of the time that such a run takes.
+    A run on several workers, such as the whole one, takes it from the golden file where another worker holds that to
+    what is printed now: to solve each file on all workers is most of the time that such a run takes.
     """
     (path,) = (p for p in PROBLEMS if stem in (p.stem, f"{p.parent.name}/{p.stem}"))
-    if SEVERAL_WORKERS in os.environ and UPDATE not in os.environ:
+    if SEVERAL_WORKERS in os.environ and UPDATE not in os.environ and path in HELD:
         return re.sub(r"\s+", " ", (GOLDEN / f"{name_of(path)}.solution.txt").read_text(encoding="utf-8"))
     return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(path)[0])))
 
