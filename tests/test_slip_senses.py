@@ -11,6 +11,21 @@ from worked import page_of_file, page_of_text
 LADDER = "a_B = -l α cos β = -4 · 1.299 cos 50° = -3.340 m/s² < 0: ladder slides at B downward, against its friction"
 SPOOL = "a_C = a_G + R α = 4.5285 + 0.4 · 9.782 = 8.441 m/s² > 0: spool slides at C to the right, against its friction"
 BLOCKS = "a_A - a_B = 2.943 - 7.8165 = -4.8735 m/s² < 0: upper slides on lower to the left, against its friction"
+WALL = """
+title: Block pushed along a wall on a table
+plane: horizontal
+given: {m: 4 kg, beta: 35 deg, mu: 0.2, N: 30 N, P: 20 N}
+points: {A: [0, 0]}
+surfaces: {wall: {through: A, angle: beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, wall], at: A, mu: mu}
+loads:
+  - force: {body: block, at: A, magnitude: N, angle: beta - 90 deg}
+  - force: {body: block, at: A, magnitude: P, angle: beta}
+instant: [at rest]
+find: {slips: mode(A) = slip, a: a(block).along(beta)}
+"""
 
 
 @pytest.mark.parametrize(
@@ -46,3 +61,9 @@ def test_its_component_is_that_of_its_acceleration_along_a_slope(tmp_path: Path)
 
 def test_nothing_is_said_of_what_does_not_slip() -> None:
     assert "against its friction" not in page_of_file("crate-on-cart")
+
+
+def test_a_wall_on_a_level_table_is_no_slope(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, WALL)
+    assert "block slides at 35° above +x, against its friction" in page
+    assert "the slope" not in page

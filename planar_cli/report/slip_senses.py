@@ -67,7 +67,7 @@ def _told(mode: Mode, instant: InstantSolution, phrases: Phrases) -> Iterator[Li
     put = [piece for side in phrases.substituted(found, value) for piece in (" = ", side)]
     whole = line(*head, phrases.math(found), *put, " = ", value, " > 0" if number > 0 else " < 0")
     where = f" on {other.body}" if other.body != GROUND else f" at {friction.place}" if turns else ""
-    words = f": {own.body} slides{where} {_way(x, y)}, against its friction"
+    words = f": {own.body} slides{where} {_way(x, y, instant)}, against its friction"
     yield line(*whole, words)
 
 
@@ -76,9 +76,9 @@ def _angular(body: str, instant: InstantSolution) -> sp.Expr:
     return sp.S.Zero if motion is None else sp.sympify(motion.accelerations[body].angular)
 
 
-def _way(x: Decimal, y: Decimal) -> str:
-    """To the right, or up the slope."""
-    if x and y:
+def _way(x: Decimal, y: Decimal, instant: InstantSolution) -> str:
+    """To the right, or up the slope; on a level table there is none."""
+    if x and y and instant.instant.scene.problem.plane == "vertical":
         return "up the slope" if y > 0 else "down the slope"
     return vector_words(x, y)
 
