@@ -42,9 +42,16 @@ def test_it_is_one_step_with_the_given_speed_once() -> None:
 
 def test_a_difference_stands_where_it_is_largest() -> None:
     told = page()
-    assert "x_A - x_B is largest, where both have the same velocity" in told
+    assert "x_A - x_B is largest, where both change equally fast" in told
     # 5 · 3.5 - (3.5 - 1)² = 11.25 m
     assert told.index("d = ") < told.index("At meet, x_A = x_B")
+
+
+def test_ways_along_different_roads_have_no_common_velocity() -> None:
+    problem, _ = load_text(CHASE.replace("B: [x_B, 0]", "B: [0, x_B]"))
+    assert problem is not None
+    told = " ".join(Terminal(100).render(narrate(solve_problem(problem))).split())
+    assert "x_A - x_B is largest, where both change equally fast: " in told
 
 
 def test_both_places_are_equal_as_functions_of_the_time() -> None:

@@ -17,7 +17,7 @@ from planar_cli.solve.instant.roots import Root
 
 LARGEST, SMALLEST = " is largest", " is smallest"
 SAME = Decimal("1e-20")
-DERIVATIVE, EQUALLY_FAST = "where its derivative is zero", "where both have the same velocity"
+DERIVATIVE, EQUALLY_FAST = "where its derivative is zero", "where both change equally fast"
 UNACCELERATED = "where the acceleration along the path is zero"
 SPEED = re.compile(r"(?:v\(\w+\)\.mag|\|v(?:_\w+)?\|) is (?:largest|smallest)")
 GAP = re.compile(r"([xys])(?:_\w+|\(\w+\)) - \1(?:_\w+|\(\w+\)) is (?:largest|smallest)")
@@ -29,8 +29,8 @@ def over_time(e: Relation) -> bool:
 
 
 def why_there(e: Relation) -> str:
-    """Where something is largest or smallest: its derivative is zero; that of a difference of two places along one
-    axis, x_A - x_B, where both are equally fast; that of a speed, d|v|/dt = a_t, where this acceleration is.
+    """Where something is largest or smallest: its derivative is zero; that of a difference of two places, x_A - x_B,
+    where both change equally fast; that of a speed, d|v|/dt = a_t, where this acceleration is.
     """
     return EQUALLY_FAST if GAP.fullmatch(e.words) else UNACCELERATED if SPEED.fullmatch(e.words) else DERIVATIVE
 
