@@ -148,9 +148,10 @@ def _told(
 ) -> Iterator[Block]:
     q, sizes = x.law.coordinate.symbol, _sizes(x)
     speed, rate = (sp.Symbol(f"{q.name}_{dots}", real=True) for dots in ("dot", "ddot"))
-    turns = x.law.f.has(sp.sin, sp.cos)
-    ones = (", as ", phrases.math(sp.sin(q)), " ≈ ", phrases.math(q), " and ", phrases.math(sp.cos(q)), " ≈ 1")
-    yield Paragraph(line("For small ", phrases.math(q), LINEAR, *(ones if turns else ()), "."))
+    near = ((sp.sin(q), q), (sp.cos(q), sp.S.One))
+    said = [line(phrases.math(f), " ≈ ", phrases.math(to)) for f, to in near if x.law.f.has(f.func)]
+    ones = (piece for i, one in enumerate(said) for piece in line(" and " if i else ", as ", *one))
+    yield Paragraph(line("For small ", phrases.math(q), LINEAR, *ones, "."))
     parts = (" + ", phrases.math(x.damping * speed), " + ", phrases.math(x.square * q))
     yield Equation((line(phrases.math(rate), *parts), phrases.math(sp.S.Zero)))
     yield _line(NATURAL, sp.sqrt(x.square), sizes, "rad/s", phrases)
