@@ -172,7 +172,9 @@ def _candidate(
             return None
         direction = Vec(_rational(fx / length), _rational(fy / length))
         row = _cleaned(combine(rows[:2], (fx / length, fy / length)))
-        return priced(bodies, None, Choice(False, direction, VIRTUAL_MOTION), row, NAMED_SLANT)
+        # Of several bodies nobody sums forces along a slant that leaves out what is not drawn along one line.
+        form = NAMED_SLANT if len(bodies) == 1 or 0 in (direction.x, direction.y) else FAR
+        return priced(bodies, None, Choice(False, direction, VIRTUAL_MOTION), row, form)
     x, y = -fy / m, fx / m
     if system.scene.ledger.symbolic:
         return None
