@@ -101,3 +101,21 @@ def test_a_balance_of_momenta_counts_so_too(tmp_path: Path) -> None:
     text = DROPPED.replace("states:", "loads: [force: {body: ball, magnitude: (4 N/s)*t, angle: 90 deg}]\nstates:")
     page = page_of_text(tmp_path, text.replace("y(ball) = 0", "t = 0.5 s"))
     assert "(1) ↓ 9.31 = 2 v_2 in N·s (1): v_2 = 9.31/2 = 4.655 m/s" in page
+
+
+def test_down_a_slope_to_the_left_forces_are_summed_that_way(tmp_path: Path) -> None:
+    text = page_of_text(
+        tmp_path,
+        """
+title: Block that slides down to the left
+plane: vertical
+given: {m: 2 kg, mu: 0.2, h: 2 m, beta: 30 deg}
+points: {O: [0, 0], P: {from: O, distance: h/sin(beta), angle: beta}}
+bodies: {block: {particle: P, mass: m}}
+surfaces: {slope: {through: O, angle: beta}}
+joints: [{contact: {between: [block, slope], at: P, mu: mu}}]
+states: {a: [t = 0, at rest], b: [y(block) = 0]}
+find: {v: v(block).mag @ b, t: t @ b}
+""",
+    )
+    assert "↙ ΣF: m g sin β - μ N_P = m a" in text

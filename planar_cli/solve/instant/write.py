@@ -147,7 +147,7 @@ class Writer:
         led = led_by_ground(self.system, body) if body in self.by_axes else ()
         for tangent in (*self.system.straight_ways(body), *led):
             if self.vanishes(a.cross(tangent)) or tangent in led:
-                return [(tangent, self._component(body, self._along(a, tangent), ""))]
+                return [in_its_sense(self.system, body, (tangent, self._along(a, tangent)), self._component)]
         parts = self._vector_parts(x, y)
         if body not in self.by_axes and len({part.as_independent(*self.numbers.unknowns)[1] for _, part in parts}) <= 3:
             return parts
