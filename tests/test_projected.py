@@ -113,19 +113,23 @@ def test_a_component_in_letters_or_along_an_axis_needs_none() -> None:
     assert _page("kinematics/four-bar").count("along x: (2)") == 1
 
 
-def test_to_the_right_is_at_nought_degrees() -> None:
-    problem, wrong = load_text("""
+@pytest.mark.parametrize(
+    ("centre", "pin", "sense", "way"),
+    [("[300 mm, 100 mm]", "d", "cw", "0°"), ("[150 mm, -700 mm]", "-d", "ccw", "180°")],
+)
+def test_to_the_right_is_at_nought_degrees(centre: str, pin: str, sense: str, way: str) -> None:
+    problem, wrong = load_text(f"""
 title: Slotted arm straight up
-given: {d: 400 mm}
-points: {C: [0, 0], O: [300 mm, 100 mm], P: [0, d]}
-bodies: {crank: {rod: [O, P]}, arm: {rod: [C, P]}}
+given: {{d: 500 mm}}
+points: {{C: [0, 0], O: {centre}, P: [0, {pin}]}}
+bodies: {{crank: {{rod: [O, P]}}, arm: {{rod: [C, P]}}}}
 joints:
-  - pin: {at: O, between: [ground, crank]}
-  - pin: {at: C, between: [ground, arm]}
-  - guide: {point: P, along: arm}
-motion: [omega(crank) = 4 rad/s cw]
-find: {a_C: coriolis(P/arm).mag, alpha_arm: alpha(arm)}
+  - pin: {{at: O, between: [ground, crank]}}
+  - pin: {{at: C, between: [ground, arm]}}
+  - guide: {{point: P, along: arm}}
+motion: [omega(crank) = 4 rad/s {sense}]
+find: {{a_C: coriolis(P/arm).mag, alpha_arm: alpha(arm)}}
 """)
     assert problem is not None, wrong
     page = " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
-    assert "at 0°: v_rel turned by 90° clockwise" in page
+    assert f" at {way}: v_rel turned by 90° clockwise" in page

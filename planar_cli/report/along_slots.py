@@ -259,8 +259,9 @@ def coriolis_way(told: Told, slot: Slot) -> Line:
     turn = 1 if numbers[0] > 0 else -1
     ahead = turn if numbers[1] > 0 else -turn
     way = math.degrees(math.atan2(ahead * slot.unit[0], -ahead * slot.unit[1]))
-    # A rounded -0.0 is 0.
-    turned = line(f"at {round(way, 1) + 0.0}".removesuffix(".0"), "°: ", Name("v_rel"), " turned by 90° ")
+    # A rounded -0.0 is 0, and -180 is 180.
+    shown = 180.0 if round(way, 1) == -180 else round(way, 1) + 0.0
+    turned = line(f"at {shown}".removesuffix(".0"), "°: ", Name("v_rel"), " turned by 90° ")
     return line(*turned, f"{'counterclockwise' if turn > 0 else 'clockwise'}, as {slot.frame} turns")
 
 
