@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -23,15 +22,12 @@ from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name,
 from planar_cli.report.mode_words import words_of
 from planar_cli.report.offsets import moment_of_loads, normal_of, offset_letter, offsets
 from planar_cli.report.presses import bounded_in, sum_of_forces
-from planar_cli.report.what_it_needs import presses, working
+from planar_cli.report.what_it_needs import Presses, Working, presses, working
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.distribution import possible
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import LENGTH, parse_unit
-
-if TYPE_CHECKING:
-    from planar_cli.report.what_it_needs import Presses, Working
 
 NEAR = Decimal("1e-20")
 FORCES_ALONE = "free-body diagram; ΣF = 0"
