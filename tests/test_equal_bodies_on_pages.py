@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 import sympy as sp
-from worked import page_of_file
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 from planar_cli.report.alike import told_of_each, weights_of_each
 
@@ -18,6 +21,13 @@ from planar_cli.report.alike import told_of_each, weights_of_each
 ])  # fmt: skip
 def test_equal_bodies_are_told_once(stem: str, line: str) -> None:
     assert line in page_of_file(stem)
+
+
+def test_a_mass_that_is_a_product_stands_in_brackets(tmp_path: Path) -> None:
+    (text,) = (p.read_text() for p in PROBLEMS if p.stem == "two-rods-falling-flat")
+    other = text.partition("note:")[0].replace("mass: m}", "mass: 2*m}")
+    page = page_of_text(tmp_path, other)
+    assert "each = 1/2 (2 m) (1/2 l θ̇_2)² + 1/2 (1/6 m l²) θ̇_2² = 1/3 m l² θ̇_2²" in page
 
 
 def test_nothing_of_turning_where_all_is_at_rest() -> None:

@@ -188,11 +188,17 @@ class EnergyTelling(WeightTelling):
         for made, speeds in told:
             size = {kind: -e if e.could_extract_minus_sign() else e for kind, _, e in speeds}
             inertia = self.phrases.ledger.behind(made.inertia) if made.inertia.is_Symbol else made.inertia
-            found.add((made.mass, size.get("v"), inertia, size.get("omega")))
-        if len(found) > 1 or None in next(iter(found)) or any(longer(e, FEW) for e in next(iter(found))):
+            found.add((made.mass, size.get("v", sp.S.Zero), inertia, size.get("omega", sp.S.Zero)))
+        mass, v, inertia, omega = next(iter(found))
+        if len(found) > 1 or any(e == 0 or longer(e, FEW) for e in (mass, v, inertia, omega)):
             return ()
-        mass, v, inertia, omega = (self.phrases.math(e) for e in next(iter(found)))
-        return (line("1/2 ", mass, " (", v, ")² + 1/2 (", inertia, ") ", self.phrases.math(omega.expr**2)),)
+        m, speed, i = (self._as_factor(e) for e in (mass, v, inertia))
+        return (line("1/2 ", *m, " ", *speed, "² + 1/2 ", *i, " ", self.phrases.math(omega**2)),)
+
+    def _as_factor(self, expr: sp.Expr) -> Line:
+        """A letter as it is, more in brackets."""
+        told = self.phrases.math(expr)
+        return line(told) if expr.is_Symbol else line("(", told, ")")
 
     def _centre_lines(self, made: Moving) -> Iterator[Block]:
         """The place of a mass centre and its rates, where its speed is a root of both."""
