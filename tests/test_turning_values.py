@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 
 def test_the_condition_of_a_largest_value_is_said() -> None:
@@ -57,3 +60,13 @@ def test_an_integral_told_with_numbers_has_its_function_of_time() -> None:
     assert "α_max = 3 π/8 = 1.178 rad/s²" in page
     assert "At any time: a_Ly = R α = 0.4712 sin(π t/4) in m/s²" in page
     assert "= m (g + a_Ly) = 2943 + 141.4 sin(π t/4) in N largest where sin(π t/4) = 1 At max" in page
+
+
+def test_a_function_of_time_without_a_number_before_it_is_told_too(tmp_path: Path) -> None:
+    """R ω = 0.5 m · 2 rad/s (1 - cos(π t/4)): 1 m/s hides in it, and 4 m = 4 is no step."""
+    (text,) = (p.read_text() for p in PROBLEMS if p.stem == "body-hoist-starting-softly")
+    other = text.partition("note:")[0].replace("R: 0.4 m", "R: 0.5 m").replace("1.5 rad/s)", "2 rad/s)")
+    page = page_of_text(tmp_path, other)
+    assert "= 1 - cos(π t/4) in m/s" in page
+    assert "y_L = t - 4 sin(π t/4)/π in m (4) y_L,1 = 1 - 4 sin 45° / π = 0.09968 m" in page
+    assert "(6) y_L,4 = 4 m" in page

@@ -14,7 +14,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.as_stated import Telling
 from planar_cli.report.at_a_time import at_a_time
 from planar_cli.report.blocks import Block, Equation, Math
-from planar_cli.report.laws import integral_note, running
+from planar_cli.report.laws import hides_units, integral_note, running
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
@@ -41,7 +41,7 @@ def evaluated(
         return []
     shown = _in_one_shape(formula, end, phrases, {end: t}) or _with_numbers(formula, end, t, phrases, e)
     limits = {i: i.limits[0][2] for side in sides for i in side.atoms(sp.Integral)}
-    if not shown.values or set(limits.values()) != {letter, end} or len(limits) != len(sides):
+    if not hides_units(shown) or set(limits.values()) != {letter, end} or len(limits) != len(sides):
         return None
     told.add((q, e.since))
     general = {
@@ -61,7 +61,10 @@ def by_its_function(e: Relation, route: RouteTrace, telling: Telling) -> tuple[A
     letter, end, formula = own
     shown = _in_one_shape(formula, end, phrases, {})
     put = None if shown is None else _put_in(shown, end, found)
-    return () if put is None else (phrases.math(letter), put, phrases.shown(letter, found.value(letter)))
+    if put is None:
+        return ()
+    plain = not put.values and put.expr.doit().is_Rational
+    return (phrases.math(letter), *(() if plain else (put,)), phrases.shown(letter, found.value(letter)))
 
 
 def _function(

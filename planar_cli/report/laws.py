@@ -50,7 +50,7 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
         return
     shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
-    yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values or law.f.is_number else ())
+    yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if hides_units(shown) else ())
 
 
 def counted(words: str) -> str:
@@ -228,10 +228,15 @@ def _is_lettered(law: Law, phrases: Phrases) -> bool:
 
 def integral_note(law: Law | None, kind: str, sides: Collection[Math], phrases: Phrases) -> Line:
     """The unit of an integral that is told with numbers."""
-    if law is None or kind not in PER_TIME or not any(s.values for s in sides):
+    if law is None or kind not in PER_TIME or not any(hides_units(s) and not s.expr.is_Symbol for s in sides):
         return ()
     unit = "s" if _separated([s.expr for s in sides]) else PER_TIME[kind].format(_unit(law, phrases))
     return line(f"in {unit}")
+
+
+def hides_units(side: Math) -> bool:
+    """Are there numbers with units in a side: some that are rounded, or no other letter than the time?"""
+    return bool(side.values) or (not side.expr.has(sp.Integral) and {s.name for s in side.expr.free_symbols} <= {"t"})
 
 
 def _separated(sides: Collection[sp.Expr]) -> bool:
