@@ -54,6 +54,9 @@ def test_no_velocities(page: str) -> None:
     [
         ("first_way: t @ 2 - t @ 1", "first_way: t @ 2", "first_way = t_2 = 0.6082 s"),
         ("= 10 rad/s", "= -10 rad/s", "first_way = t_2 - t_1 = 0.3553 - 0.02014 = 0.3352 s"),
+        ("= 10 rad/s", "= -10 rad/s", "(3) (l - r_c) sin θ_crank,2 = e"),
+        ("= 10 rad/s", "= -10 rad/s", "Not 23.58°: there AB would point to the left"),
+        ("= 10 rad/s", "= -10 rad/s", "At 3, v_slider,x = 0, stretched as at 1, one turn later:"),
     ],
 )
 def test_a_time_from_the_start_and_a_crank_that_turns_clockwise(own: str, other: str, told: str) -> None:

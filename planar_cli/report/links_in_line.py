@@ -69,7 +69,9 @@ def _again(
 ) -> list[Block]:
     """The same position so many turns after an earlier one."""
     step, same, turns = before
-    way = f"{_way(own)} as at {step.relations[0].stop}, {'one turn' if turns == 1 else f'{turns} turns'} later:"
+    way = (
+        f"{_way(own)} as at {step.relations[0].stop}, {'one turn' if abs(turns) == 1 else f'{abs(turns)} turns'} later:"
+    )
     words = line(*_open(head(leg.relations[0], found.ledger.symbols)), f", {way}")
     formula = phrases.math(same.first + 2 * turns * sp.pi)
     return [Paragraph(words), Equation((told[1][0], formula, told[1][-1]), told[0])]
@@ -190,7 +192,8 @@ def _not_the_other(own: LinksInLine, found: MotionTrace, phrases: Phrases) -> It
     names = _rods(own, found)
     if names is None or phrases.symbolic:
         return
-    mirrored = -(found.value(own.first) * HALF_TURN / PI + HALF_TURN) % (2 * HALF_TURN) + 2 * HALF_TURN
+    mirrored = (HALF_TURN - found.value(own.first) * HALF_TURN / PI) % (2 * HALF_TURN)
+    mirrored += 2 * HALF_TURN if mirrored < 0 else 0
     side = "left" if found.value(sp.cos(own.other)) > 0 else "right"
     words = f": there {names[1]} would point to the {side}"
     yield Paragraph(line("Not ", Value(mirrored, "deg", phrases.figures), words))

@@ -48,6 +48,7 @@ def says_in_line(closed: sp.Expr, pairs: Iterable[tuple[sp.Symbol, sp.Symbol]]) 
 
 def turns_of(formula: sp.Expr, asin: sp.Expr) -> tuple[int, int] | None:
     """n and the sign of n π ± arcsin."""
+    formula = sp.expand_mul(formula, deep=False)
     slope = formula.coeff(asin)
     rest = sp.expand(formula - slope * asin) / sp.pi
     return (int(rest), int(slope)) if slope in (1, -1) and rest.is_Integer else None
