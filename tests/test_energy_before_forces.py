@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 
 def test_energy_stands_before_the_forces_of_the_yo_yo() -> None:
@@ -20,6 +23,15 @@ def test_turning_follows_from_the_stated_speed_of_the_centre() -> None:
 
 def test_forces_asked_at_an_end_are_called_constant() -> None:
     assert "T_left and T_right are the same at every instant." in page_of_file("body-atwood-with-heavy-pulley")
+
+
+def test_forces_asked_at_a_state_on_the_way_are_called_constant(tmp_path: Path) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "yo-yo")
+    text = path.read_text(encoding="utf-8").partition("cases:")[0]
+    text = text.replace("2: [y(G) = -h]", "2: [y(G) = -h]\n  3: [y(G) = -2*h]").replace(
+        "  share", "  v_3: v(G).mag @ 3\n  share"
+    )
+    assert "T_thread is the same at every instant." in page_of_text(tmp_path, text)
 
 
 def test_forces_that_change_are_not() -> None:

@@ -17,7 +17,7 @@ from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.motion_title import title_of
 from planar_cli.report.nil_impulses import nil_impulses
 from planar_cli.report.origins import needed_steps, told_once
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -70,11 +70,14 @@ def with_assumed_first(
 
 
 def same_all_the_time(found: MotionTrace, instant: InstantSolution, told: Sequence[Block]) -> list[Block]:
-    """That what is asked at the end of a stretch has its value all the time; nothing where no equation is `told`."""
+    """That what is asked at the end of a stretch, but of a blow, has its value all the time; nothing where no equation
+    is `told`.
+    """
     if not any(isinstance(b, Equation) for b in told):
         return []
     regime = found.regime(instant)
-    later = {stop for _, stop in regime.stretches} - {since for since, _ in regime.stretches}
+    blows = {e.stop for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation)}
+    later = {stop for _, stop in regime.stretches} - blows
     finds = [parts for state in later & regime.asked.keys() for parts in regime.asked[state].values()]
     same = [s for s in regime.constants if any(s in parts for parts in finds)]
     if not same:
