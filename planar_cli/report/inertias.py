@@ -203,8 +203,7 @@ def about_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> list[Line]:
     if found is None:
         return []
     shape, mass = found
-    radius, span = (sp.sympify(scene.value(side)) for side in (shape.radius, shape.span))
-    reach = simplified(4 * radius * sp.sin(span / 2) / (3 * span))
+    radius, reach = sp.sympify(scene.value(shape.radius)), _to_centre(shape, scene)
     if not mass.is_Symbol or reach.is_number or longer(reach, FEW) or longer(radius, FEW):
         return []
     m = phrases.math(mass)
@@ -216,15 +215,20 @@ def from_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> Iterator[Equ
     body = next((b for b in scene.problem.bodies if scene.bodies[b.name].inertia == symbol), None)
     if body is None or not isinstance(body.shape, Sector) or not about_apex(symbol, scene, phrases):
         return
-    span = sp.sympify(scene.value(body.shape.span))
-    reach = simplified(4 * sp.sympify(scene.value(body.shape.radius)) * sp.sin(span / 2) / (3 * span))
+    reach = _to_centre(body.shape, scene)
     own = sp.Symbol(f"{body.shape.apex}{centre_of(scene, body.name)}", positive=True)
     sides: list[Inline | Line] = [Math(own), phrases.math(reach)]
     if phrases.has_numbers(reach):
         value = phrases.of_dimension(phrases.value(reach), LENGTH)
         sides += [*phrases.substituted(reach, value), value]
-    shape = "half disk" if simplified(span - sp.pi) == 0 else "sector"
+    shape = "half disk" if simplified(scene.value(body.shape.span) - sp.pi) == 0 else "sector"
     yield Equation(tuple(sides), None, line(f"{shape}, from {body.shape.apex} to its mass centre:"))
+
+
+def _to_centre(shape: Sector, scene: Scene) -> sp.Expr:
+    """From the apex of a sector to its mass centre."""
+    radius, span = (sp.sympify(scene.value(side)) for side in (shape.radius, shape.span))
+    return simplified(4 * radius * sp.sin(span / 2) / (3 * span))
 
 
 def _sector(symbol: sp.Symbol, scene: Scene) -> tuple[Sector, sp.Expr] | None:
