@@ -24,6 +24,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Equation, Line, Math, Name, line
 from planar_cli.report.component_sums import Power, sum_of_products
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.names import index_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.told import RATES, Told
@@ -58,7 +59,7 @@ def distance_named(start: str, end: str) -> Line:
     """AP; |r_P2/A| of points whose names have several letters."""
     if len(start) == len(end) == 1:
         return line(f"{start}{end}")
-    return line("|", Name(f"r_{_index(end)}/{_index(start)}"), "|")
+    return line("|", Name(f"r_{index_of(end)}/{index_of(start)}"), "|")
 
 
 def unit_letter(told: Told, frame: str) -> Name:
@@ -133,7 +134,7 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
         if not any(numbers):
             continue
         minus = " - " if terms else "-"
-        terms += [minus if sign < 0 else "", Name(f"{v}_{_index(name)}"), " · ", unit]
+        terms += [minus if sign < 0 else "", Name(f"{v}_{index_of(name)}"), " · ", unit]
         shown = [phrases.of_dimension(x, RATES[level]).number for x in numbers]
         parts += [(sign, ((e, 1), (x, 1))) for e, x in zip(slot.unit, shown, strict=True) if e and x]
     spin = phrases.certain(motion.velocities[slot.frame].angular)
@@ -162,7 +163,7 @@ def unit_told(told: Told, slot: Slot, by_arm: bool = False) -> Line:
     value = told.phrases.vector(slot.unit[0], slot.unit[1], PURE)
     way = by_angle(slot.unit, slot.unit)
     if by_arm and not way:
-        sign, arm = "" if slot.reach > 0 else "-", Name(f"r_{_index(slot.point)}/{_index(slot.reference)}")
+        sign, arm = "" if slot.reach > 0 else "-", Name(f"r_{index_of(slot.point)}/{index_of(slot.reference)}")
         way = line(sign, arm, " / ", *slot.arm, " = ")
     return line(unit_letter(told, slot.frame), " = ", *way, *value, f" along {slot.frame}")
 
@@ -198,7 +199,7 @@ def whole_component(told: Told, slot: Slot) -> tuple[Line, ...]:
     if told.phrases.value.is_zero(spin) or not all(told.phrases.value.is_zero(p) for p in (base.x, base.y)):
         return ()
     sign = " - " if slot.reach > 0 else " + "
-    whole = line(Name(f"a_{_index(slot.point)}"), " · ", unit_letter(told, slot.frame))
+    whole = line(Name(f"a_{index_of(slot.point)}"), " · ", unit_letter(told, slot.frame))
     return (whole, line(Name("a_rel"), sign, told.phrases.math(spin**2), " ", *slot.arm))
 
 
@@ -209,7 +210,7 @@ def carried_along(told: Told, slot: Slot, alpha: sp.Symbol) -> Iterator[Equation
     if slot.reach <= 0 or not whole_component(told, slot):
         return
     omega, unit = told.phrases.math(told.motion.velocities[slot.frame].angular ** 2), unit_letter(told, slot.frame)
-    own = line(Name(f"a_{_index(slot.point)}′"), " · ")
+    own = line(Name(f"a_{index_of(slot.point)}′"), " · ")
     along = line(*own, unit, " = -", omega, " ", *slot.arm)
     yield Equation((line(*own, Name("n")), line(told.phrases.math(alpha), " ", *slot.arm)), None, note=along)
 
@@ -217,10 +218,6 @@ def carried_along(told: Told, slot: Slot, alpha: sp.Symbol) -> Iterator[Equation
 def component(told: Told, slot: Slot, v: str) -> Line:
     """v_rel or a_rel, counted along e."""
     return line(Name(f"{v}_rel"))
-
-
-def _index(place: str) -> str:
-    return place.replace("_", ",")
 
 
 def coriolis_told(spin: Math, e: Line) -> Line:

@@ -30,7 +30,7 @@ from planar_cli.report.curvature import radius_asked
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
-from planar_cli.report.names import plain_name
+from planar_cli.report.names import index_of, plain_name
 from planar_cli.report.needed_friction import limit_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
@@ -41,7 +41,7 @@ from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.relative_motion import RelativeTelling
 from planar_cli.report.rolled_accelerations import RolledTelling
 from planar_cli.report.swallowed import swallowed
-from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import ACCELERATION, VELOCITY, Dimension

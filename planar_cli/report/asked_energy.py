@@ -17,8 +17,9 @@ from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.by_centre import speed_about
 from planar_cli.report.given_vectors import GIVEN, size_of
 from planar_cli.report.inertias import alike_together, inertia_line
+from planar_cli.report.names import index_of
 from planar_cli.report.sums import added
-from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import VELOCITY

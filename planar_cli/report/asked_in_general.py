@@ -15,10 +15,10 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.names import index_of
 from planar_cli.report.on_circle import is_told_on_circle
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS
 from planar_cli.report.telling import Telling
-from planar_cli.report.vectors import index_of
 from planar_cli.solve.between.trace import MotionTrace, Request
 
 LONGEST = 16

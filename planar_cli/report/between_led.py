@@ -17,6 +17,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.along_slots import distance_named
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
+from planar_cli.report.names import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.led import OF_LENGTH, led_by_ground, reach_of
 from planar_cli.solve.instant.written import Written
@@ -103,8 +104,3 @@ def _coordinates(j: Joining, system: System) -> tuple[Vec, list[tuple[sp.Symbol,
         ends.append(parts)
     (x, y), (u, v) = ends
     return Vec(u - x, v - y), put
-
-
-def index_of(place: str) -> str:
-    """The name of a point as an index."""
-    return place.replace("_", ",")

@@ -34,6 +34,7 @@ from planar_cli.report.component_sums import sum_of_products
 from planar_cli.report.enough_figures import DEGREE, figures_of
 from planar_cli.report.fixed_lines import way_along
 from planar_cli.report.given_vectors import size_of
+from planar_cli.report.names import index_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.told import Told
@@ -184,7 +185,7 @@ def _arm(found: Found, told: Told) -> Iterator[Block]:
     parts = [(1, ((r, 1), (e, 1))) for r, e in zip(reach, unit, strict=True) if r and e]
     degrees = phrases.of_dimension(phrases.value(sp.asin(sp.Rational(str(found.sine)))) / DEGREE, LENGTH).number
     turned = significant(degrees, phrases.figures)
-    name = Name(f"r_{_index(c.to)}/{_index(c.from_place)}")
+    name = Name(f"r_{index_of(c.to)}/{index_of(c.from_place)}")
     letters = line("|", name, " · ", Name("e"), f"|/sin {turned}°")
     put = line("|", sum_of_products(parts, phrases.figures), f"|/sin {turned}°")
     way = line(Name("e"), " = ", *phrases.vector(unit[0], unit[1], PURE))
@@ -272,13 +273,9 @@ def _of_two(numbers: tuple[Decimal, Decimal], phrases: Phrases, divided: bool, m
 def between(start: str, end: str) -> Inline:
     """The distance of two points: IO; IG of a mass centre G_rod; r of names of several letters."""
     end = _short(end)
-    return Text(f"{start}{end}") if len(end) == 1 else Name(f"r_{_index(end)}/{start}")
+    return Text(f"{start}{end}") if len(end) == 1 else Name(f"r_{index_of(end)}/{start}")
 
 
 def _short(place: str) -> str:
     """G of a mass centre G_rod."""
     return "G" if place.startswith(("G_", "G,")) else place
-
-
-def _index(place: str) -> str:
-    return place.replace("_", ",")

@@ -14,7 +14,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Name, Text, line
-from planar_cli.report.vectors import index_of
+from planar_cli.report.names import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 

@@ -18,9 +18,9 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Name, line
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.names import index_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.rolled_accelerations import RolledTelling
-from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import ACCELERATION, VELOCITY, Dimension

@@ -15,7 +15,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.names import index_of
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 

@@ -64,6 +64,11 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
 
 
+def index_of(place: str) -> str:
+    """A place as an index: the mass centre G_AB as G,AB, the point O_B as O,B; a stroke would be a relative motion."""
+    return place.replace("_", ",")
+
+
 def plain_name(name: str) -> str:
     """A name in Unicode plain text."""
     parts = _parts(name)

@@ -14,8 +14,8 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import simplified
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text
+from planar_cli.report.names import index_of
 from planar_cli.report.telling import Telling
-from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import NearRest
 from planar_cli.solve.instant.stages import acceleration_unknowns

@@ -27,9 +27,9 @@ from planar_cli.problem.scene import Curve
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import along_unit, both_told
-from planar_cli.report.names import plain_name
+from planar_cli.report.names import index_of, plain_name
 from planar_cli.report.swallowed import with_unit
-from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension

@@ -14,7 +14,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
-from planar_cli.report.vectors import index_of
+from planar_cli.report.names import index_of
 from planar_cli.report.words import Phrases
 
 POLAR = " in polar coordinates about "

@@ -19,9 +19,9 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.report.component_sums import Power, sum_of_products
+from planar_cli.report.names import index_of
 from planar_cli.report.polar_slides import polar_slide
 from planar_cli.report.sums import ROUNDING, agree
-from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ACCELERATION, LENGTH, RATE, TIME, VELOCITY, Dimension

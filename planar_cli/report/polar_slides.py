@@ -19,6 +19,7 @@ from planar_cli.report.along_slots import by_angle
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.component_sums import Term, along_unit, both_told, sum_of_products
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.names import index_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.told import RATES, Told
@@ -110,15 +111,15 @@ class SlideTelling:
         one = polar_slide(self._vectors.system, self._phrases, body, place, frame)
         if one is None:
             return None
-        first = _index(place) not in self._slides
-        self._slides[_index(place)] = one
+        first = index_of(place) not in self._slides
+        self._slides[index_of(place)] = one
         (c, s), (outer, beside) = one.outward, one.parts(level)
         tell = _velocity if level == "velocity" else _acceleration
         before, *sides = tell(self._vectors, one)
         rows = [(c, outer), (-s, beside)], [(s, outer), (c, beside)]
         terms = [[t for unit, x in row for t in _along(unit, x)] for row in rows]
         components = both_told(terms, self._phrases.figures)
-        name, vector = line(Name(f"{level[0]}_{_index(place)}")), self._phrases.vector
+        name, vector = line(Name(f"{level[0]}_{index_of(place)}")), self._phrases.vector
         radial = line(Name("e_r"), " = ", *by_angle((c, s), (c, s)), *vector(c, s, PURE))
         units = line(*radial, ", ", Name("e_theta"), " = ", *by_angle((-s, c), (c, s)), *vector(-s, c, PURE))
         opened: list[Block] = [Paragraph(_opened(self._vectors, one)), Equation((units,))] if first else []
@@ -126,7 +127,7 @@ class SlideTelling:
 
     def coriolis(self, answer: str, q: Quantity, values: Sequence[Value]) -> Equation | None:
         """The size of the Coriolis acceleration, where that is asked after it was told."""
-        one = self._slides.get(_index(q.things[0]))
+        one = self._slides.get(index_of(q.things[0]))
         if one is None or q.word != "coriolis" or [p.kind for p in q.parts] != ["mag"]:
             return None
         return _coriolis(self._vectors, one, answer, values)
@@ -146,10 +147,6 @@ class SlideTelling:
             if abs(abs(along) - 1) < SAME:
                 return line("" if along > 0 else "-", Name(f"a_{letter}"))
         return ()
-
-
-def _index(place: str) -> str:
-    return place.replace("_", ",")
 
 
 def _velocity(told: Told, one: PolarSlide) -> tuple[list[Block], Line, Line]:

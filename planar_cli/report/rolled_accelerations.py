@@ -21,8 +21,9 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.component_sums import Turned, components_told
 from planar_cli.report.counted import as_vector
+from planar_cli.report.names import index_of
 from planar_cli.report.on_path import Once, vector_of
-from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.units import ACCELERATION, LENGTH, PURE, Dimension
 
 STRAIGHT = " moves along a straight line"

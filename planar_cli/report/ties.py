@@ -11,8 +11,9 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.between_led import between_led, index_of
+from planar_cli.report.between_led import between_led
 from planar_cli.report.blocks import Block, Line, Name, Paragraph, line
+from planar_cli.report.names import index_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.led import is_between_led

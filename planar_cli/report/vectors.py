@@ -27,6 +27,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
 from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
+from planar_cli.report.names import index_of
 from planar_cli.report.projected import known_sides, projected, unit_of, with_direction
 from planar_cli.report.rolled_contacts import on_fixed_axles, rolls_on_body, rolls_on_ground
 from planar_cli.report.spoken import begun
@@ -389,11 +390,6 @@ class VectorTelling:
         if any(longer(p, SHORT) or not is_clean(ledger, p, dimension=LENGTH) for p in parts):
             return ()
         return line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "] = ")
-
-
-def index_of(place: str) -> str:
-    """A place as an index: the mass centre G_AB as G,AB, the point O_B as O,B; a stroke would be a relative motion."""
-    return place.replace("_", ",")
 
 
 def _arm_name(place: str, reference: str) -> Name:

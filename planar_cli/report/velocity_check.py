@@ -27,9 +27,9 @@ from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
 from planar_cli.report.by_centre import bodies_by_centre
 from planar_cli.report.component_sums import Term, sum_of_products
 from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.names import index_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import added, agree
-from planar_cli.report.vectors import index_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import LENGTH, PURE, RATE, VELOCITY, Dimension
