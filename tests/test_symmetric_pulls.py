@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from worked import page_of_file, page_of_text
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
@@ -25,3 +27,19 @@ def test_a_bar_on_two_cords_in_symmetry() -> None:
 
 def test_unlike_pulls_are_found_one_at_a_time() -> None:
     assert "sphere, perpendicular to the rope upper" in page_of_file("sphere-on-two-wires-in-a-circle")
+
+
+def test_a_pull_that_is_the_weight_is_told_once(tmp_path: Path) -> None:
+    text = """
+title: Load on two links
+plane: vertical
+symbols: {W: N, l: m}
+points: {P: [0, 0], A: {from: P, distance: l, angle: 30 deg}, B: {from: P, distance: 2*l, angle: 150 deg}}
+bodies: {load: {particle: P, weight: W}}
+joints: [{link: {between: [P, A], name: right}}, {link: {between: [P, B], name: left}}]
+instant: [at rest]
+find: {T: tension(right), S: tension(left)}
+"""
+    solving = page_of_text(tmp_path, text).partition("STEP 2")[2].partition("Answer")[0]
+    assert solving.count("S_left = W") == 1
+    assert solving.count("S_right = W") == 1

@@ -4,7 +4,7 @@ weight is asked of the body its mass is not worked out.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -36,10 +36,22 @@ def with_weights_by_letter(blocks: Sequence[Block]) -> list[Block]:
         return list(blocks)
     weights = {w.mass: w for _, w in defined}
     lines = [b for b, _ in defined]
-    found = [b if b in lines else _written(b, weights) for b in blocks]
+    found = list(_once((b, b if b in lines else _written(b, weights)) for b in blocks))
     used = {s.name for b in found if b not in lines for s in _letters(b)}
     idle = [b for b, w in defined if w.mass.name not in used]
     return [b for b in found if b not in idle]
+
+
+def _once(blocks: Iterable[tuple[Block, Block]]) -> Iterator[Block]:
+    """Blocks as they are written now, without an equation that has become one before it: S = m g, and S = W."""
+    told: list[tuple[Equation, Equation]] = []
+    for before, now in blocks:
+        if isinstance(before, Equation) and isinstance(now, Equation):
+            bare = not (now.lead or now.note or now.number)
+            if bare and any(now.sides == own.sides and before.sides != first.sides for first, own in told):
+                continue
+            told.append((before, now))
+        yield now
 
 
 def _defined(block: Block) -> _Weight | None:
