@@ -48,3 +48,31 @@ def test_a_foot_beyond_the_first_end(tmp_path: Path) -> None:
     text = (ROOT / "problems/kinematics/four-bar.yaml").read_text(encoding="utf-8").partition("answers:")[0]
     page = page_of_text(tmp_path, text.replace("l_BC: 0.5 m, l_DC: 0.4 m", "l_BC: 0.2 m, l_DC: 0.6 m"))
     assert "= -0.03780 m negative: H lies beyond B HC = √(0.2² - 0.03780²) = 0.1964 m" in page
+
+
+RIGHT_ANGLED = """
+title: Four-bar linkage
+points:
+  A: [0, 0]
+  D: [0.7 m, 0.2 m]
+  B: [0.1 m, 0.2 m]
+  C: {distances: {B: 0.32 m, D: 0.68 m}, side: above}
+bodies:
+  AB: {rod: [A, B]}
+  BC: {rod: [B, C]}
+  DC: {rod: [D, C]}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+  - pin: {at: B, between: [AB, BC]}
+  - pin: {at: C, between: [BC, DC]}
+  - pin: {at: D, between: [ground, DC]}
+motion: [omega(AB) = 12 rad/s]
+find: {omega_DC: omega(DC), alpha_DC: alpha(DC)}
+"""
+
+
+def test_a_right_angle_at_the_first_end_needs_no_foot(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, RIGHT_ANGLED)
+    assert "the upper one; BC is perpendicular to BD, as BC² + BD² = DC² BD = 0.6 m" in page
+    assert "C = [0.1, 0.2 + 0.32 · 1] = [0.1, 0.52] m" in page
+    assert "H:" not in page

@@ -19,7 +19,7 @@ import sympy as sp
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import TwoFacts
 from planar_cli.report.along_slots import distance_named
-from planar_cli.report.blocks import Block, Equation, Math, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Text, line
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -58,8 +58,15 @@ def with_triangle(place: Equation, name: str, scene: Scene, phrases: Phrases) ->
         return
     *before, last = place.lead
     told = last.text.removesuffix(":") if isinstance(last, Text) else ""
-    yield Paragraph(line(*before, told, f"; {foot}: the foot of the perpendicular from {name} on {ends[0]}{ends[1]}"))
-    yield from _sides(ends, name, foot, (first, second, base, abs(c - a), abs(d - b)), (along, abs(up)), phrases)
+    known = (first, second, base, abs(c - a), abs(d - b))
+    if abs(along) < FLAT * base:
+        along = ZERO
+        yield Paragraph(line(*before, told, *_at_right_angles(ends, name)))
+        yield _base(ends, known, phrases)
+    else:
+        head = f"; {foot}: the foot of the perpendicular from {name} on {ends[0]}{ends[1]}"
+        yield Paragraph(line(*before, told, head))
+        yield from _sides(ends, name, foot, known, (along, abs(up)), phrases)
     sense = 1 if up > 0 else -1
     unit, across = (u, v), (-v * sense, u * sense)
     shown = [_sum((start, along, e, abs(up), n), phrases) for start, e, n in zip((a, b), unit, across, strict=True)]
@@ -68,19 +75,31 @@ def with_triangle(place: Equation, name: str, scene: Scene, phrases: Phrases) ->
     yield replace(place, lead=(), sides=(place.sides[0], line("[", shown[0], ", ", shown[1], "]"), place.sides[-1]))
 
 
+def _at_right_angles(ends: Sequence[str], name: str) -> Line:
+    """; BC is perpendicular to BD, as BC² + BD² = DC²."""
+    one, other, both = (distance_named(*pair) for pair in ((ends[0], name), (ends[1], name), tuple(ends)))
+    return line("; ", *one, " is perpendicular to ", *both, ", as ", *one, "² + ", *both, "² = ", *other, "²")
+
+
+def _base(ends: Sequence[str], known: Numbers, phrases: Phrases) -> Equation:
+    """The distance of both ends."""
+    _, _, base, *legs = known
+    legs = [leg for leg in legs if leg > FLAT * base]
+    name, value = distance_named(ends[0], ends[1]), phrases.of_dimension(base, LENGTH)
+    if len(legs) < 2:
+        return Equation((name, value))
+    root = _put(lambda s: sp.sqrt(s[0] ** 2 + s[1] ** 2), lambda n: (n[0] ** 2 + n[1] ** 2).sqrt(), legs, phrases)
+    return Equation((name, root, value))
+
+
 def _sides(
     ends: Sequence[str], name: str, foot: str, known: Numbers, found: Numbers, phrases: Phrases
 ) -> Iterator[Block]:
     """The distance of both ends, that of the foot from the first, and the height."""
-    first, second, base, wide, high = known
+    first, second, base, *_ = known
     one, other, both = (distance_named(*pair) for pair in ((ends[0], name), (ends[1], name), tuple(ends)))
     part, height = distance_named(ends[0], foot), distance_named(foot, name)
-    legs = [leg for leg in (wide, high) if leg > FLAT * base]
-    if len(legs) > 1:
-        root = _put(lambda s: sp.sqrt(s[0] ** 2 + s[1] ** 2), lambda n: (n[0] ** 2 + n[1] ** 2).sqrt(), legs, phrases)
-        yield Equation((both, root, phrases.of_dimension(base, LENGTH)))
-    else:
-        yield Equation((both, phrases.of_dimension(base, LENGTH)))
+    yield _base(ends, known, phrases)
     formula = line("(", *one, "² + ", *both, "² - ", *other, "²)/(2 ", *both, ")")
     put = _put(
         lambda s: (s[0] ** 2 + s[1] ** 2 - s[2] ** 2) / (2 * s[1]),
@@ -121,7 +140,8 @@ def _sum(parts: Numbers, phrases: Phrases) -> Any:
     figures = figures_of(numbers, lambda x: x[0] + x[1] * x[2] + x[3] * x[4], phrases.figures)
     s = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in range(5)]
     terms: list[sp.Expr] = [s[0]] if start else []
-    terms += [sp.Mul(p, q, evaluate=False) for p, q, slope in ((s[1], s[2], e), (s[3], s[4], n)) if slope]
+    terms += [sp.Mul(p, q, evaluate=False) for p, q, size in ((s[1], s[2], along * e), (s[3], s[4], up * n)) if size]
+    terms = terms or [sp.S.Zero]
     texts = {letter: significant(x, figures) for letter, x in zip(s, numbers, strict=True)}
     return Math(terms[0] if len(terms) == 1 else sp.Add(*terms, evaluate=False), texts)
 
