@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from worked import page_of_file
+from worked import page_of_file, page_of_text
 
 
 @pytest.mark.parametrize(
@@ -72,3 +74,18 @@ def test_a_function_of_the_time_with_numbers_has_its_units() -> None:
     page = page_of_file("body-hoist-starting-softly")
     assert "ω = 3 (1 - cos(π t/4)) / 2 given, in rad/s, t in s" in page
     assert "α = 3 π/8 sin(π t/4) differentiated, in rad/s², t in s" in page
+
+
+def test_in_feet_its_units_are_feet(tmp_path: Path) -> None:
+    text = """
+title: A law in feet
+plane: horizontal
+bodies: {A: {particle: [0, 0], mass: 200 lb}}
+joints: [guide: {point: A, along: 0 deg}]
+motion: [v(A).x = (3 ft/s^2)*t + (1 ft/s^3)*t^2]
+states: {0: [t = 0], 1: [t = 2 s]}
+find: {a: a(A).x @ 1, x: x(A) @ 1}
+"""
+    page = page_of_text(tmp_path, text)
+    assert "v_A = (3 + t) t given, in ft/s, t in s" in page
+    assert "a_A = 3 + 2 t differentiated, in ft/s², t in s" in page

@@ -16,6 +16,7 @@ from planar_cli.records import changing
 from planar_cli.report.as_stated import NEAR, Stated, between, sentence, stated_in
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Value, line
 from planar_cli.report.clean import common_dimension
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sides import number_of, said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
@@ -59,7 +60,8 @@ class DataTelling:
         unit = ledger.units.get(w.left) if ledger.symbols.get("t") in w.right.free_symbols else None
         if unit is None or common_dimension(ledger, w.left, w.right) is not None:
             return ()
-        return line(f"in {pretty_unit(unit.text)}, t in s")
+        told = coherent_unit(unit.dimension, unit.angle, ledger.us)
+        return line(f"in {pretty_unit(told.text)}, t in s")
 
     def restates(self, w: Written) -> bool:
         """Is it a number, or a letter with one, that stands under Given already?"""
