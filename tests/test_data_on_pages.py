@@ -79,12 +79,12 @@ def test_a_function_of_the_time_with_numbers_has_its_units() -> None:
 def test_in_feet_its_units_are_feet(tmp_path: Path) -> None:
     text = """
 title: A law in feet
-plane: horizontal
+plane: vertical
 bodies: {A: {particle: [0, 0], mass: 200 lb}}
 joints: [guide: {point: A, along: 0 deg}]
 motion: [v(A).x = (3 ft/s^2)*t + (1 ft/s^3)*t^2]
 states: {0: [t = 0], 1: [t = 2 s]}
-find: {a: a(A).x @ 1, x: x(A) @ 1}
+find: {v: v(A).x @ 1, a: a(A).x @ 1, x: x(A) @ 1}
 """
     page = page_of_text(tmp_path, text)
     assert "v_A = (3 + t) t given, in ft/s, t in s" in page
