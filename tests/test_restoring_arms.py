@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from worked import page_of_file, page_of_text
 
 
 def test_a_half_disk_in_letters() -> None:
@@ -22,3 +24,28 @@ def test_a_toy_with_numbers() -> None:
     assert "I_C = m y_G² + I = 1.485 · 0.09405² + 0.007351 = 0.02049 kg·m²" in text
     assert "ΣM_C: -m g (r - y_G) δ = I_C α" in text
     assert "it is (y_G - r) sin δ ≈ (y_G - r) δ to the left of C: the weight turns it further" in text
+
+
+WHEEL = """
+title: Wheel out of balance rocking
+plane: vertical
+given: {m: 6 kg, R: 0.3 m, e: 0.1 m, k: 0.2 m}
+coordinates: {theta: rad}
+points:
+  C: [-R*theta, 0]
+  O: [-R*theta, R]
+  S: [-R*theta + e*sin(theta), R - e*cos(theta)]
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {wheel: {disk: O, radius: R, mass: m, center: S, inertia: m*k^2}}
+joints:
+  - rolling: {between: [wheel, floor], at: C}
+states:
+  level: [theta = 0, equilibrium]
+find: {T: period(level)}
+"""
+
+
+def test_the_mass_centre_has_its_own_name(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, WHEEL)
+    assert "S lies below O, in line with C; turned by δ it is e sin δ ≈ e δ to the right of C" in page
+    assert "G lies" not in page

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
@@ -65,11 +66,22 @@ def rocking(
         return None
     inertia = sp.Symbol(letter, positive=True)
     contact = Name(j.place)
-    where = f"G lies {'below' if below else 'above'} {name}, in line with "
+    where = line(Name(centre_of(scene, edge.body)), f" lies {'below' if below else 'above'} ", Name(name))
     aside = (phrases.math(lever * sp.sin(DEVIATION)), " ≈ ", phrases.math(lever * DEVIATION))
     side = f" to the {'right' if below else 'left'} of "
     then = f": the weight turns it {'back' if below else 'further'}"
-    words = line(where, contact, "; turned by ", phrases.math(DEVIATION), " it is ", *aside, side, contact, then)
+    words = line(
+        *where,
+        ", in line with ",
+        contact,
+        "; turned by ",
+        phrases.math(DEVIATION),
+        " it is ",
+        *aside,
+        side,
+        contact,
+        then,
+    )
     if not below:
         return Rocking((Paragraph(words),), None)
     about = _about_contact(edge.body, inertia, whole, j.place, constants or phrases)
