@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from conftest import PROBLEMS
+from worked import page_of_file, page_of_text
 
 
 def test_the_damping_ratio_says_of_which_kind_it_is() -> None:
@@ -21,6 +24,17 @@ def test_critical_damping_has_no_line_of_its_ratio() -> None:
     page = page_of_file("hinged-beam-critical-damping")
     assert "It is critically damped, ζ = 1." in page
     assert "displaced, it returns without swinging." in page
+
+
+def test_why_a_damped_equilibrium_is_unstable(tmp_path: Path) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "bar-with-spring-and-damper")
+    text = path.read_text(encoding="utf-8")
+    given = "vertical\ngiven: {m: 3 kg, l: 0.6 m, h: 0.4 m, k: 20 N/m, c: 2 N*s/m}\n"
+    middle = text[text.index("coordinates:") : text.index("cases:")].replace("theta = 0 deg", "theta = 90 deg")
+    middle = middle.replace("K: [l, -h]", "K: [-h, l]").replace("W: [l/2, -h]", "W: [-h, l/2]")
+    asked = "states: {rest: [theta = 90 deg, equilibrium]}\nfind: {settles: stable(rest)}\n"
+    page = page_of_text(tmp_path, f"title: Upright bar\nplane: {given}{middle}{asked}")
+    assert "rest is unstable, as the coefficient of δ is negative: displaced, it moves further away." in page
 
 
 def test_a_damper_of_no_strength_is_not_drawn() -> None:

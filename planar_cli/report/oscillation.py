@@ -249,7 +249,11 @@ def _verdict(found: OscillationTrace, value: Valuation, phrases: Phrases, linear
     if len(decides) == 1:
         one, other = sorted(decides[0], key=str, reverse=True)
         why = [", as ", phrases.math(one), " < " if value(one) < value(other) else " > ", phrases.math(other)]
-    elif len(found.motion) == 1 and found.verdict.power == 1 and found.damping == 0:
+    elif (
+        len(found.motion) == 1
+        and found.verdict.power == 1
+        and (found.damping == 0 or value(_stiffness(found, linear)) < 0)
+    ):
         sign = {"stable": "positive", "unstable": "negative"}.get(found.verdict.kind)
         why = [] if sign is None else [", as the coefficient of ", phrases.math(DEVIATION), f" is {sign}"]
     said = f"The equilibrium {found.state} is {found.verdict.kind}"
