@@ -37,6 +37,17 @@ def test_why_a_damped_equilibrium_is_unstable(tmp_path: Path) -> None:
     assert "rest is unstable, as the coefficient of δ is negative: displaced, it moves further away." in page
 
 
+def test_one_condition_is_assumed_once(tmp_path: Path) -> None:
+    """The period needs 3 k/m > 9 c²/(64 m²), and that it returns the same."""
+    (path,) = (p for p in PROBLEMS if p.stem == "bar-with-spring-and-damper")
+    text = path.read_text(encoding="utf-8")
+    letters = "horizontal\nsymbols: {m: kg, l: m, h: m, k: N/m, c: N*s/m}\n"
+    asked = "states: {rest: [theta = 0 deg, equilibrium]}\nfind: {T_d: period(rest), settles: stable(rest)}\n"
+    middle = text[text.index("coordinates:") : text.index("cases:")]
+    page = page_of_text(tmp_path, f"title: Bar in letters\nplane: {letters}{middle}{asked}")
+    assert "Assume 64 m k > 3 c² STEP 1" in page
+
+
 def test_a_damper_of_no_strength_is_not_drawn() -> None:
     page = page_of_file("bar-with-spring-and-damper").partition("CASE undamped")[2].partition("CASE damped")[0]
     assert "F_coil ↓ at A, O_x → at O" in page

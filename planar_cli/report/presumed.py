@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.problem.expression import JustAfter, Name, Relation
@@ -60,17 +61,24 @@ def presumed_notes(part: PartSolution, phrases: Phrases, positive: tuple[sp.Expr
 
 
 def _once_each(part: PartSolution, signs: list[sp.Expr]) -> list[sp.Expr]:
-    """Without those that are a multiple of one before, as cos 30° is √3/2 where the file gives the angle."""
+    """The shortest of those that are multiples of each other, as cos 30° is √3/2 where the file gives the angle;
+    what is positive whatever the letters is no part of them.
+    """
     if len(signs) < 2:
         return signs
-    draws = part.instants[0].instant.scene.everywhere()
+    scene = part.instants[0].instant.scene
+    draws = scene.everywhere()
     kept: list[sp.Expr] = []
     told: list[list[Decimal | None]] = []
     for expr in signs:
-        numbers = [d.known(expr) for d in draws]
-        if not any(_are_multiples(numbers, others) for others in told):
+        bare = expr if longer(expr, LONGEST) else without_factors(scene, sp.factor(expr))
+        numbers = [d.known(bare) for d in draws]
+        same = next((i for i, others in enumerate(told) if _are_multiples(numbers, others)), None)
+        if same is None:
             kept.append(expr)
             told.append(numbers)
+        elif operations(expr) < operations(kept[same]):
+            kept[same] = expr
     return kept
 
 
