@@ -100,7 +100,14 @@ def test_what_is_asked_along_the_axis_or_has_its_place_on_it_keeps_the_axes(name
 def test_a_balance_of_momenta_counts_so_too(tmp_path: Path) -> None:
     text = DROPPED.replace("states:", "loads: [force: {body: ball, magnitude: (4 N/s)*t, angle: 90 deg}]\nstates:")
     page = page_of_text(tmp_path, text.replace("y(ball) = 0", "t = 0.5 s"))
+    assert "impulse = ∫[0 → t_2] (m g - 4 t) dt = 9.31 N·s t in s" in page
     assert "(1) ↓ 9.31 = 2 v_2 in N·s (1): v_2 = 9.31/2 = 4.655 m/s" in page
+    assert "Not used" not in page
+    # Without a weight no letter of the mass is on the page, and yet its number.
+    level = text.replace("plane: vertical", "plane: horizontal").replace("y(ball) = 0", "t = 0.5 s")
+    page = page_of_text(tmp_path, level)
+    assert "m = 2 kg, force = 4 N/s · t; ball(0, h); 1: at rest; 2: t = 0.5 s Find v" in page
+    assert "Not used" not in page
 
 
 def test_down_a_slope_to_the_left_forces_are_summed_that_way(tmp_path: Path) -> None:

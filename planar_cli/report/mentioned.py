@@ -15,12 +15,15 @@ from planar_cli.report.ordering import HELD
 FOR_EVERY_BODY = "Newton's law for every body"
 """So begins what a page says of a motion that is integrated in numbers: it rests on all masses."""
 
+MOMENTA = ("in N·s", "in lbf·s", "in kg·m²/s", "in lbf·ft·s")
+"""What stands behind a balance of momenta in numbers, in which masses are."""
+
 
 @record
 class Mentioned:
-    """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, or forces that
-    accelerate something? `counted`: the names for which it puts numbers into formulas. `letters`: names in formulas,
-    which units are not. `energies`: it tells energies.
+    """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, momenta in
+    numbers, or forces that accelerate something? `counted`: the names for which it puts numbers into formulas.
+    `letters`: names in formulas, which units are not. `energies`: it tells energies.
     """
 
     words: frozenset[str]
@@ -53,6 +56,7 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
         valued |= _valued(block)
         summed |= isinstance(block, Equation) and _is_of_forces(block.note)
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
+        kinetic |= isinstance(block, Equation) and _told_in(block.note) in MOMENTA
         for piece in pieces_of(block):
             match piece:
                 case Text(text):
@@ -113,7 +117,11 @@ def _built(block: Block) -> str:
 
 def _is_of_forces(note: Line) -> bool:
     """Is an equation in numbers one of forces, moments or energies?"""
-    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf", "in J"))
+    return _told_in(note).startswith(("in N", "in lbf", "in J"))
+
+
+def _told_in(note: Line) -> str:
+    return "".join(p.text for p in note if isinstance(p, Text))
 
 
 def pieces_of(value: object) -> Iterator[Inline]:

@@ -112,7 +112,7 @@ class MomentumTelling:
         if longer(put.args[0], SHORT):
             return
         if not clean or longer(gain, SHORT):
-            yield from self._in_numbers(line(about), put, gain, dimension)
+            yield from self._in_numbers(line(about), put, gain, dimension, clean)
             return
         sides: list[Any] = [line(about), self.phrases.math(put), self.phrases.math(gain)]
         if not gain.free_symbols & set(self.unknowns) and not self.phrases.symbolic:
@@ -125,18 +125,25 @@ class MomentumTelling:
             sides += [replace(v, unit=ANGULAR_IMPULSE) if usual else v for v in shown]
         yield Equation(tuple(sides))
 
-    def _in_numbers(self, about: Line, put: sp.Expr, gain: sp.Expr, dimension: Dimension) -> Iterator[Block]:
-        """Of a law in numbers with the time alone: ∫[0 → t_2] (20 - 4 t) dt = 20 t_2 - 2 t_2², in N·s."""
+    def _in_numbers(
+        self, about: Line, put: sp.Expr, gain: sp.Expr, dimension: Dimension, clean: bool
+    ) -> Iterator[Block]:
+        """Of a law in numbers with the time alone: ∫[0 → t_2] (20 - 4 t) dt = 20 t_2 - 2 t_2², in N·s; where the time
+        is known, beside letters too: ∫[0 → t_2] (m g - 4 t) dt = 9.31 N·s. `clean`: no number hides a unit.
+        """
         varies, (time, *_) = put.args[0].free_symbols, put.args[1]
-        letters, data = gain.free_symbols - set(self.unknowns), self.phrases.ledger.values.keys() - {time}
-        if self.phrases.symbolic or varies & data or letters & data:
+        data = self.phrases.ledger.values.keys() - {time}
+        open_ = gain.free_symbols & set(self.unknowns)
+        lettered = bool((varies | (gain.free_symbols - open_)) & data)
+        if self.phrases.symbolic or (lettered and (open_ or clean)):
             return
-        if gain.free_symbols & set(self.unknowns):
+        if open_:
             found = put_in(sp.expand(gain), sp.S.Zero, self.unknowns, self.phrases, dimension)
             if found is not None:
                 yield Equation((about, self.phrases.math(put), found.left), None, (), found.note)
         elif (value := self.phrases.value.known(gain)) is not None:
-            yield Equation((about, self.phrases.math(put), self.phrases.of_dimension(value, dimension)))
+            note = line("t in s") if lettered else ()
+            yield Equation((about, self.phrases.math(put), self.phrases.of_dimension(value, dimension)), None, (), note)
 
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
