@@ -323,11 +323,8 @@ class Router:
         ]
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
-        while len(pool) > 1:
-            most, by_time = (60, None) if self.symbolic else (LONG_POOL, used)
-            step = linear_step(pool, left, self.value, most, by_time)
-            if step is None:
-                break
+        most, by_time = (60, None) if self.symbolic else (LONG_POOL, used)
+        while len(pool) > 1 and (step := linear_step(pool, left, self.value, most, by_time)) is not None:
             index, x, formula = step
             pool.pop(index)
             put = [r.xreplace({x: formula}) for r in pool]
