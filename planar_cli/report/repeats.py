@@ -63,8 +63,10 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         while stop < len(drawn) and known[stop]:
             stop += 1
         heading = found[-1] if found and start > 0 and drawn[start - 1] is found[-1] and _ends(drawn, stop) else None
-        # A sentence that leads to what is new stays.
+        # A sentence that leads to what is new stays, and so does a line that goes on with what is new: cos β above β.
         while stop > start and stop < len(drawn) and _leads(drawn[stop - 1]) and not isinstance(drawn[stop], Heading):
+            stop -= 1
+        while stop > start and stop < len(drawn) and _goes_on(drawn[stop]) and _cites(drawn[stop - 1]):
             stop -= 1
         run = drawn[start:stop]
         told = _as_before(run, printed, _cited(drawn[stop:])) if run else ()
@@ -231,6 +233,11 @@ def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int
 
 def _is_numbered(block: Block) -> bool:
     return isinstance(block, Equation) and block.number is not None
+
+
+def _goes_on(block: Block) -> bool:
+    """Is it a line without a number that begins with no other's, which goes on with the one above?"""
+    return isinstance(block, Equation) and block.number is None and not block.lead
 
 
 def _cites(block: Block) -> bool:
