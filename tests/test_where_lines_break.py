@@ -70,3 +70,13 @@ def test_a_long_left_side_goes_on_at_the_margin() -> None:
 def test_factors_of_a_datum_stay_together() -> None:
     datum = line("h = 20 mm, ", Name("m_2"), " = -", Name("rho"), " π ", Name("d"), "²/4 ", Name("s"))
     assert rows(datum, 24) == ["h = 20 mm,", "m_2 = -ρ π d²/4 s"]
+
+
+@pytest.mark.parametrize(("times", "columns"), [(1, [28, 28]), (5, [6, 28])])
+def test_lines_before_a_numbered_one_stand_apart_where_beside_its_lead_they_would_break(
+    times: int, columns: list[int]
+) -> None:
+    told = Equation((line("U"), *(Math(M * N) for _ in range(times)), Math(R * H)))
+    numbered = Equation((Math(M), Math(R)), 1, line("T_1 + U = T_2:"))
+    page = Terminal(60).render(Document("", (told, numbered)))
+    assert [row.index("=", row.find(":") + 1) for row in page.splitlines() if row.strip()] == columns

@@ -113,9 +113,20 @@ class Terminal(Format[Row]):
     def equations(self, run: Sequence[Equation]) -> list[Row]:
         found: list[Row] = []
         for part in _alike(run):
-            columns = _Columns.of(part, self.width)
-            found += [row for equation in part for row in self._equation(equation, columns)]
+            found += self._aligned(part)
         return found
+
+    def _aligned(self, part: Sequence[Equation]) -> list[Row]:
+        """Equations under each other; those before the first with a number or a lead stand apart from it where the
+        room for that would make them longer.
+        """
+        columns = _Columns.of(part, self.width)
+        rows = [row for equation in part for row in self._equation(equation, columns)]
+        led = next((i for i, e in enumerate(part) if e.lead or e.number is not None), 0)
+        if not led or len(rows) == len(part):
+            return rows
+        apart = [*self._aligned(part[:led]), *self._aligned(part[led:])]
+        return apart if len(apart) < len(rows) else rows
 
     def _equation(self, equation: Equation, columns: _Columns) -> list[Row]:
         head = columns.head(equation)
