@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 import pytest
 
+from planar_cli.__main__ import CLUTTER
 from planar_cli.later import defer
 
 ROOT = Path(__file__).parent.parent
@@ -13,6 +15,7 @@ PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.nam
 """All files with a printed page that is kept; those in `hard` are held by their answers alone."""
 
 # As on the command line, before any test loads SymPy.
+gc.set_threshold(CLUTTER, 20, 20)
 defer()
 
 HELD: set[Path] = set()
