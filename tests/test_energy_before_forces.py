@@ -12,7 +12,7 @@ def test_energy_stands_before_the_forces_of_the_yo_yo() -> None:
     page = page_of_file("yo-yo").partition("CASE")[0]
     places = [page.index(words) for words in ("Assume", "Work and energy states", "v_2 = r ω_2 =", "Kinetic analysis")]
     assert places == sorted(places)
-    assert page.index("T_thread = m (g + a_Gy)") < page.index("T_thread is the same at every instant.")
+    assert page.index("T_thread = m (g - a_G)") < page.index("T_thread is the same at every instant.")
 
 
 def test_turning_follows_from_the_stated_speed_of_the_centre() -> None:

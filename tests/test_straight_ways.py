@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from conftest import PROBLEMS
 from worked import page_of_file, page_of_text
 
 THROWN = """\
@@ -60,12 +61,32 @@ find: {v: v(block).mag @ 2, d: -x(block) @ 2}
     # A momentum that varies in time counts so too, and what hangs on a rope with what goes up.
     ("drop-that-grows-in-mist", ["impulse = ∫[0 → T] (M g + g q t) dt", "↓ T g (M + 1/2 T q) = v_A,2 (M + T q)"]),
     ("atwood-let-go", ["a_A = a_By", "s_A: the way of A downward, s_A = -1 - y_A"]),
+    # So does the centre of what unwinds from a cord, and a load on a drum, which turns the way it is counted.
+    ("yo-yo", ["v_G = r ω", "= m a_G ↓ at G, I_G α ↺", "m g r = m a_G r + I_G α", "T_thread = m (g - a_G)"]),
+    ("body-atwood-with-heavy-pulley", ["a_A = r α", "s_A: the way of A downward", "Δs_A = r Δθ"]),
+    ("gears-turned-by-a-load", ["R_2 ω_gear = R_1 ω_pinion", "a_L = r α_gear", "speed = v_L,2 = 2.720 m/s"]),
+    ("winch-with-counterweight", [
+        "Angular impulse and momentum.",
+        "v_Ay = R ω",
+        "v_B = R ω",
+        "= I_drum α ↻",
+        "H_O = 106.4 kg·m²/s clockwise",
+    ]),
     ("load-of-a-movable-pulley-that-lands", ["x_A + 2 y_B = const., differentiated twice: (2) a_A = 2 a_B"]),
 ])  # fmt: skip
 def test_what_goes_one_way_counts_so(name: str, lines: list[str]) -> None:
     page = page_of_file(name)
     assert [said for said in lines if said not in page] == []
     assert "negative root" not in page
+
+
+def test_a_spool_that_unwinds_clockwise_counts_so(tmp_path: Path) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "yo-yo")
+    left = path.read_text().replace("T: [r, 0], A: [r,", "T: [-r, 0], A: [-r,")
+    page = page_of_text(tmp_path, left)
+    assert "ω is counted clockwise" in page
+    assert "= m a_G ↓ at G, I_G α ↻" in page
+    assert "ω_2 = 96.09 rad/s clockwise" in page
 
 
 def test_a_way_is_counted_from_where_it_starts_or_the_origin_that_it_passes(tmp_path: Path) -> None:

@@ -379,7 +379,7 @@ class Problem:
     bounded: tuple[tuple[str, str], ...] = ()
     """What is largest or smallest, with the inequality that bounds it: here an equation stands in their place."""
     clockwise: tuple[str, ...] = ()  # of a case: bodies that count clockwise in what was told before of the same file
-    turning: tuple[str, ...] = ()  # bodies whose rotation counts clockwise through a motion, as a blow turns them so
+    turning: tuple[str, ...] = ()  # bodies whose rotation counts clockwise through a motion, as they turn so
     going: tuple[tuple[str, Going], ...] = ()  # bodies that go one way along a straight line through a whole motion
     hidden: frozenset[str] = frozenset()  # names that figures do not show
 

@@ -13,6 +13,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
 from planar_cli.report.blocks import Block, Heading, Line, Math, Name, Paragraph, line
+from planar_cli.report.changes import CHANGE
 from planar_cli.report.counted import clockwise, turning
 from planar_cli.report.laws import counted
 from planar_cli.report.mentioned import pieces_of
@@ -48,9 +49,10 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
 
 
 def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:
-    """Ways of which s̈ stands on the page; that of an angle is told as α."""
+    """Ways of which s̈ or Δs stands on the page; the rates of an angle are told as ω and α."""
     names, units = {x.name for x in letters}, found.ledger.units
-    return {s for s in coordinates if f"{s.name}_ddot" in names and s in units and not units[s].angle}
+    rates = (s for s in coordinates if {f"{s.name}_ddot", f"{CHANGE}{s.name}"} & names)
+    return {s for s in rates if s in units and not units[s].angle}
 
 
 def _begins(block: Block) -> bool:

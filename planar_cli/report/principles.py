@@ -30,7 +30,7 @@ STREAM = "Momentum of a stream: its force is the mass per second times its veloc
 EXTREME = "A largest or smallest value: there its derivative is zero."
 FLIGHT = "Free flight: its weight alone accelerates a body, whatever its mass."
 RADIAN = "rad"
-TURNING = "↺ "
+TURNING = ("↺ ", "↻ ")
 """The lead of a balance of moments or of angular momentum."""
 DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in equilibrium."
 
@@ -145,12 +145,12 @@ def _of_forces(uses: Uses) -> str:
 
 def _momenta(uses: Uses) -> Iterator[str]:
     if uses.impulses or any(b.gain != 0 or not b.law.kept for b in uses.momenta):
-        turning = all(b.law.lead == TURNING for b in uses.momenta) and not uses.impulses
+        turning = all(b.law.lead in TURNING for b in uses.momenta) and not uses.impulses
         yield "Angular impulse and momentum." if turning else "Impulse and momentum."
     kept = [b for b in uses.momenta if b.gain == 0 and b.law.kept]
-    if any(b.law.lead != TURNING for b in kept):
+    if any(b.law.lead not in TURNING for b in kept):
         yield "Conservation of momentum."
-    if any(b.law.lead == TURNING for b in kept):
+    if any(b.law.lead in TURNING for b in kept):
         yield "Conservation of angular momentum."
 
 

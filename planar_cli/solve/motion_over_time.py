@@ -39,7 +39,7 @@ from planar_cli.solve.diagnosis.left_open import moved_by_nothing
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
-from planar_cli.solve.following.straight_ways import straight_ways_found
+from planar_cli.solve.following.straight_ways import along_straight_ways_found
 from planar_cli.solve.following.turns import count_turns
 from planar_cli.solve.impulsive.checks import blow_checks
 from planar_cli.solve.instant.unreached import not_reached
@@ -107,9 +107,9 @@ def _part_in(
 
     try:
         solved = reaching(problem, search)
-        if problem.unknowns and (ways := straight_ways_found(solved, workshop)):
+        if problem.unknowns and (counted := along_straight_ways_found(problem, solved, workshop)) is not None:
             workshop = Workshop(workshop.earlier)
-            solved = reaching(replace(problem, going=ways), search)
+            solved = reaching(counted, search)
     except Unvalued as error:
         raise moved_by_nothing(problem) or error from error
     try:

@@ -30,17 +30,24 @@ def along_straight_ways(problem: Problem, workshop: Workshop, motion: Traced | N
     if motion is None or workshop.by_axes or not (ways := straight_ways(problem, motion)):
         return problem, workshop
     workshop.left = True
-    return replace(problem, going=ways), Workshop(workshop.earlier)
+    return _counted(problem, ways, motion), Workshop(workshop.earlier)
 
 
-def straight_ways_found(solved: SolvedMotion, workshop: Workshop) -> tuple[tuple[str, Going], ...]:
-    """The same of a motion that is known once a constant has been found: it is solved again so."""
+def along_straight_ways_found(problem: Problem, solved: SolvedMotion, workshop: Workshop) -> Problem | None:
+    """The same of a motion that is known once a constant has been found: it is solved again so. None: it is not."""
     run = solved.followed.run if solved.followed is not None else None
     if run is None or workshop.by_axes or workshop.left or not solved.course.states:
-        return ()
-    ways = straight_ways(solved.course.problem, Traced(run))
+        return None
+    motion = Traced(run)
+    ways = straight_ways(solved.course.problem, motion)
     workshop.left = bool(ways)
-    return ways
+    return _counted(problem, ways, motion) if ways else None
+
+
+def _counted(problem: Problem, ways: tuple[tuple[str, Going], ...], motion: Traced) -> Problem:
+    """The problem in which bodies count the ways they go, and clockwise where they turn so."""
+    clockwise = tuple(b for b, senses in _turns(motion, _all_states(problem, motion)).items() if senses == {False})
+    return replace(problem, going=ways, turning=(*problem.turning, *clockwise))
 
 
 def straight_ways(problem: Problem, motion: Traced) -> tuple[tuple[str, Going], ...]:
@@ -50,12 +57,10 @@ def straight_ways(problem: Problem, motion: Traced) -> tuple[tuple[str, Going], 
     moments = [motion.moment(s.name) for s in problem.states]
     if problem.coordinates or None in moments:
         return ()
-    layout, names = motion.run.model.layout, [s.name for s in problem.states]
-    states = list(_states(motion, max(names, key=lambda name: _time(motion, name))))
-    states += [m.after[1] for m in moments if m is not None and m.after is not None]
-    n, frames = layout.count, layout.frames.values()
+    layout, states = motion.run.model.layout, _all_states(problem, motion)
+    n = layout.count
     moving = {b for b, f in layout.frames.items() if any(y[n + i] != 0 for y in states for i in (f.x, f.y))}
-    if not moving or any(y[n + f.theta] != 0 for f in frames if f.theta is not None for y in states):
+    if not moving or not _keep_their_places(problem, motion, states):
         return ()
     found = {b: way for b in moving if (way := _way(states, layout.frames[b], n)) is not None}
     if len(layout.frames) == 1 and not found:
@@ -71,6 +76,20 @@ def _may_count_so(problem: Problem, ways: Sequence[Going]) -> bool:
     springs = any(load.kind == "spring" for load in problem.loads)
     placed = not springs or all(map(_has_zero_of_file, ways))
     return any(min(way.x, way.y) < 0 for way in ways) and plain and placed and (roped or _is_one_way(ways))
+
+
+def _keep_their_places(problem: Problem, motion: Traced, states: Sequence[Sequence[float]]) -> bool:
+    """Do bodies that turn keep to one sense each, about centres that rest, as drums from which loads hang, or held by
+    cords alone, as a spool that unwinds?
+    """
+    turns, layout = {b: senses for b, senses in _turns(motion, states).items() if senses}, motion.run.model.layout
+    if not turns:
+        return True
+    kinds = {j.kind for j in problem.joints}
+    frames = [layout.frames[b] for b in turns]
+    rest = all(y[layout.count + i] == 0 for f in frames for y in states for i in (f.x, f.y))
+    held = kinds == {"rope"} or (rest and "rope" in kinds and "guide" not in kinds)
+    return held and all(len(senses) == 1 for senses in turns.values())
 
 
 def _until_a_blow(problem: Problem, motion: Traced, states: Sequence[Sequence[float]]) -> tuple[tuple[str, Going], ...]:
@@ -152,6 +171,20 @@ def _way(states: Sequence[Sequence[float]], frame: Frame, n: int) -> Going | Non
 def _time(motion: Traced, name: str) -> float:
     moment = motion.moment(name)
     return 0.0 if moment is None else moment.t
+
+
+def _all_states(problem: Problem, motion: Traced) -> list[tuple[float, ...]]:
+    """What the motion is after all steps up to its last state, and after each blow."""
+    moments = [motion.moment(s.name) for s in problem.states]
+    states = list(_states(motion, max((s.name for s in problem.states), key=lambda name: _time(motion, name))))
+    return states + [m.after[1] for m in moments if m is not None and m.after is not None]
+
+
+def _turns(motion: Traced, states: Sequence[Sequence[float]]) -> dict[str, set[bool]]:
+    """Of each body that can turn, in which senses it does: counterclockwise, True, or clockwise."""
+    layout = motion.run.model.layout
+    spins = {b: layout.count + f.theta for b, f in layout.frames.items() if f.theta is not None}
+    return {b: {y[i] > 0 for y in states if y[i] != 0} for b, i in spins.items()}
 
 
 def _states(motion: Traced, last: str) -> Iterator[tuple[float, ...]]:
