@@ -36,7 +36,8 @@ def test_accelerations_are_solved_where_velocities_are() -> None:
 def test_the_links_of_a_plate_have_their_own_unit_vectors() -> None:
     page = page_of_file("six-bar-class-3")
     assert "(k × r_A/O) · e_QD = 0.4472 (-0.2) + 0.8944 · 0.1 = 0 (k × r_B/A) · e_QD" in page
-    assert "(k × r_C/B) · e_PC = -0.6 (-0.2) + 0.8 · 0.3 = 0.36 m" in page
+    assert "e_PC = [-0.6, 0.8] (k × r_A/O) · e_PC = -0.6 (-0.2) + 0.8 · 0.1 = 0.2 m" in page
+    assert "(k × r_B/A) · e_PC = 0.44 m likewise (k × r_C/B) · e_PC = 0.36 m" in page
     assert "+ ω_slab (k × r_C/B) · e_PC = 0 (2) 0.44 ω_AB + 0.36 ω_slab" in page
 
 

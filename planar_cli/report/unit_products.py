@@ -2,15 +2,17 @@
 from.
 
 along DC, where ω_DC does not enter:
-    e_DC = [-0.1316, 0.9913]
-    (k × r_B/A) · e_DC = -0.1316 (-0.1732) + 0.9913 · 0.1 = 0.1219 m       the factor of ω_AB and of α_AB
-    r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m              that of ω_AB²
+    e_DC = [-0.1316, 0.9913]   (k × r_B/A) · e_DC = -0.1316 (-0.1732) + 0.9913 · 0.1 = 0.1219 m   of ω_AB and α_AB
+    r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m                                     of ω_AB²
     ω_AB (k × r_B/A) · e_DC + ω_BC (k × r_C/B) · e_DC = 0                  before it is told in numbers
+
+The first product of a kind has its numbers; of several more like it the values stand in one row.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
 from planar_cli.problem.facts import Joining
@@ -24,6 +26,9 @@ from planar_cli.report.projected import sum_along, unit_along
 from planar_cli.report.told import Told
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH, PURE
+
+LEAST = 3
+"""So many sides has a product with its numbers; of fewer further ones each has a row."""
 
 
 @record
@@ -53,14 +58,35 @@ def with_products(told: Told, words: list[Block], j: Joining | None, w: Written,
         return []
     x, y = link.sizes
     unit = [u if x * unit[0] + y * unit[1] > 0 else -u for u in unit]
-    e, first = line(Name(f"e_{link.start}{link.end}")), list[Block]()
+    e, first = line(Name(f"e_{link.start}{link.end}")), list[Equation]()
     if (key := f"unit {e}") not in told.valued:
         told.valued.add(key)
         first = [Equation((e, told.phrases.vector(unit[0], unit[1], PURE)))]
-    products = [b for arm in arms for b in _products(told, arm, (e, unit), level, arm is not link)]
+    products = _in_rows([*first, *(b for a in arms for b in _products(told, a, (e, unit), level, a is not link))])
     sides = [line(*_along(told, chain, e, level, link)) or line("0") for chain in sorted(chains, key=len, reverse=True)]
     whole = [Equation(tuple(sides))] if all(chains) else []
-    return [*words, *first, *products, *whole]
+    return [*words, *products, *whole]
+
+
+def _in_rows(told: Sequence[Equation]) -> Iterator[Equation]:
+    """The first product beside its unit vector, if that is new; of several more the values in one row."""
+    vectors = [b for b in told if len(b.sides) < LEAST]
+    first, *others = [b for b in told if b not in vectors] or [None]
+    if first is None:
+        yield from vectors
+        return
+    yield replace(vectors[0], note=_written(first)) if vectors else first
+    if len(others) < LEAST - 1:
+        yield from others
+        return
+    opened, *rest = ((b.sides[0], b.sides[-1]) for b in others)
+    beside = [p for i, (name, value) in enumerate(rest) for p in (", " if i else "likewise ", name, " = ", value)]
+    yield Equation(opened, note=line(*beside))
+
+
+def _written(equation: Equation) -> Line:
+    """name = numbers = value, as it stands beside another."""
+    return line(*(p for i, side in enumerate(equation.sides) for p in (" = " if i else "", side)))
 
 
 def _along(told: Told, chain: Sequence[Arm], e: Line, level: str, link: Arm) -> Iterator[Inline | Line | str]:
@@ -106,7 +132,9 @@ def _arms(told: Told, body: str, j: Joining) -> Iterator[Arm]:
     yield from reversed(found)
 
 
-def _products(told: Told, arm: Arm, along: tuple[Line, Sequence[Decimal]], level: str, enters: bool) -> Iterator[Block]:
+def _products(
+    told: Told, arm: Arm, along: tuple[Line, Sequence[Decimal]], level: str, enters: bool
+) -> Iterator[Equation]:
     """(k × r) · e where ω or α of the body stands in the equation, r · e where ω² does; each once. `enters`: it is not
     the link across which e kills what its own rate gives.
     """
@@ -120,7 +148,7 @@ def _products(told: Told, arm: Arm, along: tuple[Line, Sequence[Decimal]], level
         yield from _product(told, line(name, " · ", *e), (x, y), unit)
 
 
-def _product(told: Told, name: Line, vector: tuple[Decimal, Decimal], unit: Sequence[Decimal]) -> Iterator[Block]:
+def _product(told: Told, name: Line, vector: tuple[Decimal, Decimal], unit: Sequence[Decimal]) -> Iterator[Equation]:
     key = f"product {name}"
     size = vector[0] * unit[0] + vector[1] * unit[1]
     if key in told.valued:
