@@ -100,3 +100,16 @@ def test_rows_that_are_solved_together() -> None:
     assert "7 unknowns: α_OA, α_AB, α_BC, α_CD, α_DE, O_x, O_y; the accelerations in these by (1) to (10)" in page
     assert page.count("- 0.03473 α_CD - 3.849 in m/s²") == 1
     assert "acceleration of the mass centre" not in page
+
+
+def test_the_diagram_of_an_earlier_case_that_reads_alike() -> None:
+    """Whatever the order of its factors; and the check of power once."""
+    page = page_of_file("slider-crank-driven")
+    assert page.count("OA: m_OA g ↓ at G_OA") == 1
+    assert page.count("power: ") == 1
+
+
+def test_a_component_of_an_earlier_case_stands_before_new_vectors() -> None:
+    page = page_of_file("six-bar-class-3")
+    assert "As before: (1) to (8). a_G,PC = " in page
+    assert page.count("Likewise a_D along x:") == 1

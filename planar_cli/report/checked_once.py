@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from planar_cli.report.as_printed import read_alike
 from planar_cli.report.blocks import Answer, Block, Check, Heading, line
 from planar_cli.report.checks import INDEPENDENT
 
@@ -17,12 +18,12 @@ def checked_once(page: Sequence[Block]) -> list[Block]:
     check by hand that an earlier part has had word for word.
     """
     parts: list[list[Block]] = [[]]
-    had: list[Check] = []
+    had: set[str] = set()
     for block in page:
         if isinstance(block, Heading) and block.label == CASE:
             parts.append([])
-            had += [b for b in parts[-2] if isinstance(b, Check) and not _is_test(b)]
-        parts[-1] += [] if block in had else [block]
+            had |= {read_alike(b) for b in parts[-2] if isinstance(b, Check) and not _is_test(b)}
+        parts[-1] += [] if isinstance(block, Check) and read_alike(block) in had else [block]
     # Before the first case there may be the opening alone. An answer without a check was not compared.
     of_answers = [part for part in parts if any(isinstance(b, Answer | Check) for b in part)]
     started = of_answers == parts or of_answers == parts[1:]

@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from decimal import Decimal
 
 from planar_cli.equation.plain import longer
+from planar_cli.report.as_printed import as_text, diagram, read_alike
 from planar_cli.report.blocks import (
     Block,
     Equation,
@@ -36,7 +36,6 @@ LONG = 7
 LEAST = 3
 """Fewer lines are printed again, unless they are all of a step."""
 TOLD = (Paragraph, Equation, Forces, Result, Table)
-NUMBER = re.compile(r"Decimal\('([^']+)'\)")
 NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
 DEFINED, BETWEEN = ("moment of inertia of", "terminal speed", "half disk, from", "sector, from"), ",  "
@@ -138,28 +137,30 @@ class _Printed:
         self._turned = {without_arrows(said): number for said, number in self._numbers.items()}
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
-        self.formulas = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_long(b)}
-        self.named = {_read((b.lead, b.sides[:2])) for b in before if isinstance(b, Equation) and _is_named(b)}
+        self.formulas = {_formula(b) for b in before if isinstance(b, Equation) and _is_long(b)}
+        self.named = {_formula(b) for b in before if isinstance(b, Equation) and _is_named(b)}
 
     def knows(self, block: Block) -> bool:
         """Does it stand there word for word, and would `before` mean it?"""
         if isinstance(block, Forces):
             last = self.diagrams.get(block.body)
-            return last is not None and _read(last) == _read(block)
+            return last is not None and diagram(last) == diagram(block)
         if isinstance(block, Equation) and block.number is not None:
             return _told(block) in self._numbers
         return isinstance(block, TOLD) and _told(block) in self.said
 
     def renews(self, block: Block) -> bool:
         """Is it the line of a named quantity by the same formula, with other numbers?"""
-        named = isinstance(block, Equation) and _is_named(block) and _read((block.lead, block.sides[:2])) in self.named
+        named = (
+            isinstance(block, Equation) and _is_named(block) and read_alike((block.lead, block.sides[:2])) in self.named
+        )
         return named and not self.knows(block)
 
     def knows_turned(self, block: Block) -> bool:
         """Would it stand there word for word, but for directions that are turned?"""
         if isinstance(block, Forces):
             last = self.diagrams.get(block.body)
-            return last is not None and is_turned(_read(last), _read(block))
+            return last is not None and is_turned(diagram(last), diagram(block))
         return isinstance(block, Equation) and block.number is not None and self.number(block) is not None
 
     def number(self, equation: Equation) -> int | None:
@@ -173,17 +174,26 @@ class _Printed:
         """The diagram of a body by the forces that are gone from the last one; a long formula of a named quantity with
         its other numbers alone. Itself, where it is another.
         """
-        if isinstance(block, Equation) and _is_long(block) and _read((block.lead, block.sides[:2])) in self.formulas:
+        if (
+            isinstance(block, Equation)
+            and _is_long(block)
+            and read_alike((block.lead, block.sides[:2])) in self.formulas
+        ):
             return block if _told(block) in self.said else replace(block, sides=(block.sides[0], *block.sides[2:]))
         other = self.diagrams.get(block.body) if isinstance(block, Forces) else None
-        if not isinstance(block, Forces) or other is None or _read(other.right) != _read(block.right):
+        if not isinstance(block, Forces) or other is None or as_text(other.right) != as_text(block.right):
             return block
-        own, entries = [_read(e) for e in _entries(block.left)], list(_entries(other.left))
-        gone = [e for e in entries if _read(e) not in own]
-        if not gone or [_read(e) for e in entries if e not in gone] != own:
+        own, entries = [as_text(e) for e in _entries(block.left)], list(_entries(other.left))
+        gone = [e for e in entries if as_text(e) not in own]
+        if not gone or [as_text(e) for e in entries if e not in gone] != own:
             return block
         names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
         return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
+
+
+def _formula(equation: Equation) -> str:
+    """Its letter and formula, with what stands before them."""
+    return read_alike((equation.lead, equation.sides[:2]))
 
 
 def _is_named(equation: Equation) -> bool:
@@ -206,16 +216,11 @@ def _ends(blocks: Sequence[Block], stop: int) -> bool:
     return stop < len(blocks) and isinstance(blocks[stop], Heading)
 
 
-def _read(piece: object) -> str:
-    """What tells pieces that read alike: the last digits of a number are not seen in print."""
-    return NUMBER.sub(lambda found: f"{Decimal(found[1]):.10g}", repr(piece))
-
-
 def _told(block: Block) -> str:
     """What a block says, whatever the numbers of equations."""
     if isinstance(block, Equation):
         block = replace(block, number=None)
-    return NUMBERED.sub("(#)", _read(block))
+    return NUMBERED.sub("(#)", read_alike(block))
 
 
 def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
@@ -225,7 +230,8 @@ def _with_all_it_leads_to(blocks: Sequence[Block], known: Sequence[bool], i: int
     if not _announces(blocks[i]):
         return True
     stop = next((k for k in range(i + 1, len(blocks)) if isinstance(blocks[k], Paragraph | Heading)), len(blocks))
-    result = next((k for k in range(i + 1, stop) if _is_numbered(blocks[k - 1]) and _cites(blocks[k])), stop)
+    after = (k for k in range(i + 1, stop) if _is_numbered(blocks[k - 1]))
+    result = next((k for k in after if _cites(blocks[k]) or _is_of_a_point(blocks[k])), stop)
     if all(map(_is_numbered, blocks[i + 1 : result])):
         stop = result
     return all(known[i + 1 : stop])
@@ -242,7 +248,13 @@ def _goes_on(block: Block) -> bool:
 
 def _cites(block: Block) -> bool:
     """Is it a line without a number that begins with those of others?"""
-    return isinstance(block, Equation) and block.number is None and bool(NUMBERED.search(_read(block.lead)))
+    return isinstance(block, Equation) and block.number is None and bool(NUMBERED.search(read_alike(block.lead)))
+
+
+def _is_of_a_point(block: Block) -> bool:
+    """Is it the vector equation of a point, which goes on with nothing above?"""
+    left = block.sides[0] if isinstance(block, Equation) and _goes_on(block) else ()
+    return isinstance(left, tuple) and len(left) == 1 and isinstance(left[0], Name)
 
 
 def _is_led_anew(blocks: Sequence[Block], known: Sequence[bool], i: int) -> bool:
@@ -281,7 +293,7 @@ def _leads(block: Block) -> bool:
 
 def _cited(blocks: Sequence[Block]) -> frozenset[str]:
     """The numbers of equations in what is told."""
-    said = " ".join(map(_read, blocks))
+    said = " ".join(map(read_alike, blocks))
     inside = ((int(low), int(high)) for low, high in RUN.findall(said))
     within = {f"({n})" for low, high in inside for n in range(low, high + 1)}
     return frozenset(NUMBERED.findall(said)) | within
