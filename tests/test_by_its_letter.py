@@ -42,3 +42,16 @@ def test_what_has_a_short_result_in_letters_keeps_its_letters() -> None:
 )
 def test_fractions_of_fractions(formula: sp.Expr, storeys: bool) -> None:
     assert in_storeys(formula) == storeys
+
+
+@pytest.mark.parametrize(
+    ("stem", "result"),
+    [
+        ("slider-crank-driven", "(4): B_y = (6.648 - 0.045 · 116.95 - 0.08660 (-26.71))/0.2872 = 12.88 N"),
+        ("skier-in-a-parabolic-dip", "(2): N = 134.2 + 0.04167 · 30² = 171.7 lbf"),
+    ],
+)
+def test_the_result_of_one_equation_has_its_numbers_once(stem: str, result: str) -> None:
+    page = page_of_file(stem)
+    assert result in page
+    assert "in numbers:" not in page

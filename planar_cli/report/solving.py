@@ -278,10 +278,8 @@ class SolvingTelling:
 
     def _last_in_numbers(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         """The one letter of a block from its last equation, into which the others are put."""
-        found, x = (
-            self.numeric.inserted(block, stage),
-            next((x for x in block.lines if x.symbol in block.letters), None),
-        )
+        found = self.numeric.inserted(block, stage)
+        x = next((x for x in block.lines if x.symbol in block.letters), None)
         if found is None or x is None:
             return []
         (sides, note), solved = found
@@ -335,6 +333,8 @@ class SolvingTelling:
             bare = w.residual.free_symbols <= stage.algebra.unknowns
             # The accelerations in it have their values first.
             bare |= len(block.unknowns) == 1 and bool(self._named(stage, [w])) and not self.numeric.put_whole(w, stage)
+            # Of one unknown the result has all these numbers.
+            bare |= len(block.lines) == len(block.unknowns) == 1 and bool(self.numeric.solution(block.lines[0], stage))
             equation = None if bare else self.numeric.put_in(w, stage, block.unknowns)
             if equation is not None:
                 sides, note = equation

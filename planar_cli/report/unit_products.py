@@ -71,10 +71,11 @@ def with_products(told: Told, words: list[Block], j: Joining | None, w: Written,
 def _in_rows(told: Sequence[Equation]) -> Iterator[Equation]:
     """The first product beside its unit vector, if that is new; of several more the values in one row."""
     vectors = [b for b in told if len(b.sides) < LEAST]
-    first, *others = [b for b in told if b not in vectors] or [None]
-    if first is None:
+    products = [b for b in told if b not in vectors]
+    if not products:
         yield from vectors
         return
+    first, *others = products
     yield replace(vectors[0], note=_written(first)) if vectors else first
     if len(others) < LEAST - 1:
         yield from others
