@@ -235,9 +235,9 @@ def test_a_mean_over_a_time_without_end() -> None:
 
 
 def test_a_half_swing_to_the_left_is_a_positive_way(tmp_path: Path) -> None:
-    """The page writes the speed of each part as it is: against the x axis, it is -v."""
+    """The page adds the ways from turn to turn, each as it is positive."""
     text = STICKING.replace("2: [t = infinity]", "2: [v(P).x = 0]\n  3: [v(P).x = 0]")
     problem, _ = load_text(text[: text.index("find:")] + "find: {way: path_length(P) @ 1->3}\n")
     assert problem is not None
     page = Terminal().render(narrate(solve_problem(problem)))
-    assert "∫[t_1 → t_2] (-v) dt + ∫[t_2 → t_3] v dt = x_1 + x_3 - 2 x_2" in page
+    assert "way = (x_1 - x_2) + (x_3 - x_2) = 0.2106 + 0.1517 = 0.3623 m" in page

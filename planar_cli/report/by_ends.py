@@ -1,25 +1,32 @@
-"""What is asked of a span in a word: a mean acceleration by the velocities at both ends, (v_1 - v_0)/t_1, and the work
-of all that does work by the kinetic energies, T_1 - T_0.
+"""What is asked of a span in a word: a mean acceleration by the velocities at both ends, (v_1 - v_0)/t_1; the work of
+all that does work by the kinetic energies, T_1 - T_0; a length of path by the ways from turn to turn, and the heat of a
+constant friction by that length.
 """
 
 from __future__ import annotations
 
+from decimal import Decimal
+from itertools import groupby
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Math, Name, Value, line
+from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.span_trace import SpanIntegral
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace
+from planar_cli.units import LENGTH
 
 
 def by_ends(span: SpanIntegral, found: MotionTrace, phrases: Phrases, value: Value) -> tuple[Any, ...]:
     """The sides between the name of such a find and its value; empty of another one."""
     if phrases.symbolic:
         return ()
-    return _mean(span, found, phrases) or _work(span, found, phrases, value)
+    told = _mean(span, found, phrases) or _work(span, found, phrases, value)
+    return told or _ways(span, found, phrases, value) or _along_the_way(span, found, phrases)
 
 
 def _mean(span: SpanIntegral, found: MotionTrace, phrases: Phrases) -> tuple[Any, ...]:
@@ -61,4 +68,44 @@ def _work(span: SpanIntegral, found: MotionTrace, phrases: Phrases, value: Value
             told = change.xreplace(dict(found.route.plain))
             first = line(Name(b.law.bring), f" of the {words}")
             return first, energies, phrases.math(told), *phrases.substituted(told, value)
+    return ()
+
+
+def _ways(span: SpanIntegral, found: MotionTrace, phrases: Phrases, value: Value) -> tuple[Any, ...]:
+    """Of a length of path with several parts: (x_1 - x_2) + (x_3 - x_2), then the numbers of these; one way, where it
+    never turns.
+    """
+    pieces = [p for p in span.pieces if p.integrand != 0]
+    if span.quantity.word != "path_length" or len(pieces) < 2 or any(p.turns or p.formula is None for p in pieces):
+        return ()
+    parts = [[*same] for _, same in groupby(pieces, key=lambda p: p.integrand)]
+    told = [sp.Add(*(p.formula for p in same if p.formula is not None)) for same in parts]
+    numbers = [phrases.of_dimension(sum((p.number for p in same), Decimal(0)), LENGTH) for same in parts]
+    if any(not f.is_Add or len(f.args) != 2 or longer(f, 2) for f in told) or any(n.number <= 0 for n in numbers):
+        return ()
+    if len(told) == 1:
+        way = told[0].xreplace({s: f for s, f in found.route.formulas.items() if f == 0})
+        return phrases.math(way), *phrases.substituted(way, value)
+    ways = (x for f in told for x in (" + ", "(", phrases.math(f), ")"))
+    sum_of = (x for n in numbers for x in (" + ", significant(n.number, n.figures)))
+    return tuple(line(*list(sides)[1:]) for sides in (ways, sum_of))
+
+
+def _along_the_way(span: SpanIntegral, found: MotionTrace, phrases: Phrases) -> tuple[Any, ...]:
+    """Of the heat of a friction that stays the same, where the length of the path was asked before: F s."""
+    if span.quantity.word != "heat" or span.formula is None or len(span.pieces) < 2:
+        return ()
+    ways = {w.symbol: w for w in found.spans if w.quantity.word == "path_length" and w.quantity.at == span.quantity.at}
+    for asked in found.requests:
+        way = next((w for part in asked.parts for s, w in ways.items() if part in (s, w.formula)), None)
+        if way is None or way.formula is None or asked.find.found.what == span.quantity:
+            continue
+        force, known = simplified(span.formula / way.formula), found.value.known(way.formula)
+        if known is None or longer(force, 4) or force.free_symbols & set(found.general):
+            continue
+        name = sp.Symbol(asked.find.name, positive=True)
+        product = sp.Mul(force, name, evaluate=False)
+        sizes = {s: size for s in force.free_symbols if (size := found.value.known(s)) is not None}
+        put = phrases.numbers(product, {**sizes, name: known}, turns=False)
+        return Math(product), *(() if put is None else (put,))
     return ()

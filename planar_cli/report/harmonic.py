@@ -16,6 +16,7 @@ from planar_cli.records import record
 from planar_cli.report.at_quarters import date_blocks, is_asked
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.characteristic import UNDAMPED
+from planar_cli.report.half_swings import HalfSwingTelling
 from planar_cli.report.left_out import rejected, tells_of_others
 from planar_cli.report.notation import plain
 from planar_cli.report.origins import head
@@ -81,6 +82,7 @@ class HarmonicTelling:
         self.found, self.phrases, self.law = found, phrases, law
         self._phases: dict[str, tuple[Harmonic, sp.Expr]] = {}
         self._told: list[Harmonic] = []
+        self._halves = HalfSwingTelling(found, phrases)
 
     def by_phase(self, leg: RouteStep, number: int) -> list[Block]:
         """What follows by the phase at a state, without another law or a time that nothing asks for; empty of anything
@@ -89,6 +91,8 @@ class HarmonicTelling:
         if told := self._reached(leg, number):
             return told
         (e, *more), (r, *_) = leg.relations, leg.results
+        if halves := self._halves.blocks(leg, number):
+            return [*self.law(e), *halves]
         if dated := date_blocks(leg, self.found, self.phrases, number):
             return [*self.law(e), *dated]
         if more or is_asked(leg, self.found, self._hangs_on_phase):

@@ -21,7 +21,7 @@ from planar_cli.report.put_in import partly
 from planar_cli.report.vibrations import free_blocks, vibration_blocks
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import RegimeTrace, Relation, RouteTrace
-from planar_cli.solve.law import Law
+from planar_cli.solve.law import FROM_REST, Law
 
 FEW, SWINGING, INTEGRATED = 12, 36, 24
 """A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own; what an
@@ -51,6 +51,11 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
     yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if hides_units(shown) else ())
+
+
+def swings(e: Relation) -> bool:
+    """Is it of a vibration?"""
+    return e.kind in FROM_REST or (e.span is not None and EQUATION in e.span.words)
 
 
 def counted(words: str) -> str:
@@ -89,9 +94,9 @@ class LawTelling:
             self._by_terminal.add(said_by(law))
             yield self._with_terminal(law, law.terminal[0], law.terminal[2])
         own = law.vibration
-        if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
-            self.natural.add(own.natural)
-            yield from vibration_blocks(own, law, self.phrases)
+        if own is not None and swings(e) and (new := {own.natural, *own.rest} - self.natural):
+            self.natural |= new
+            yield from vibration_blocks(own, law, self.phrases, new)
         if own is not None and own.begun and own.begun[0][0] not in self.natural:
             self.natural.add(own.begun[0][0])
             yield from free_blocks(own, law, self.phrases, e.since)

@@ -59,6 +59,7 @@ def with_only_body(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     told = set(_names([b for b in blocks if not _is_opening(b)]))
     axes = {x.axis or x.stem for x in letters if x.name in told and (x.axis or x.stem in AXES)}
     axes = axes or {x.axis for x in letters if x.axis}
+    letters += [x for n in _quoted(blocks, names) if (x := _read(n)) is not None and x.subject in own]
     ways = (False, True) if len(axes) == 1 else (True,)
     for with_axis in ways:
         # What is not along the only axis keeps its own.
@@ -91,6 +92,12 @@ def _names(blocks: Sequence[Block]) -> list[str]:
                 case Math(expr) if not isinstance(block, Paragraph):
                     found |= dict.fromkeys(sorted(s.name for s in expr.atoms(sp.Symbol)))
     return list(found)
+
+
+def _quoted(blocks: Sequence[Block], names: Sequence[str]) -> list[str]:
+    """The names of letters that stand in sentences alone, as that which vanishes where it turns."""
+    maths = (piece for b in blocks if isinstance(b, Paragraph) for piece in pieces_of(b) if isinstance(piece, Math))
+    return sorted({math.expr.name for math in maths if math.expr.is_Symbol} - {*names})
 
 
 def _read(name: str) -> _Letter | None:

@@ -19,6 +19,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Res
 from planar_cli.report.changes import changes
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.clean import is_clean
+from planar_cli.report.half_swings import ends_a_swing, goes_on
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.state_words import HAPPENS, at, turning
@@ -57,6 +58,9 @@ def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
         return line(at(e.stop) if e.stop else f"From {e.since} on:")
     if e.span is not None:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
+        if e.since and e.law is not None and (e.law.order, e.law.f) == (1, 0):
+            thing = with_article(e.law.coordinate.words.partition(" of ")[2].partition(" ")[0])
+            return line(f"{reach} {thing or 'it'} stays where it is:")
         words = calculus(e)
         return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law, names["t"]), ":")
     if e.is_datum:
@@ -93,12 +97,18 @@ def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """States that were put in: until when an assumption holds, or what happens there."""
     for turning_point in found.turnings:
         t, expr = turning_point.time, turning_point.expr
+        if all(term.could_extract_minus_sign() for term in sp.Add.make_args(expr)):
+            expr = -expr
         words = turning_point.words.replace(" within its", " is within its")
+        if words in HAPPENS and goes_on(found, turning_point.state, expr):
+            words = "it turns round"
+        # Of half swings each takes the same time, which is told with them.
+        t = None if ends_a_swing(found, turning_point.state) else t
         when = line(f"state {turning_point.state}")
         if t is not None:
             when = line(Math(t), " = ", phrases.shown(t), f" (state {turning_point.state})")
         if words in HAPPENS:
-            later = turning_point.before
+            later = "" if turning_point.before.endswith("infinity") else turning_point.before
             said = line(f"{words[:1].upper()}{words[1:]} at ", *when, f", before {later}: " if later else ": ")
         else:
             said = line("Up to ", *when, " ", *spoken(words, found.ledger.symbols), "; there ")

@@ -20,6 +20,7 @@ from planar_cli.report.blocks import (
     Line,
     Math,
     Name,
+    Note,
     Paragraph,
     Result,
     Table,
@@ -29,7 +30,7 @@ from planar_cli.report.blocks import (
 )
 from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
-from planar_cli.report.turned_diagrams import is_turned, steps_turned, without_arrows
+from planar_cli.report.turned_diagrams import is_turned, steps_turned, with_first_equations, without_arrows
 
 LONG = 7
 """A formula of more operations is not printed a second time with other numbers."""
@@ -50,6 +51,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     if not printed.said:
         return list(blocks)
     drawn = _known_first([printed.reduced(b) for b in blocks], printed)
+    printed.redrawn = printed.beside_equations(drawn)
     known = [printed.knows(b) or printed.renews(b) for b in drawn]
     turned = list(steps_turned(drawn, known, printed.knows_turned))
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
@@ -137,6 +139,9 @@ class _Printed:
         self._turned = {without_arrows(said): number for said, number in self._numbers.items()}
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
+        self._beside = {(diagram(d), _told(e), e.number) for d, e in with_first_equations(before)}
+        self.redrawn: frozenset[str] = frozenset()
+        """Diagrams that are not the last of their body, but stand beside the same equations with the same numbers."""
         self.formulas = {_formula(b) for b in before if isinstance(b, Equation) and _is_long(b)}
         self.named = {_formula(b) for b in before if isinstance(b, Equation) and _is_named(b)}
 
@@ -144,10 +149,15 @@ class _Printed:
         """Does it stand there word for word, and would `before` mean it?"""
         if isinstance(block, Forces):
             last = self.diagrams.get(block.body)
-            return last is not None and diagram(last) == diagram(block)
+            return (last is not None and diagram(last) == diagram(block)) or diagram(block) in self.redrawn
         if isinstance(block, Equation) and block.number is not None:
             return _told(block) in self._numbers
         return isinstance(block, TOLD) and _told(block) in self.said
+
+    def beside_equations(self, blocks: Sequence[Block]) -> frozenset[str]:
+        """The diagrams of a case that stood beside the same equation, which tells where they are to be found."""
+        pairs = [(diagram(d), _told(e), e.number) for d, e in with_first_equations(blocks)]
+        return frozenset(d for d, e, n in pairs if (d, e, n) in self._beside and self.numbered.get(n or 0) == e)
 
     def renews(self, block: Block) -> bool:
         """Is it the line of a named quantity by the same formula, with other numbers?"""
@@ -212,8 +222,8 @@ def _is_long(equation: Equation) -> bool:
 
 
 def _ends(blocks: Sequence[Block], stop: int) -> bool:
-    """Does a step of the solution end there?"""
-    return stop < len(blocks) and isinstance(blocks[stop], Heading)
+    """Does a step of the solution end there, by the next heading or by what is assumed of the next stretch?"""
+    return stop < len(blocks) and isinstance(blocks[stop], Heading | Note)
 
 
 def _told(block: Block) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise
+from itertools import islice, pairwise, takewhile
 
 from planar_cli.report.blocks import Block, Equation, Forces, Heading
 
@@ -44,3 +44,12 @@ def steps_turned(
         drawn = any(isinstance(blocks[i], Forces) for i in new)
         same = drawn and all(isinstance(blocks[i], Forces | Equation) and is_as_turned(blocks[i]) for i in new)
         yield from (same and i in step for i in range(since, stop))
+
+
+def with_first_equations(blocks: Sequence[Block]) -> Iterator[tuple[Forces, Equation]]:
+    """Every diagram with the first numbered equation below it in its step."""
+    for i, block in enumerate(blocks):
+        if isinstance(block, Forces):
+            below = takewhile(lambda b: not isinstance(b, Heading), blocks[i + 1 :])
+            numbered = (b for b in below if isinstance(b, Equation) and b.number is not None)
+            yield from ((block, first) for first in islice(numbered, 1))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import Any
 
 import sympy as sp
@@ -18,13 +18,16 @@ from planar_cli.solve.law import Law
 WORDS = {"omega_n": "natural frequency:", "zeta": "damping ratio:", "omega_d": "damped frequency:"}
 
 
-def vibration_blocks(own: Vibration, law: Law, phrases: Phrases) -> Iterator[Block]:
-    """The law compared with the general one, its letters with their numbers, and what a force keeps up."""
+def vibration_blocks(own: Vibration, law: Law, phrases: Phrases, new: Container[sp.Symbol]) -> Iterator[Block]:
+    """The law compared with the general one, its letters with their numbers, and what a force keeps up. `new`: its
+    natural frequency and its midpoint, as far as they were not told before.
+    """
     q = law.coordinate.symbol
     waves = [(x, f) for x, f in own.forced if x not in own.rest]
     driven = bool(own.steady.free_symbols & {sp.Symbol("t", real=True)})
-    yield Paragraph(line("Compared with ", *_general(own, q, driven), ":"))
-    for letter, formula in own.free:
+    if own.natural in new:
+        yield Paragraph(line("Compared with ", *_general(own, q, driven), ":"))
+    for letter, formula in own.free if own.natural in new else ():
         lead = next((words for name, words in WORDS.items() if letter.name.startswith(name)), "root:")
         yield Equation(_chain(letter, formula, phrases), None, line(lead))
     for letter, formula in own.forced:

@@ -16,6 +16,11 @@ ANOMALY = "anomaly"
 """The kind of the equations of an ellipse under an attraction K m/r²."""
 RELATIVE = "relative"
 """The kind of a relation that says how one thing moves relative to another with the same acceleration."""
+MIRRORED, AT_MIDPOINT, HALF_SWINGS = "mirrored", "at the midpoint", "half swings"
+"""The kinds of what a harmonic motion from rest tells without the time: where it is at rest again, how fast it is at
+the midpoint; and of how long it takes from rest to rest.
+"""
+FROM_REST = (MIRRORED, AT_MIDPOINT, HALF_SWINGS)
 IN_THE_END = "in the end the speed no longer changes"
 """The words of a relation at t = infinity that says that an acceleration is zero there."""
 

@@ -19,6 +19,7 @@ from planar_cli.solve.between.assumptions import presumed
 from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.between.complete import completed
 from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.half_swings import dates_by_modes, half_swings
 from planar_cli.solve.between.in_order import in_order
 from planar_cli.solve.between.independence import rests_on
 from planar_cli.solve.between.masses import demand_mass
@@ -191,8 +192,11 @@ def _route_with(found: SolvedMotion, parts: PartEquations) -> tuple[Router, Rout
     balanced, placed = course.equilibria, set(course.equilibria.branch.values)
     if placed & set(course.sought()) or any(placed & e.residual.free_symbols for e in equations):
         unknowns, equations = unknowns | placed, (*balanced.equations, *equations)
-    unknowns, equations = unknowns | set(parts.numbers), (*equations, *parts.equations)
     value = found.value.extended(parts.numbers)
+    swings = half_swings(course, value)
+    harmonic = (replace(e, offered=frozenset(course.between.integrating)) for e in swings)
+    more = (*parts.equations, *harmonic, *dates_by_modes(course, value))
+    unknowns, equations = unknowns | set(parts.numbers), (*equations, *more)
     allowed = by_method(equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)

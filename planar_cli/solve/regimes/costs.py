@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_cli.solve.law import RELATIVE
+from planar_cli.solve.law import AT_MIDPOINT, HALF_SWINGS, MIRRORED, RELATIVE
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
 COSTS |= {
@@ -15,6 +15,7 @@ COSTS |= {
     "arc": 1.0,
     RELATIVE: 1.0,
 }
+COSTS |= {MIRRORED: 0.3, AT_MIDPOINT: 0.3, HALF_SWINGS: 0.3}
 NO_MASS = 0.5
 """What a law of energy or momentum costs where the file gives no mass."""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.5, "q(v)": 1.1, "t(q)": 1.3}

@@ -42,9 +42,9 @@ def with_vibrations(
         for law in own.laws:
             key = (law.coordinate.symbol, law.f.xreplace({law.v: sp.Symbol("v", real=True)}))
             if key not in known:
-                others = any(v is not None for v in known.values())
+                others = [v for v in known.values() if v is not None]
                 namer = _Namer(ledger, made, state if others else "")
-                known[key] = _vibration(law, regime, value, namer)
+                known[key] = _vibration(law, regime, value, namer, others)
             told.append(replace(law, vibration=known[key]))
         found.append(replace(own, laws=tuple(told)))
     for vibration in filter(None, known.values()):
@@ -67,8 +67,12 @@ class _Namer:
         return self.made[key]
 
 
-def _vibration(law: Law, regime: Regime, value: Valuation, name: _Namer) -> Vibration | None:
-    """The letters of one law; None: it is not linear with a stiffness, or its letters have no numbers."""
+def _vibration(
+    law: Law, regime: Regime, value: Valuation, name: _Namer, others: Sequence[Vibration]
+) -> Vibration | None:
+    """The letters of one law; None: it is not linear with a stiffness, or its letters have no numbers. `others`: those
+    of laws before.
+    """
     q, t = law.coordinate.symbol, regime.time
     if law.order != 2 or longer(law.f, LONGEST) or not {q} <= letters(law.f):
         return None
@@ -81,7 +85,9 @@ def _vibration(law: Law, regime: Regime, value: Valuation, name: _Namer) -> Vibr
     strength, damping = settled.known(w2), settled.known(c)
     if strength is None or damping is None or strength <= 0 or damping < 0 or _is_open(forcing, t, settled):
         return None
-    natural = name("omega_n", "rad/s", positive=True)
+    # What only moves the midpoint, as dry friction does where it turns, leaves the frequency what it was.
+    same = [x.natural for x in others if damping == 0 and x.ratio is None and x.free[0][1] == sp.sqrt(w2)]
+    natural = same[0] if same else name("omega_n", "rad/s", positive=True)
     free = [(natural, sp.sqrt(w2))]
     ratio = damped = roots = None
     if damping > 0:
