@@ -7,6 +7,7 @@ from __future__ import annotations
 from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.alike_put_in import with_alike_put_in
 from planar_cli.report.flight_axes import with_flight_axes
+from planar_cli.report.free_pair import with_free_pair
 from planar_cli.report.known_put_in import with_known_put_in
 from planar_cli.report.line_of_blow import with_line_of_blow
 from planar_cli.report.offset_normals import with_offset_normals
@@ -29,5 +30,7 @@ def equations_as_told(part: PartSolution) -> PartSolution:
     shared = with_rolling_told(
         with_one_velocity(with_flight_axes(with_constants_for_speeds(with_polar_parts(with_offset_normals(part)))))
     )
-    shared = with_ellipse_coordinates(with_parts_before(with_own_accelerations(with_line_of_blow(shared))))
+    shared = with_ellipse_coordinates(
+        with_parts_before(with_own_accelerations(with_free_pair(with_line_of_blow(shared))))
+    )
     return with_single_forces(with_tangent_letters(with_across_speeds(with_known_put_in(with_alike_put_in(shared)))))

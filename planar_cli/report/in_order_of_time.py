@@ -37,7 +37,12 @@ def steps_before(
         return []
     needed = {s for leg in led if not leg.is_datum for s in leg.needs}
     kept = [leg for leg in led if not leg.is_datum or needed & set(leg.unknowns)]
-    return sorted(kept, key=lambda leg: _last(leg, found))
+    return in_time(kept, found)
+
+
+def in_time(legs: Sequence[RouteStep], found: MotionTrace) -> list[RouteStep]:
+    """Steps by the last states of which they speak."""
+    return sorted(legs, key=lambda leg: _last(leg, found))
 
 
 def last_by_energy(found: MotionTrace, regime: RegimeTrace, legs: Sequence[RouteStep]) -> str:

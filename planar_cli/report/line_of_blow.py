@@ -21,7 +21,7 @@ from planar_cli.equation.ledger import NAMED
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Request, Result, RouteStep, RouteTrace
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import parse_unit
 
@@ -89,6 +89,21 @@ def _line(e: Relation, motion: MotionTrace) -> LineOfBlow | None:
     return None
 
 
+def direction_of(motion: MotionTrace, x: sp.Expr, y: sp.Expr) -> tuple[sp.Symbol, sp.Expr]:
+    """The angle of a line by its parts along x, to the right, and along y, with its formula: the one that was told, or
+    another.
+    """
+    formula, formulas = sp.atan(y / x), motion.route.formulas
+    told = next((s for s, f in formulas.items() if s.name in NAMES and motion.value.is_zero(f - formula)), None)
+    if told is not None:
+        return told, formulas[told]
+    taken = {*motion.ledger.reserved, *motion.ledger.symbols, *(s.name for s in formulas)}
+    angle = sp.Symbol(next(n for n in (*NAMES, "direction") if n not in taken), real=True)
+    motion.ledger.units[angle] = parse_unit("deg")
+    motion.ledger.roles[angle] = NAMED
+    return angle, formula
+
+
 def _of(words: str, reach: Vec, e: Relation, motion: MotionTrace) -> LineOfBlow | None:
     """None: the line is level or upright, or an end of it has no letter of its own."""
     route, value = motion.route, motion.value
@@ -137,8 +152,7 @@ def _told(motion: MotionTrace, line: LineOfBlow) -> MotionTrace:
     if not found:
         return motion
     requests = tuple(replace(r, parts=tuple(put(p, asked=True) for p in r.parts)) for r in motion.requests)
-    asked = {s for r in requests for p in r.parts for s in p.free_symbols}
-    steps = list(_without_idle(steps, line, asked))
+    steps = list(without_idle_places(steps, requests))
     results = {r.unknown: r.formula for leg in steps for r in leg.results if r.formula is not None}
     formulas = {s: results.get(s, f) for s, f in motion.route.formulas.items()}
     route = RouteTrace(
@@ -222,11 +236,8 @@ def _angle_step(line: LineOfBlow, motion: MotionTrace) -> RouteStep:
     return RouteStep((relation,), (line.angle,), line.of, (result,), False)
 
 
-def _without_idle(steps: Iterable[RouteStep], line: LineOfBlow, asked: Iterable[sp.Symbol]) -> Iterator[RouteStep]:
-    """The steps but for places after the blow on which nothing rests any more."""
+def without_idle_places(steps: Iterable[RouteStep], asked: Iterable[Request]) -> Iterator[RouteStep]:
+    """The steps but for places that stay during a blow and on which nothing rests after it."""
     steps = list(steps)
-    used = {s for leg in steps for s in leg.needs} | set(asked)
-    for leg in steps:
-        idle = bool(list(_kept(leg))) and not used & set(leg.unknowns)
-        if not idle or not line.put.keys() >= set(leg.unknowns):
-            yield leg
+    used = {s for leg in steps for s in leg.needs} | {s for r in asked for p in r.parts for s in p.free_symbols}
+    yield from (leg for leg in steps if not any(_kept(leg)) or used & set(leg.unknowns))

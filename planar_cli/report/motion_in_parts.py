@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 from typing import Any
 
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Note, Paragraph, line
-from planar_cli.report.in_order_of_time import in_turn, last_by_energy, states_of, states_told, steps_before
+from planar_cli.report.in_order_of_time import in_time, in_turn, last_by_energy, states_of, states_told, steps_before
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.laws import without_given
 from planar_cli.report.linear_lengths import with_linear_lengths
@@ -17,7 +17,7 @@ from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.motion_title import title_of
 from planar_cli.report.nil_impulses import nil_impulses
 from planar_cli.report.origins import needed_steps, told_once
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
+from planar_cli.solve.between.trace import PAIR, ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -50,6 +50,39 @@ def early_blocks(
     used = _letters(own)
     kept = without_given([b for b in told if b in own or _letters([b]) & used], before)
     return kept, steps, telling.next - 1
+
+
+def way_blocks(telling: MotionTelling, steps: int, speaks: tuple[int, str] | None) -> Iterator[Block]:
+    """The steps that lead from state to state, then forces at single states. `steps`: how many steps stand before
+    them; `speaks`: figures and audience of those forces; None: they are not told.
+    """
+    from planar_cli.report.at_state import state_blocks
+
+    early = _before_pair(telling, steps)
+    way = [*early, *telling.blocks(steps + _headed(early) + 1)]
+    yield from way
+    if speaks is not None:
+        yield from state_blocks(telling.found, *speaks, steps + _headed(way), telling.next - 1)
+
+
+def _headed(blocks: Iterable[Block]) -> int:
+    return sum(isinstance(b, Heading) for b in blocks)
+
+
+def _before_pair(telling: MotionTelling, steps: int) -> list[Block]:
+    """What leads to the state from which on two bodies move about their mass centre, each blow on the way by itself;
+    empty where none move so.
+    """
+    found, told = telling.found, list[Block]()
+    legs = needed_steps(found.route, telling.wanted)
+    first = next((i for i, leg in enumerate(legs) if leg.relations[0].kind == PAIR), None)
+    for part in in_turn(in_time(legs[:first], found), found) if first is not None else ():
+        body = list(told_once(telling.told_route(found.route, part)))
+        states = states_told(states_of(part, found), states_of(telling.early, found))
+        telling.early += part
+        steps += bool(body)
+        told += [Heading(f"STEP {steps}", title_of(part, found), states), *body] if body else []
+    return told
 
 
 def leads_through(telling: MotionTelling, instant: InstantSolution) -> bool:

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from planar_cli.report.nil_impulses import in_blow
-from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, RouteStep
+from planar_cli.solve.between.trace import PAIR, BalanceTrace, ImpactEquation, MotionTrace, RouteStep
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
 OVER_TIME = "Motion over time"
+ABOUT_CENTRE = "Motion about the mass centre"
 
 
 def title_of(legs: Sequence[RouteStep], found: MotionTrace) -> str:
     """Of these steps of a motion: that time runs; else work and energy, impulse and momentum, or both."""
+    if any(e.kind == PAIR for leg in legs for e in leg.relations):
+        return ABOUT_CENTRE
     if any(leg.turns or any(e.is_of_motion for e in leg.relations) for leg in legs):
         return OVER_TIME
     sources = [e.source for leg in legs for e in leg.relations]

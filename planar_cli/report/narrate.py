@@ -339,12 +339,11 @@ def _motion_blocks(
     part: PartSolution, telling: MotionTelling, voice: Voice, why: str | None, steps: int, count: int
 ) -> Iterator[Block]:
     """The way from state to state, then what is asked of forces at single states."""
-    from planar_cli.report.at_state import state_blocks
+    from planar_cli.report.motion_in_parts import way_blocks
 
     telling.next = count + 1
-    yield from telling.blocks(steps + 1)
-    if why is None and (part.tale is None or not part.tale.whole):
-        yield from state_blocks(telling.found, voice.figures, voice.audience, steps + 1, telling.next - 1)
+    at_states = why is None and (part.tale is None or not part.tale.whole)
+    yield from way_blocks(telling, steps, (voice.figures, voice.audience) if at_states else None)
 
 
 def _at(found: Found) -> str:

@@ -249,8 +249,8 @@ def is_explicit(e: Relation, leg: trace.RouteStep, route: RouteTrace, ledger: Le
     result = leg.results[0]
     if result.formula is not None:
         own, residual = result.unknown - result.formula, e.residual.xreplace(dict(route.plain))
-        if e.kind == "link" or e.is_datum:
-            return bool(expanded(residual - own) == 0) or e.kind == "link"
+        if e.kind in (trace.PAIR, "link") or e.is_datum:
+            return bool(expanded(residual - own) == 0) or e.kind in (trace.PAIR, "link")
         if e.kind in ("loop", "handed") and not result.roots[1:]:
             return any(expanded(residual - sense * own) == 0 for sense in (1, -1))
     return e.span is not None and e.span.explicit is not None and letter_of(e, ledger) == result.unknown

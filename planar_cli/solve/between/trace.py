@@ -124,6 +124,8 @@ class AimTrace:
 
 FUNCTION = "function"
 """The kind of a relation by which something at a state is what a function of the place is there."""
+PAIR = "pair"
+"""That by which two bodies that a tie joins move about their mass centre, in formulas."""
 GIVEN_RATE = "given rate"
 """That by which it is what a function of the time is there that the file gives."""
 
