@@ -148,7 +148,7 @@ def _piece(piece: object) -> str:
         case Name(name):
             return COMMA.sub("_", name)
         case Math(expr):
-            return str(expr)
+            return COMMA.sub("_", str(expr))
         case Value(_, unit):
             return f"# {unit}"
     return repr(piece)

@@ -15,6 +15,7 @@ from planar_cli.report.blocks import Equation, Line, Math, line
 from planar_cli.report.by_its_letter import by_another, by_its_letter
 from planar_cli.report.clean import common_dimension, is_clean
 from planar_cli.report.given_components import against
+from planar_cli.report.group_by_group import grown
 from planar_cli.report.in_numbers import Collected, in_numbers, solved_for, unit_note
 from planar_cli.report.linear_system import Row
 from planar_cli.report.opened_sums import opened_number, opened_sides
@@ -22,6 +23,7 @@ from planar_cli.report.order_of_unknowns import places_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
 from planar_cli.report.put_in import put_in
+from planar_cli.report.spelled import UNITS, spelled
 from planar_cli.report.told import Across
 from planar_cli.report.with_units import as_stated, led, with_units
 from planar_cli.report.words import Phrases
@@ -44,8 +46,6 @@ OF_CENTRE = "acceleration of "
 """Begins what the letter of an acceleration says by itself."""
 ANGLE_OF = "angle of "
 """What the turning of a body is told of that a coordinate places."""
-UNITS = {"force": FORCE, "moment": ENERGY}
-"""What the sides of these equations are."""
 STATED = {"v": VELOCITY, "a": ACCELERATION}
 
 Printed = tuple[tuple[Any, ...], Line]
@@ -60,34 +60,6 @@ def vanishing(stage: Stage) -> frozenset[sp.Symbol]:
 
 TURNING = {"1/s": "rad/s", "1/s^2": "rad/s^2"}
 """Units of what turns, as they are said."""
-
-
-def is_spelled(stages: Collection[Stage], general: Phrases) -> bool:
-    """Do the equations of forces and moments stay in letters, with the units that their numbers hold? Not where
-    relations of kinematics hide a unit.
-    """
-    ledger, written = general.ledger, [w for s in stages for b in s.blocks for w in b.equations if not w.given]
-    named = [x for s in stages for x in s.lines]
-    if not all(is_clean(ledger, x.symbol, x.expression, dimension=ACCELERATION) for x in named):
-        return False
-    if not all(is_clean(ledger, w.left, w.right) for w in written if w.law not in UNITS):
-        return False
-    return all(_is_clean(w, ledger) or spelled(w, (w.left, w.right), general) for w in written if w.law in UNITS)
-
-
-def _is_clean(w: Written, ledger: Ledger) -> bool:
-    return is_clean(ledger, w.left, w.right, dimension=UNITS[w.law])
-
-
-def spelled(w: Written, sides: Collection[sp.Expr], general: Phrases) -> tuple[Math, ...]:
-    """The sides of an equation of forces or moments in letters, with the units of the numbers among them. Empty: there
-    are none, or they are not told so.
-    """
-    dimension = UNITS.get(w.law)
-    if dimension is None or _is_clean(w, general.ledger):
-        return ()
-    found = [with_units(general.neat(general.met(sp.sympify(e))), dimension, general) for e in sides]
-    return tuple(e for e in found if e is not None) if all(e is not None for e in found) else ()
 
 
 class NumericTelling:
@@ -114,7 +86,9 @@ class NumericTelling:
             return set()
         if not any(self.put_whole(w, stage) for w in written):
             return set()
-        told = all(self._opened((w.left, w.right), stage, row=True) for w in written)
+        others = grown(block, stage)
+        told = all(self._opened((w.left, w.right), stage, row=True) for w in written if w not in others)
+        told = told and all(self.row(w, stage, block.unknowns) is not None for w in others)
         return {(id(stage.algebra), w.number) for w in written} if told else set()
 
     def is_row(self, w: Written, stage: Stage) -> bool:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from planar_cli.report.numeric import NumericTelling, is_spelled
+from planar_cli.report.numeric import NumericTelling
+from planar_cli.report.spelled import is_spelled
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 

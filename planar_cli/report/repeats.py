@@ -28,6 +28,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.results import told_by_others
 from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.turned_diagrams import is_turned, steps_turned, with_first_equations, without_arrows
@@ -122,8 +123,7 @@ def _alike(run: Sequence[Block], printed: _Printed) -> bool:
     """Have its equations the same numbers there? Else a reader would have to look each of them up; of a whole step it
     is worth that.
     """
-    numbers = [(b.number, printed.number(b)) for b in run if isinstance(b, Equation) and b.number is not None]
-    return all(here == there for here, there in numbers)
+    return all(here == there for b in run for here, there in printed.numbers(b))
 
 
 class _Printed:
@@ -136,6 +136,7 @@ class _Printed:
         self.said = {_told(b) for b in before if isinstance(b, TOLD)} if before else frozenset[str]()
         self.numbered = {b.number: _told(b) for b in before if isinstance(b, Equation) and b.number is not None}
         self._numbers = {said: number for number, said in self.numbered.items()}
+        self._likewise = {_told(b): own for b in before if (own := told_by_others(b))}
         self._turned = {without_arrows(said): number for said, number in self._numbers.items()}
         self.places, self.last = _places(before)
         self.diagrams = {b.body: b for b in before if isinstance(b, Forces)}
@@ -179,6 +180,13 @@ class _Printed:
         same = equation.number is not None and self.numbered.get(equation.number) == said
         other = self._numbers.get(said)
         return equation.number if same else self._turned.get(without_arrows(said)) if other is None else other
+
+    def numbers(self, block: Block) -> list[tuple[int, int | None]]:
+        """The numbers of the equations that a block tells, here and there."""
+        if isinstance(block, Equation):
+            return [] if block.number is None else [(block.number, self.number(block))]
+        own = told_by_others(block)
+        return list(zip(own, self._likewise.get(_told(block), own), strict=False))
 
     def reduced(self, block: Block) -> Block:
         """The diagram of a body by the forces that are gone from the last one; a long formula of a named quantity with
@@ -298,7 +306,7 @@ def _entries(acting: Line) -> Iterator[Line]:
 
 def _leads(block: Block) -> bool:
     """Does a sentence announce what follows?"""
-    return isinstance(block, Paragraph)
+    return isinstance(block, Paragraph) and not told_by_others(block)
 
 
 def _cited(blocks: Sequence[Block]) -> frozenset[str]:
@@ -315,7 +323,7 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
     """
     if new := [valued for b in run if printed.renews(b) and (valued := _valued(b))]:
         return line(*(p for i, t in enumerate(new) for p in (", ", t)[i == 0 :]))
-    equations = [b for b in run if isinstance(b, Equation) and b.number is not None]
+    equations = [(here, there or 0) for b in run for here, there in printed.numbers(b)]
     drawn = [b for b in run if isinstance(b, Forces)]
     as_it_is = "the diagram" if all(map(printed.knows, drawn)) else "the diagram (turned)"
     told: list[Line] = [line(as_it_is)] if drawn else []
@@ -330,11 +338,10 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
     return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))
 
 
-def _shifted(equations: Sequence[Equation], printed: _Printed) -> list[list[tuple[int, int]]]:
+def _shifted(equations: Sequence[tuple[int, int]], printed: _Printed) -> list[list[tuple[int, int]]]:
     """The numbers of equations, here and there, in runs in which both grow alike."""
     runs: list[list[tuple[int, int]]] = []
-    for equation in equations:
-        here, there = equation.number or 0, printed.number(equation) or 0
+    for here, there in equations:
         if runs and runs[-1][-1] == (here - 1, there - 1) and printed.places[there] == printed.places[there - 1]:
             runs[-1].append((here, there))
         else:
@@ -362,8 +369,10 @@ def _places(before: Sequence[Block]) -> tuple[dict[int, str], str]:
     for block in before:
         if isinstance(block, Heading) and block.label == CASE:
             place = f"of case {block.text}"
-        elif isinstance(block, Equation) and block.number is not None:
-            found[block.number] = last = place
+        else:
+            own = [block.number] if isinstance(block, Equation) and block.number is not None else told_by_others(block)
+            found |= dict.fromkeys(own, place)
+            last = place if own else last
     return found, last
 
 

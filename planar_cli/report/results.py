@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from decimal import Decimal
+from itertools import chain
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
 from planar_cli.problem.not_negative import distances
 from planar_cli.report.assumed import broken_by
-from planar_cli.report.blocks import Block, Line, Paragraph, line
+from planar_cli.report.blocks import Block, Line, Paragraph, Text, line
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -19,6 +21,8 @@ from planar_cli.solve.solution import InstantSolution
 SIGNS = {">=": "≥", "<=": "≤"}
 """Inequalities in the notation of the page; all others as they are written."""
 OTHER_ROOTS, BEFORE_REASON = "other roots: ", " ("
+LIKEWISE, NUMBERED, RUN = "Likewise ", re.compile(r"\((\d+)\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
+"""Begins a sentence that stands for equations; a number of one; the first and the last of several."""
 SAME = Decimal("1e-20")
 """Roots of one equation, found twice with sixty digits, agree to this part of them."""
 
@@ -136,3 +140,13 @@ def numbered(numbers: Sequence[int]) -> str:
             runs.append([n])
     told = [f"({r[0]}) to ({r[-1]})" if len(r) > 2 else ", ".join(f"({n})" for n in r) for r in runs]
     return ", ".join(told)
+
+
+def told_by_others(block: Block) -> list[int]:
+    """The numbers of the equations for which a sentence stands: `Likewise the components of a_C, a_D: (5) to (8).`"""
+    first = block.line[0] if isinstance(block, Paragraph) and block.line else None
+    if not isinstance(block, Paragraph) or not isinstance(first, Text) or not first.text.startswith(LIKEWISE):
+        return []
+    said = "".join(p.text for p in block.line if isinstance(p, Text))
+    within = [range(int(low), int(high) + 1) for low, high in RUN.findall(said)]
+    return sorted({*map(int, NUMBERED.findall(said)), *chain.from_iterable(within)})

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.centres import centre_of
 from planar_cli.greek import GREEK
 from planar_cli.report.actions import free_direction, moment_words, onward, perpendicular
 from planar_cli.report.angles_alike import alike_told
@@ -16,6 +16,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.centre_components import centre_blocks, component_lines, read_off_arms
 from planar_cli.report.counted import clockwise_too, counted, one_way_round, sense_of
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
@@ -25,6 +26,7 @@ from planar_cli.report.geometry import constructed, in_numbers, places, with_coo
 from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
+from planar_cli.report.group_by_group import told_groups
 from planar_cli.report.limits_alike import with_limits_alike
 from planar_cli.report.numeric import level_of, vanishing
 from planar_cli.report.numeric_choice import numeric_telling
@@ -33,7 +35,7 @@ from planar_cli.report.projected import as_product
 from planar_cli.report.raw_moments import with_raw_moments
 from planar_cli.report.reasons import Reasons
 from planar_cli.report.relative_motion import is_told
-from planar_cli.report.rolled_points import is_named, rolling, touching
+from planar_cli.report.rolled_points import touching
 from planar_cli.report.rolled_speeds import about_centre
 from planar_cli.report.rope_ends import end_told, named_end
 from planar_cli.report.rope_lengths import length_told, wound
@@ -94,6 +96,7 @@ class Telling:
         self.vectors = VectorTelling(instant.trial, phrases, nothing - told, instant.open_speeds)
         self.data = DataTelling(self.scene, instant.state, phrases)
         self.asked = AskedTelling(instant, phrases, self.vectors)
+        self._alike = read_off_arms(next((s for s in self.stages if s.level == "acceleration"), None), self.vectors)
         self.numeric = numeric_telling(phrases, constants, self.stages)
         self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
         long = LONG_FORMULA if audience != "lesson" and not phrases.symbolic else None
@@ -161,16 +164,6 @@ class Telling:
         moved = {body for w in written for body in w.bodies}
         yield from polar_blocks(self.system, moved, self.phrases, self.vectors.zero)
 
-    def _centres(self, stage: Stage) -> Iterator[Block]:
-        """The acceleration of each mass centre that consists of several parts, or turns with its body."""
-        bodies = dict.fromkeys(body for block in stage.blocks for w in block.equations for body in w.bodies)
-        for body in bodies:
-            heavy = self.scene.bodies[body].mass != 0 and self.scene.rigid(body)
-            if heavy and not is_named(stage.accelerations.get(body, ()), self.vectors.motion.accelerations[body]):
-                at, place = self.scene.center(body), centre_of(self.scene, body)
-                yield from rolling(self.system, body, self.phrases)
-                yield from self.vectors.point(body, at, place, "acceleration")
-
     def _step(self, title: str, aside: str | Line = "") -> Heading:
         """The heading of the next step."""
         self.steps += 1
@@ -187,7 +180,8 @@ class Telling:
                     used |= set() if self.numeric.put_whole(w, stage) else w.residual.free_symbols
                     used |= self._turned(w, stage)
             for x in stage.lines:
-                used |= set() if self.numeric.put_named(x) else x.expression.free_symbols
+                bare = self.numeric.put_named(x) or x.symbol in self._alike
+                used |= set() if bare else x.expression.free_symbols
         return used
 
     def _turned(self, w: Written, stage: Stage) -> set[sp.Symbol]:
@@ -216,11 +210,12 @@ class Telling:
         # The centre of what rolls comes first: the accelerations of other points rest on it.
         first = [x for x in last.lines if x in ends or x.words.endswith(ROLLS)]
         rates = [*(self._explicit(x, last) for x in first), *self._equations(relations, last)]
-        rates += self._centres(last) if kinetic else ()
-        rates += [self._explicit(x, last) for x in last.lines if x not in first]
+        rates += centre_blocks(last, self.vectors) if kinetic else ()
+        lines, numbers = [x for x in last.lines if x not in first], partial(self.number, last)
+        rates += component_lines(lines, self._alike, rates, lambda x: self._explicit(x, last), numbers)
         return [*blocks, *([ACCELERATIONS] if rates and (blocks or (relations and stages)) else []), *rates]
 
-    def _explicit(self, x: Explicit, stage: Stage) -> Block:
+    def _explicit(self, x: Explicit, stage: Stage) -> Equation:
         sides, note = self.numeric.named(x, stage)
         return Equation(sides, self.number(stage, x.number), self.numeric.title(x, stage), note)
 
@@ -228,7 +223,8 @@ class Telling:
 
     def _equations(self, written: list[Written], stage: Stage) -> list[Block]:
         blocks: list[Block] = []
-        for block in (b for w in written for b in self._reasoned(w, stage)):
+        is_row = None if self.phrases.symbolic else self.numeric.is_row
+        for block in told_groups(written, stage, self._reasoned, self.number, is_row):
             # Sums over the same body stand below each other under its name.
             last = next((b for b in reversed(blocks) if not isinstance(b, Equation)), None)
             if not isinstance(block, Paragraph) or block != last:

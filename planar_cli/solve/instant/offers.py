@@ -69,7 +69,7 @@ class Offers:
         self.index = {x: j for j, x in enumerate(numbers.unknowns)}
         self._residuals: dict[str, tuple[Row, Row, Row]] = {}
         self._aside: dict[str, bool] = {}
-        self._spins = [self.index[e.spin_rate] for e in system.tree.edges if e.spin_rate in self.index]
+        self._spins = {self.index[e.spin_rate]: e.body for e in system.tree.edges if e.spin_rate in self.index}
         self._moved: dict[sp.Symbol, set[str]] = {}
 
     def all(self) -> list[Candidate]:
@@ -290,13 +290,14 @@ class Offers:
     def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows, (value(place.y), -value(place.x), ONE))
-        if self._percussion(group, row):
+        # The α of another body may happen to cancel: its pin has moved the group towards this point.
+        if self._percussion(group, row, [j for j, body in self._spins.items() if body in group.bodies]):
             return None
         return priced(group.bodies, None, Choice(True, place, "", (), name), row, form)
 
-    def _percussion(self, group: Group, row: Row) -> bool:
+    def _percussion(self, group: Group, row: Row, spins: Iterable[int]) -> bool:
         """Does inertia cancel about this point? Nobody looks for a centre of percussion to be rid of α."""
-        return any(not row[j] and any(r[j] for r in group.rows) for j in self._spins)
+        return any(not row[j] and any(r[j] for r in group.rows) for j in spins)
 
     def _named_points(self, group: Group) -> dict[str, Vec]:
         found: dict[str, Vec] = {}
@@ -349,7 +350,7 @@ class Offers:
             return None
         row = combine(group.rows, (y, -x, ONE))
         row[j] = row[k] = ZERO
-        if self._percussion(group, row):
+        if self._percussion(group, row, self._spins):
             return None
         symbols = (self.numbers.unknowns[j], self.numbers.unknowns[k])
         form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale else c.FAR
