@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from decimal import Decimal
 
 import pytest
+import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Paragraph, line
+from planar_cli.report.blocks import Equation, Heading, Math, Name, Paragraph, Value, line
+from planar_cli.report.components_listed import with_components_listed
 from planar_cli.report.results import told_by_others
+from planar_cli.report.sizes_listed import with_sizes_listed
 
 CHAIN_5 = "Likewise with BC as well, about B; then AB about A; then OA about O: (13) to (15)"
 
@@ -61,3 +65,53 @@ def test_from_the_free_end_no_reaction_enters() -> None:
 )
 def test_numbers_of_a_sentence(said: str, numbers: list[int]) -> None:
     assert told_by_others(Paragraph(line(said))) == numbers
+
+
+def test_sums_of_forces_body_by_body() -> None:
+    inner = page_of_file("chain-5").partition("CASE inner")[2]
+    assert "CD: (18) → ΣF_x: C_x - D_x = m_2 a_G,CD,x (19) ↑ ΣF_y: C_y - m_2 g - D_y = m_2 a_G,CD,y" in inner
+    assert "Likewise BC (B, C, m_3), AB (A, B): (20) to (23)." in inner
+    assert "Likewise B_x = -12.66 N, B_y = 7.657 N, A_x = -9.490 N, A_y = 21.78 N from (20) to (23)." in inner
+
+
+def _value(name: str, number: int) -> Equation:
+    return Equation((Math(sp.Symbol(name)), Math(2 * sp.Symbol("alpha")), Value(Decimal(number), "m/s^2")))
+
+
+def test_values_of_components() -> None:
+    run = [_value(f"a_G,{body}_x", i) for i, body in enumerate(("AB", "BC", "CD", "DE"))]
+    *told, others = with_components_listed(run, ())
+    assert told == run[:2]
+    assert isinstance(others, Paragraph)
+    assert [p.number for p in others.line if isinstance(p, Value)] == [2, 3]
+    assert with_components_listed(run[:3], ()) == run[:3]
+    assert with_components_listed(run, {"a_G,DE,x"}) == run
+
+
+def test_each_step_tells_how_components_are_found() -> None:
+    run = [_value(f"a_G,{body}_x", i) for i, body in enumerate(("AB", "BC", "CD", "DE"))]
+    page = with_components_listed([*run, Heading("STEP 3", "Solving the equations"), *run], ())
+    assert sum(b in run for b in page) == 4
+
+
+def _vector(name: str) -> list[Equation]:
+    number = Value(Decimal(5), "N")
+    slope = line("direction of ", Name(name), " = ", Value(Decimal(30), "deg"), " above +x")
+    return [
+        Equation((line(Name(name)), line("[3, 4] N"))),
+        Equation((line("|", Name(name), "|"), Math(sp.Symbol("r")), number), note=slope),
+    ]
+
+
+def test_sizes_of_vectors_in_a_row() -> None:
+    rows = [b for name in ("F_A", "F_B", "F_C") for b in _vector(name)]
+    told = with_sizes_listed(rows)
+    assert told[:2] == rows[:2]
+    assert len(told) == 4
+    assert all(isinstance(b, Equation) and b.note[0] == line("likewise ")[0] for b in told[2:])
+    assert with_sizes_listed(rows[:4]) == rows[:4]
+
+
+def test_accelerations_alone_have_no_heading() -> None:
+    assert "Accelerations:" not in page_of_file("chain-5")
+    assert "Accelerations:" in page_of_file("four-bar-driven")

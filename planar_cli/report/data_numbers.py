@@ -26,6 +26,7 @@ CALLED = re.compile(r"\((\d+)\)")
 RANGE = re.compile(r"\((\d+)\) to \((\d+)\)")
 CONSTANT = Text(" constant:")
 STATE = "STATE"
+LAST = Paragraph(GROUPS[-1])
 
 
 def without_numbered_data(blocks: Sequence[Block], throughout: bool) -> list[Block]:
@@ -107,6 +108,8 @@ def without_restated_data(page: Sequence[Block]) -> list[Block]:
     kept = with_given_letters(kept, data)
     follows = (*kept[1:], None)
     kept = [b for b, after in zip(kept, follows, strict=True) if not _is_group(b) or _stands_under(after)]
+    # Accelerations alone need no heading below that of their step.
+    kept = [b for b, above in zip(kept, (None, *kept), strict=False) if b != LAST or not isinstance(above, Heading)]
     return list(without_ritual(kept))
 
 

@@ -14,14 +14,18 @@ from itertools import chain
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.report.blocks import Answer, Block, Equation, Forces, Line, Math, Name, Paragraph, Text, Value, line
+from planar_cli.report.components_listed import with_components_listed
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.results import numbered
 from planar_cli.report.said import letter_of
+from planar_cli.report.sizes_listed import with_sizes_listed
 
-LEAST, LONGEST, SAVED = 3, 4, 3
-"""Fewer units are told one by one; a unit has no more blocks; so many rows of a page at least are saved."""
+LEAST, LONGEST, SAVED, OF_POINTS = 3, 4, 3, 1
+"""Fewer units are told one by one; a unit has no more blocks; more rows of a page are saved, of points with their arms
+one at least.
+"""
 ROW = 95
 """About how many characters fill a row."""
 NUMBER, COMMA = re.compile(r"\((\d+)\)"), re.compile(r"(?<=\w),(?=\w)")
@@ -30,17 +34,20 @@ ARM = "r_"
 
 
 def told_likewise(blocks: Sequence[Block], problem: Problem) -> list[Block]:
-    """The blocks of a page; of a problem with fewer than three bodies as they are."""
+    """The blocks of a page; bodies that are alike only of a problem with three at least."""
+    blocks = with_sizes_listed(blocks)
     if len(problem.bodies) < LEAST:
-        return list(blocks)
+        return blocks
     names = _Names.of(problem)
     asked = [b for b in blocks if isinstance(b, Answer)]
-    answers = frozenset(n for a in asked for n in (plain_name(a.name), letter_of(a.line[:1])))
+    answers = frozenset(n for a in asked for n in (plain_name(a.name), letter_of(a.line[:1])) if n)
     found: list[Block] = []
+    blocks = with_components_listed(blocks, answers)
     start = 0
     while start < len(blocks):
         size, units = _units(blocks, start, names)
-        told = _told(units, names, answers) if sum(map(_rows, units[1:])) > SAVED else None
+        least = OF_POINTS if units and _are_points(units[0]) else SAVED
+        told = _told(units, names, answers) if sum(map(_rows, units[1:])) > least else None
         if told is None:
             found.append(blocks[start])
             start += 1
@@ -165,13 +172,13 @@ def _told(units: Sequence[_Unit], names: _Names, answers: frozenset[str]) -> Lin
     """The sentence that stands for all units but the first; None: they are told one by one."""
     first, *others = units
     lefts = [b for u in others for b in u.blocks if isinstance(b, Equation)]
-    if all(isinstance(b, Equation) and b.number is None and not b.lead and _vector(b) for b in first.blocks):
+    if _are_points(first):
         return _of_points([b for u in units for b in u.blocks if isinstance(b, Equation)], len(first.blocks))
     if any(letter_of(b.sides[0]) in answers for b in lefts):
         return None
     numbers = [b.number for b in lefts if b.number is not None]
     valued = [b for b in lefts if isinstance(b.sides[-1], Value)]
-    if len(first.blocks) == 1 and lefts and not numbers:
+    if lefts and not numbers and all(isinstance(b, Equation) for b in first.blocks):
         return _of_results(lefts, [b for b in first.blocks if isinstance(b, Equation)])
     if valued or (lefts and not numbers):
         return None
@@ -205,6 +212,11 @@ def _of_points(told: Sequence[Equation], first: int) -> Line:
         value = (" = ", b.sides[-1]) if len(b.sides) > 2 else ()
         entries.append(line(b.sides[0], *value, *((" with ", b.note[0], " = ", *arm) if arm else ())))
     return line("Likewise ", *_listed(entries), ".")
+
+
+def _are_points(unit: _Unit) -> bool:
+    """Are they vector equations of points?"""
+    return all(isinstance(b, Equation) and b.number is None and not b.lead and _vector(b) for b in unit.blocks)
 
 
 def _vector(block: Equation) -> bool:

@@ -31,6 +31,7 @@ FRAME, ROW = 62, 92
 """Characters of a row beside both names and numbers, and how many have room: else the direction has its own row."""
 OF_ANGLES = 3
 """Figures of a direction, as the answer has them."""
+DIRECTION = "direction of "
 
 
 def with_size_and_angle(
@@ -98,18 +99,18 @@ def size_and_angle(
     steep = Value(Decimal(math.degrees(math.atan(abs(y) / abs(x)))), "deg", OF_ANGLES)
     where = f"{'above' if y > 0 else 'below'} {'+x' if x > 0 else '-x'}"
     quotient = line("arctan(", Math(other / one, texts), ")")
-    apart = Equation((line("direction of ", name), quotient, steep), None, note=line(where))
+    apart = Equation((line(DIRECTION, name), quotient, steep), None, note=line(where))
     if by is not None:
         yield Equation((own, *by.size, size))
         beside = by.beside if where == "above +x" else line(*by.beside, ", that is ", steep, f" {where}")
-        yield Equation((line("direction of ", name), *by.direction), None, note=beside) if by.direction else apart
+        yield Equation((line(DIRECTION, name), *by.direction), None, note=beside) if by.direction else apart
     elif any(isinstance(b, Equation) and (own in b.sides or _is_root(b, size)) for b in told):
         yield apart
     elif 2 * (len(called) + sum(map(len, texts.values()))) + FRAME > ROW:
         yield Equation((own, Math(root, texts), size), None)
         yield apart
     else:
-        beside = line("direction of ", name, " = ", quotient, " = ", steep, f" {where}")
+        beside = line(DIRECTION, name, " = ", quotient, " = ", steep, f" {where}")
         yield Equation((own, Math(root, texts), size), None, note=beside)
 
 

@@ -16,6 +16,7 @@ from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import balance, said_at_rest
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
+from planar_cli.report.body_by_body import body_by_body
 from planar_cli.report.centre_components import centre_blocks, component_lines, read_off_arms
 from planar_cli.report.counted import clockwise_too, counted, one_way_round, sense_of
 from planar_cli.report.data import DataTelling
@@ -86,7 +87,7 @@ class Telling:
         self.steps, self._before, self._wanted = steps, numbers, wanted or frozenset()
         self.instant, self.phrases, self.audience = instant, phrases, audience
         self.system, self.scene = instant.trial.system, instant.instant.scene
-        self.stages = used_blocks(instant.stages, wanted)
+        self.stages = body_by_body(used_blocks(instant.stages, wanted))
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised, self._reasons = set[str](), Reasons(instant, phrases)
