@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
+from planar_cli.report.found_before import asks_more, goes_on
 from planar_cli.report.repeats import CASE
 from planar_cli.report.results import numbered
 from planar_cli.report.unused_numbers import without_unused_numbers
@@ -19,9 +21,11 @@ LEAST = 3
 FIRST = "in the first part"
 
 
-def as_in_part(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
+def as_in_part(blocks: Sequence[Block], before: Sequence[Block], problem: Problem) -> list[Block]:
     """The blocks of a case. `before`: those of the first part and of earlier cases."""
     blocks = without_unused_numbers(blocks, before)
+    if before and problem.cases and asks_more(problem):
+        blocks = goes_on(blocks, before)
     earlier = list(_parts(before))
     found: list[Block] = []
     start = 0

@@ -143,9 +143,9 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         elif voice.audience == "lesson":
             from planar_cli.report.lessons import with_lessons
 
-            blocks += with_lessons(told_once(as_in_part(own, blocks), blocks), uses_of([part]), lessons)
+            blocks += with_lessons(told_once(as_in_part(own, blocks, problem), blocks), uses_of([part]), lessons)
         else:
-            blocks += told_once(as_in_part(own, blocks), blocks)
+            blocks += told_once(as_in_part(own, blocks, problem), blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:
