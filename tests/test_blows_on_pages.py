@@ -81,8 +81,8 @@ def test_unlike_bodies_do_not_move_alike() -> None:
 
 @pytest.mark.parametrize(("stem", "line"), [
     ("rod-falling-on-a-smooth-floor", "1/2 m l cos θ_2 + m s_2 = 1/2 m l cos θ_1"),
-    ("pendulum-on-a-wagon", "M x_O,2 + m x_O,2 = m l sin φ"),
-    ("block-down-a-free-wedge", "M x_W,2 + m s_P,2 cos β + m x_W,2 = 0"),
+    ("pendulum-on-a-wagon", "(M + m) x_O,2 = m l sin φ"),
+    ("block-down-a-free-wedge", "m s_P,2 cos β + (M + m) x_W,2 = 0"),
 ])  # fmt: skip
 def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
     """From rest, along a direction in which no force acts."""

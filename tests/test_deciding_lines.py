@@ -71,7 +71,7 @@ def test_two_contacts_of_one_body_that_slip_alike_are_told_once() -> None:
 def test_inner_forces_that_would_only_be_added_again_stay_inside() -> None:
     """Both frictions are known; the sum over cart and crate needs neither."""
     page = page_of_file("crate-on-cart").partition("CASE")[2]
-    assert "cart, crate: (6) → ΣF_x: F = M a_K + m a_K" in page
+    assert "cart, crate: (6) → ΣF_x: F = (M + m) a_K" in page
     assert "(6): F = (M + m) a_K = (60 + 20) · 2.943 = 235.4 N" in page
 
 

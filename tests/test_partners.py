@@ -9,7 +9,7 @@ from worked import page_of_file
 @pytest.mark.parametrize("line", [
     "A_x ← at A, A_y ↓ at A",
     "OA, AB, BC, CD, DE: (16) → ΣF_x: O_x = m_1 a_G,DE,x + m_1 a_G,OA,x + m_2 a_G,AB,x",
-    "(17) ↑ ΣF_y: O_y - 2 m_1 g - 2 m_2 g - m_3 g = m_1 a_G,DE,y + m_1 a_G,OA,y",
+    "(17) ↑ ΣF_y: O_y - (2 m_1 + 2 m_2 + m_3) g = m_1 a_G,DE,y + m_1 a_G,OA,y",
     "DE: (16) → ΣF_x: D_x = m_1 a_G,DE,x CD: (17) → ΣF_x: C_x - D_x = m_2 a_G,CD,x BC: (18) → ΣF_x: B_x - C_x",
     "AB: (19) → ΣF_x: A_x - B_x = m_2 a_G,AB,x",
     "DE: (20) ↑ ΣF_y: D_y - m_1 g = m_1 a_G,DE,y CD: (21) ↑ ΣF_y: C_y - m_2 g - D_y = m_2 a_G,CD,y",

@@ -62,8 +62,8 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
     assert drawn.scene is not None
-    body = drawn.scene.bodies[row.body]
-    marks: list[Mark] = list(body_marks(drawn, body))
+    (body, *others) = (drawn.scene.bodies[name] for name in row.body.split(", "))
+    marks: list[Mark] = [m for b in (body, *others) for m in body_marks(drawn, b)]
     center = drawn.spot(body.center)
     if body.rigid and center is not None:
         marks.append(Symbol("centre", center))

@@ -12,6 +12,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.guided import guides_nothing
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
+from planar_cli.equation.one_body import inner_reactions
 from planar_cli.equation.plain import simplified
 from planar_cli.principles._bodies import joined, moving_of, of_mass_centre
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
@@ -118,6 +119,8 @@ def _of(
     if told and not amounts:
         return
     ideal = _ideal(position, bodies)
+    # What is welded together is one body: nobody asks about the work inside it.
+    welds = {push.joint for push, _ in inner_reactions(position.system)}
     works = any(expanded(s.rate) != 0 for s in sources)
     yield Balance(
         words="work and kinetic energy",
@@ -129,7 +132,7 @@ def _of(
         letter=scene.problem.kinetic_energy,
         bring="U",
         idle=tuple(Idle(position.system.symbols[p.name], _why_idle(position, p)) for p in ideal if not _is_internal(p)),
-        internal=tuple(position.system.symbols[p.name] for p in ideal if _is_internal(p)),
+        internal=tuple(position.system.symbols[p.name] for p in ideal if _is_internal(p) and p.joint not in welds),
         adds=True,
         timeless=True,
         moving=tuple(moving_of(position.system, motion, bodies)),

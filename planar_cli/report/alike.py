@@ -13,7 +13,7 @@ from planar_cli.report.blocks import Block, Equation, Text, line
 OF_BODY = re.compile(r"moments? of inertia of ([\w, ]+?)(| about .*):")
 """The lead of a moment of inertia: its bodies, and about which point it is."""
 SPRING, POINT = "spring ", re.compile(r"[A-Z]\d?")
-WEIGHT = "weight of "
+WEIGHT, WEIGHTS = "weight of ", "weights of "
 
 
 def with_equals_together(blocks: Iterable[Block]) -> list[Block]:
@@ -48,7 +48,7 @@ def weights_of_each(sources: Sequence[tuple[str, Expr]]) -> dict[int, str]:
         # The only one is not called after its point.
         found[springs[0]] = SPRING.strip()
     return {
-        i: names if own[i][1] is None else f"{'weights of ' if names.endswith(', each') else WEIGHT}{names}"
+        i: names if own[i][1] is None else f"{WEIGHTS if names.endswith(', each') else WEIGHT}{names}"
         for i, names in found.items()
     }
 

@@ -30,6 +30,7 @@ from planar_cli.report.momenta import MomentumTelling, in_its_sense
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import nil_beside
+from planar_cli.report.one_body import struck_together
 from planar_cli.report.put_in import put_in
 from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.sides import said
@@ -267,7 +268,7 @@ class BetweenTelling:
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
                 symbol = scene.ledger.symbols[letter]
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
-        yield from rows
+        yield from struck_together(rows, solution, impact.since)
 
     def _rows(self, impact: Impact, solution: InstantSolution) -> tuple[list[Forces], set[sp.Symbol]]:
         """The diagrams of a blow, and the impulses that they do without."""

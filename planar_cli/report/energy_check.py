@@ -17,7 +17,7 @@ from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.alike import WEIGHT
+from planar_cli.report.alike import WEIGHT, WEIGHTS
 from planar_cli.report.blocks import Inline, Line, Name, Value, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
@@ -161,8 +161,8 @@ def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
             continue
         for e in leg.relations:
             if isinstance(e.source, BalanceTrace) and e.source.law.letter:
-                weights = sp.Add(*(x for words, x in e.source.brought if words.startswith(WEIGHT)))
-                rest = tuple((words, x) for words, x in e.source.brought if not words.startswith(WEIGHT))
+                weights = sp.Add(*(x for words, x in e.source.brought if words.startswith((WEIGHT, WEIGHTS))))
+                rest = tuple((words, x) for words, x in e.source.brought if not words.startswith((WEIGHT, WEIGHTS)))
                 if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases, PUT_IN):
                     return told
     return ()

@@ -27,6 +27,7 @@ from planar_cli.report.notation import plain
 from planar_cli.report.pythagoras import of_one
 from planar_cli.report.relative_speeds import with_differences
 from planar_cli.report.spread import spread
+from planar_cli.report.total_masses import with_totals
 
 LONGEST = 90
 """A product of more operations stays as it is."""
@@ -47,7 +48,7 @@ class Neat:
         return with_differences(spread(self._neat(expr)), self.ledger, self.sign)
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:
-        expr = with_positive_divisors(expr)
+        expr = with_totals(with_positive_divisors(expr), self.ledger)
         expr = of_one(multiplied(divided_out(of_ratios(expr, self.ledger))))
         if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):
             expr = over_durations(expr, times)

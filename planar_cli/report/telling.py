@@ -22,7 +22,6 @@ from planar_cli.report.counted import clockwise_too, counted, one_way_round, sen
 from planar_cli.report.data import DataTelling
 from planar_cli.report.definitions import DefinitionTelling
 from planar_cli.report.derivatives_after import derivatives_after
-from planar_cli.report.forces import force_rows
 from planar_cli.report.geometry import constructed, in_numbers, places, with_coordinates
 from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
@@ -31,6 +30,7 @@ from planar_cli.report.group_by_group import told_groups
 from planar_cli.report.limits_alike import with_limits_alike
 from planar_cli.report.numeric import level_of, vanishing
 from planar_cli.report.numeric_choice import numeric_telling
+from planar_cli.report.one_body import diagrams
 from planar_cli.report.polar import polar_blocks
 from planar_cli.report.projected import as_product
 from planar_cli.report.raw_moments import with_raw_moments
@@ -139,8 +139,8 @@ class Telling:
         if kinetic and last is not None:
             still = balance(self.system, last)
             blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
-            rows = force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
-            bodies = [row.body for row in rows]
+            rows = diagrams(self.instant, last, self.phrases, self.principle.inertia_as_force)
+            bodies = [b for row in rows for b in row.body.split(", ")]
             blocks += [*(() if kinematics else legend), *rows]
             blocks += sentences(self.system, bodies, self.principle.inertia_as_force)
             blocks += self.definitions.lines(self._used(), "kg")

@@ -29,6 +29,7 @@ from planar_cli.report.rounding import rounded
 from planar_cli.report.senses import direction_words, sense_of_formula, steepness_words
 from planar_cli.report.slopes import Slope
 from planar_cli.report.swallowed import swallowed
+from planar_cli.report.total_masses import with_totals
 from planar_cli.report.trigonometric_numbers import in_radians, right_angles, turned_angles
 from planar_cli.solve.passages import squared_radius
 from planar_cli.solve.solution import Found
@@ -90,7 +91,7 @@ class Phrases:
         """
         if not all(self.has_numbers(s) for s in expr.free_symbols - set(sizes or ())):
             return None
-        expr = self.neat(self.met(expr)) if sizes is None else expr
+        expr = self.neat(self.met(expr)) if sizes is None else with_totals(expr, self.ledger)
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = (
             {}

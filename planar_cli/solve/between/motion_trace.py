@@ -31,6 +31,7 @@ from planar_cli.solve.between.links_in_line import by_lines, line_of
 from planar_cli.solve.between.modes_of_oscillation import modes_told
 from planar_cli.solve.between.near_rest import near_rest
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
+from planar_cli.solve.between.one_body import as_one_body
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.rates_beside import with_rates_beside
@@ -250,7 +251,8 @@ class _Tracer:
             b = source
             parts = energy_parts(self.course, b, self.value)
             whole = impulse_integral(self.course, b)
-            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts, parts, whole)
+            ends = b.since.name, b.stop.name
+            return as_one_body(BalanceTrace(b.law, *ends, b.before, b.after, b.brought, b.amounts, parts, whole))
         blow, written = source
         return self._impact_equation(blow, written)
 

@@ -29,6 +29,7 @@ from planar_cli.solve.instant.translating import translating
 from planar_cli.solve.instant.truth import holds
 from planar_cli.solve.instant.unreached import not_reached, unreached
 from planar_cli.solve.instant.verify import Disagreement, verify
+from planar_cli.solve.instant.written import each_once
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
 
@@ -163,7 +164,7 @@ class Finisher:
             "acceleration",
             sought.plan,
             (*(nil.told(self.system, writer.next_number + i) for i, nil in enumerate(nils)), *branch.blocks),
-            tuple(writer.lines),
+            each_once(writer.lines),
             dict(writer.centres),
             offer.zero if offer is not None else (),
             (),

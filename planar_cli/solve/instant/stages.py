@@ -29,7 +29,7 @@ from planar_cli.solve.instant.plan import Plan, Planner
 from planar_cli.solve.instant.symmetric_pulls import with_symmetric_pulls
 from planar_cli.solve.instant.through_given import through_given
 from planar_cli.solve.instant.write import Writer
-from planar_cli.solve.instant.written import Explicit
+from planar_cli.solve.instant.written import Explicit, each_once
 from planar_cli.solve.multibody.linear import rank, scaled
 
 MOST = 3
@@ -147,7 +147,7 @@ class StageMaker:
             level,
             plan,
             (*first, *blocks),
-            tuple(writer.lines),
+            each_once(writer.lines),
             dict(writer.centres),
             found.zero,
             tuple(missing),

@@ -57,6 +57,13 @@ class Explicit:
     words: str
 
 
+def each_once(lines: Iterable[Explicit]) -> tuple[Explicit, ...]:
+    """The lines without those of a letter that has one: two bodies may have one mass centre, as what is stuck in
+    another one has.
+    """
+    return tuple({line.symbol: line for line in reversed([*lines])}.values())[::-1]
+
+
 def put_together(parts: Iterable[tuple[sp.Expr, sp.Expr]], right: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
     """The parts of a side, force and arm, that are not zero; empty where the side is less than their sum."""
     kept = tuple((force, arm) for force, arm in parts if force * arm != 0)
