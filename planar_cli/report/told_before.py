@@ -11,6 +11,7 @@ from planar_cli.records import changing, record
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Name, Paragraph, Text, line
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
+from planar_cli.report.solved_before import solved_before
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 
 NUMBERED = re.compile(r"\((\d+)\)")
@@ -110,6 +111,7 @@ class ToldBefore:
         first = next((i for i, b in enumerate(blocks) if _begins(b)), len(blocks))
         sections = tuple(_sections(blocks[first:]))
         found = [*blocks[:first], *_numbered(self._kept(sections), steps)]
+        found = solved_before(found, (b for _, old in self.told for s in old for b in s.blocks))
         if sections:
             self.told.append((where, sections))
         return found

@@ -60,7 +60,7 @@ def _of_equal_totals(total: sp.Expr, amounts: frozenset[sp.Symbol]) -> sp.Expr:
     """Terms with the same total mass and number as one product: a kinetic energy, with its 1/2, stays beside a work."""
     found: dict[tuple[sp.Expr, sp.Expr], list[sp.Expr]] = {}
     for term in sp.Add.make_args(total):
-        own = [f for f in sp.Mul.make_args(term) if f.is_Add and f.free_symbols <= amounts]
+        own = [f for f in sp.Mul.make_args(term) if _is_total(f, amounts)]
         whole = own[0] if len(own) == 1 else sp.S.One
         found.setdefault((whole, abs(term.as_coeff_Mul()[0])), []).append(term / whole)
     if all(len(rest) == 1 or whole == 1 for (whole, _), rest in found.items()):
@@ -68,7 +68,12 @@ def _of_equal_totals(total: sp.Expr, amounts: frozenset[sp.Symbol]) -> sp.Expr:
     return sp.Add(*(_put_together(whole, sp.Add(*rest)) for (whole, _), rest in found.items()))
 
 
+def _is_total(factor: sp.Expr, amounts: frozenset[sp.Symbol]) -> bool:
+    """m_1 + m_2, but not 2 m_1 + m_2, which may be m_1 + m_2/2 as the file writes it."""
+    return factor.is_Add and amounts.issuperset(factor.args)
+
+
 def _put_together(whole: sp.Expr, rest: sp.Expr) -> sp.Expr:
     """(m_1 + m_2) g (sin α - sin β), but (m_1 + m_2) (v²/l - g), not (m_1 + m_2) (v² - g l)/l."""
     shared = factor_terms(rest) if whole != 1 and rest.is_Add else rest
-    return whole * (rest if sp.fraction(shared)[1] != 1 else shared)
+    return whole * (rest if sp.fraction(shared)[1].free_symbols else shared)
