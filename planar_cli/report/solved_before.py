@@ -1,6 +1,6 @@
 """An equation that an earlier part of a motion has solved, with the same result, is its result, with where it stands:
 
-    (10)  ↑ ΣF_y:   N = 29.72 N               as (4)
+(10)  ↑ ΣF_y:   N = 29.72 N               as (4)
 """
 
 from __future__ import annotations
