@@ -260,7 +260,7 @@ def test_a_size_in_letters_holds_its_unit() -> None:
 
 def test_another_root_that_is_an_earlier_state() -> None:
     # The flight that begins there.
-    assert "= 1.668 s as t_4 ≠ t_1" in page_of_file("ball-bouncing-twice")
+    assert "= 1.187 s as t_3 ≠ t_1" in page_of_file("ball-bouncing-down-a-slope")
 
 
 def test_the_energy_of_all_is_not_that_of_the_group_that_was_told() -> None:

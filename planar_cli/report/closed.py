@@ -14,6 +14,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.report.answer_letters import asked_symbol
 from planar_cli.report.antiderivatives import is_between_limits
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value
+from planar_cli.report.by_ratio import Ratio, by_ratio
 from planar_cli.report.clean import is_clean
 from planar_cli.report.hidden_data import hides_data
 from planar_cli.report.names import plain_name
@@ -22,6 +23,7 @@ from planar_cli.report.swallowed import swallowed
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import PURE
 
 LONGEST, SHORT, PLAIN = 40, 8, 24
 """A longer formula stands in the answer alone; of a page of numbers, beside the line that gives the answer; the largest
@@ -85,6 +87,7 @@ def _complement(total: sp.Expr) -> sp.Expr:
 
 def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[Block]:
     """The blocks of a page of numbers: where a line gives an answer by other results, its short formula in the data."""
+    ratios: dict[int, Ratio] = {}
     for answer in part.found:
         share = any(_is_share(block, answer) for block in blocks)
         closed = _short_formula(answer, phrases, SHARE if share else SHORT)
@@ -96,6 +99,8 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
         lines = [i for i, block in enumerate(blocks) if _left(block) == called]
         block = blocks[lines[-1]] if lines else None
         own_sides = block.sides if isinstance(block, Equation) else ()
+        if lines and own is not None and answer.unit.dimension == PURE and not answer.unit.angle:
+            ratios[lines[-1]] = own, closed
         if any(isinstance(side, Math) and side.expr == phrases.neat(closed) for side in own_sides):
             continue
         if _by_definitions(own_sides, closed, phrases) or hides_data(_problem(part), answer, closed):
@@ -103,12 +108,13 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
         if answer.energy and _is_difference(own_sides, closed):
             continue
         if isinstance(block, Equation) and not block.note and (share or _rests_on_results(block, closed)):
-            blocks[lines[-1]] = _lettered(block, closed, phrases)
+            above = [ratio for i, ratio in ratios.items() if i < lines[-1]]
+            blocks[lines[-1]] = _lettered(block, closed, phrases, above)
     return blocks
 
 
-def _lettered(block: Equation, closed: sp.Expr, phrases: Phrases) -> Equation:
-    """letter = formula in results = formula in the data = its numbers = value."""
+def _lettered(block: Equation, closed: sp.Expr, phrases: Phrases, above: Sequence[Ratio]) -> Equation:
+    """letter = formula in results = formula in the data = its numbers = value. `above`: ratios that were found."""
     head, formula, *rest = block.sides
     values = [side for side in rest if isinstance(side, Value)]
     if not values or not isinstance(rest[-1], Value) or any(isinstance(side, tuple) for side in rest):
@@ -118,7 +124,9 @@ def _lettered(block: Equation, closed: sp.Expr, phrases: Phrases) -> Equation:
         # It is short there by letters that stand above, -l ω_n sin(π/2) = -l ω_n.
         return block
     put = phrases.substituted(closed, values[0])
-    return replace(block, sides=(head, formula, Math(phrases.neat(closed)), *put, *values))
+    shorter = by_ratio(closed, above)
+    first = () if shorter is None else (Math(shorter),)
+    return replace(block, sides=(head, formula, *first, Math(phrases.neat(closed)), *put, *values))
 
 
 def _problem(part: PartSolution) -> Problem:

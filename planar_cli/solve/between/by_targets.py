@@ -1,6 +1,6 @@
-"""A time by the velocity that is asked for the same state: t = (v_0 - v)/g, not the root of a quadratic equation, and
-t = ∫ dv/a, not the place over time solved for t. A place at a time by which another place is told anyway, as of a throw
-x = v_x t: y = v_y t - 1/2 g t², not v² = v_0² - 2 g y.
+"""A time by the velocity at the same state that is asked, or told before: t = (v_0 - v)/g, not the root of a quadratic
+equation, and t = ∫ dv/a, not the place over time solved for t. A place at a time by which another place is told anyway,
+as of a throw x = v_x t: y = v_y t - 1/2 g t², not v² = v_0² - 2 g y.
 """
 
 from __future__ import annotations
@@ -11,12 +11,17 @@ import sympy as sp
 
 from planar_cli.equation.plain import derivative
 from planar_cli.solve.between.derivation import Derivation, Edge
+from planar_cli.solve.between.substitution import TIME
 
 Best = Mapping[sp.Symbol, Derivation]
 
 
-def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]) -> dict[sp.Symbol, Derivation]:
-    """The derivations, where a target that is a root of a place over time follows from a velocity that is a target."""
+def by_targets(
+    best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol], plain: Mapping[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, Derivation]:
+    """The derivations, where a target that is a root of a place over time follows from a velocity that is a target.
+    `plain`: data that need no line.
+    """
     found = dict(best)
     for x in targets:
         own = found.get(x)
@@ -29,7 +34,48 @@ def by_targets(best: Best, edges: Sequence[Edge], targets: Collection[sp.Symbol]
             if e.residual.is_polynomial(x) and all(n in found for n in needs) and not _rests(needs, x, found):
                 found[x] = Derivation(equations, unknowns, needs, cost)
                 break
-    return _by_the_clock(found, edges, targets)
+    return _by_the_clock(_by_told_velocities(found, edges, targets, plain), edges, targets)
+
+
+def _by_told_velocities(
+    found: dict[sp.Symbol, Derivation],
+    edges: Sequence[Edge],
+    targets: Collection[sp.Symbol],
+    plain: Mapping[sp.Symbol, sp.Expr],
+) -> dict[sp.Symbol, Derivation]:
+    """The derivations, where a time on the way to a target that is a root of a full quadratic equation follows from a
+    velocity that is on the way too. √(2 h/g) after a start from rest is as plain.
+    """
+    dated = [x for x, own in found.items() if len(own.equations) == 1 and own.equations[0].kind == "q(t)"]
+    roots = [x for x in dated if not _is_plain(found[x], x) and _has_linear_term(x, found[x], plain)]
+    told = _on_the_way(targets, found) if roots else set()
+    for x in roots:
+        for equations, unknowns, needs, cost in edges if x in told else ():
+            (e, *more) = equations
+            if more or e.kind != "v(t)" or tuple(unknowns) != (x,) or not needs <= told - {x}:
+                continue
+            if e.law is not None and e.law.steady and not _rests(needs, x, found):
+                found[x] = Derivation(equations, unknowns, needs, cost)
+                break
+    return found
+
+
+def _has_linear_term(x: sp.Symbol, own: Derivation, plain: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Is a place over time more than a square of the time x since the state from which it counts: is it no rest?"""
+    e = own.equations[0]
+    start = next((s for s in e.residual.free_symbols if s.name == f"{TIME}{e.since}"), sp.S.Zero)
+    return bool(sp.expand(derivative(e.residual, x).xreplace({x: start}).xreplace(dict(plain))) != 0)
+
+
+def _on_the_way(targets: Collection[sp.Symbol], found: Best) -> set[sp.Symbol]:
+    """The targets with all from which they follow."""
+    seen, waiting = set[sp.Symbol](), list(targets)
+    while waiting:
+        s = waiting.pop()
+        if s not in seen:
+            seen.add(s)
+            waiting += [*found[s].needs, *found[s].unknowns] if s in found else []
+    return seen
 
 
 def _by_the_clock(

@@ -140,7 +140,7 @@ class Router:
             best = {**self._cheapest(self.followed.edges(edges)), **best}
         if (cheaper := at_hand(best, edges, targets, self.plain, self.value)) is not None:
             best = {**best, **self._cheapest(edges := cheaper)}
-        best = by_targets(best, edges, targets)
+        best = by_targets(best, edges, targets, self.plain)
         order: list[Derivation] = []
         # What only numbers tell, and nothing else rests on, comes last.
         for target in sorted(targets, key=lambda t: t in best and best[t].equations[0].kind == "followed"):
