@@ -44,15 +44,16 @@ def _by_told_velocities(
     plain: Mapping[sp.Symbol, sp.Expr],
 ) -> dict[sp.Symbol, Derivation]:
     """The derivations, where a time on the way to a target that is a root of a full quadratic equation follows from a
-    velocity that is on the way too. √(2 h/g) after a start from rest is as plain.
+    velocity on which something else rests, as the next bounce. √(2 h/g) after a start from rest is as plain.
     """
     dated = [x for x, own in found.items() if len(own.equations) == 1 and own.equations[0].kind == "q(t)"]
     roots = [x for x in dated if not _is_plain(found[x], x) and _has_linear_term(x, found[x], plain)]
     told = _on_the_way(targets, found) if roots else set()
+    used = set[sp.Symbol]().union(*(found[s].needs for s in told if s in found))
     for x in roots:
         for equations, unknowns, needs, cost in edges if x in told else ():
             (e, *more) = equations
-            if more or e.kind != "v(t)" or tuple(unknowns) != (x,) or not needs <= told - {x}:
+            if more or e.kind != "v(t)" or tuple(unknowns) != (x,) or not needs <= used - {x}:
                 continue
             if e.law is not None and e.law.steady and not _rests(needs, x, found):
                 found[x] = Derivation(equations, unknowns, needs, cost)
