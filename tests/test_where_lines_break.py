@@ -72,11 +72,15 @@ def test_factors_of_a_datum_stay_together() -> None:
     assert rows(datum, 24) == ["h = 20 mm,", "m_2 = -ρ π d²/4 s"]
 
 
-@pytest.mark.parametrize(("times", "columns"), [(1, [28, 28]), (5, [6, 28])])
-def test_lines_before_a_numbered_one_stand_apart_where_beside_its_lead_they_would_break(
-    times: int, columns: list[int]
+@pytest.mark.parametrize(("lead", "times", "columns"), [
+    ("mass:", 1, [19, 19]),
+    ("mass:", 6, [6, 19]),
+    ("T_1 + U = T_2:", 1, [6, 28]),
+])  # fmt: skip
+def test_lines_before_a_numbered_one_stand_apart_from_a_wide_lead_and_where_they_would_break(
+    lead: str, times: int, columns: list[int]
 ) -> None:
     told = Equation((line("U"), *(Math(M * N) for _ in range(times)), Math(R * H)))
-    numbered = Equation((Math(M), Math(R)), 1, line("T_1 + U = T_2:"))
-    page = Terminal(60).render(Document("", (told, numbered)))
+    numbered = Equation((Math(M), Math(R)), 1, line(lead))
+    page = Terminal(56).render(Document("", (told, numbered)))
     assert [row.index("=", row.find(":") + 1) for row in page.splitlines() if row.strip()] == columns

@@ -43,7 +43,7 @@ _LABEL, _ROOM = 9, 12
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
-_LONGER_LEAD, _FIRST_LEAD = 24, 16
+_LONGER_LEAD, _FIRST_LEAD, _WIDE_LEAD = 24, 16, 12
 _COLOURS = {
     "title": "bold",
     "heading": "bold cyan",
@@ -117,16 +117,17 @@ class Terminal(Format[Row]):
         return found
 
     def _aligned(self, part: Sequence[Equation]) -> list[Row]:
-        """Equations under each other; those before the first with a number or a lead stand apart from it where the
-        room for that would make them longer.
+        """Equations under each other; those before the first with a number or a lead stand apart from it where its
+        lead is a formula, or where the room for that would make them longer.
         """
         columns = _Columns.of(part, self.width)
         rows = [row for equation in part for row in self._equation(equation, columns)]
         led = next((i for i, e in enumerate(part) if e.lead or e.number is not None), 0)
-        if not led or len(rows) == len(part):
+        wide = part[led].number is not None and row_cells(spans(part[led].lead)) >= _WIDE_LEAD
+        if not led or (len(rows) == len(part) and not wide):
             return rows
         apart = [*self._aligned(part[:led]), *self._aligned(part[led:])]
-        return apart if len(apart) < len(rows) else rows
+        return rows if len(apart) > len(rows) else apart
 
     def _equation(self, equation: Equation, columns: _Columns) -> list[Row]:
         head = columns.head(equation)

@@ -18,13 +18,14 @@ from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, 
 from planar_cli.report.by_geometry import by_geometry
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import counts_the_other_way, opposite
+from planar_cli.report.earlier_balances import EarlierBalances
 from planar_cli.report.energies import EnergyTelling
-from planar_cli.report.energy_lines import Told, needed_lines
+from planar_cli.report.energy_lines import comes_at_once
 from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, together, unchanged
-from planar_cli.report.idle_reactions import MOST_NAMED, idle_reactions
+from planar_cli.report.idle_reactions import MOST_NAMED
 from planar_cli.report.modes_of_blows import said_of_modes
 from planar_cli.report.momenta import MomentumTelling, in_its_sense
 from planar_cli.report.moments_of_blows import Named, with_letters
@@ -69,11 +70,9 @@ class BetweenTelling:
     lettered: bool = False
     """Does it come as a formula of letters, in which numbers are put in last?"""
     told: set[str] = field(default_factory=set)
-    stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
-    """Stretches of springs, heights and kinetic energies that were told."""
+    earlier: EarlierBalances = field(default_factory=EarlierBalances)
     made: set[sp.Symbol] = field(default_factory=set)
     """What momenta are made of, and impulses, that were told."""
-    energies: list[Told] = field(default_factory=list)
     groups: dict[str, Turning] = field(default_factory=dict)
     """By the state, bodies that turn together, whose moment of inertia was told."""
     counted: set[int] = field(default_factory=set)
@@ -94,7 +93,6 @@ class BetweenTelling:
     """The states before blows of which only the law of restitution is used: they need no diagram."""
     finite: FiniteForces | None = None
     """The finite forces whose impulses are negligible."""
-
     named: Named | None = None
     """The equation that was told last, where arms in it have names."""
 
@@ -173,17 +171,19 @@ class BetweenTelling:
         ending = tuple(self._put(e) for _, e in b.amounts)
         told = self._equation(whole, each_half(self._put(b.after)), number, lead, ENERGY, parts, ending)
         bare = self.lettered and number not in self.counted
-        made = (self.unknowns, self.numeric, self.plain, self.stretches, self.geometry, self.axes)
+        made = (self.unknowns, self.numeric, self.plain, self.earlier.ends, self.geometry, self.axes)
         telling = EnergyTelling(b, *made, bare=bare, drawn=self.drawn, springs=self.springs)
         lines = by_group(telling.lines(), first, self._put(b.before), self.groups.get(b.since), self.numeric)
-        masses = (m.mass for m in b.law.moving)
-        moving = () if b.parts is None else tuple(zip(b.parts.moving, masses, strict=True))
+        moving = () if b.parts is None else tuple(zip(b.parts.moving, (m.mass for m in b.law.moving), strict=True))
         at_end = self._put(b.after), self.unknowns, moving
         listed = list(by_turning_and_sliding(lines, (first, last), at_end, self.groups.get(b.stop), self.numeric))
         sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
-        yield from needed_lines(listed, b, () if self._put(b.before) else sides, told, self.energies)
-        if sides:
-            yield Equation(sides, number, lead)
+        at_once = comes_at_once(listed, () if self._put(b.before) else sides, told)
+        whole = Equation(sides, number, lead)
+        lettered = sides and (at_once or not self.earlier.told_in_parts(whole))
+        yield from self.earlier.lines(listed, b, at_once, told)
+        if lettered:
+            yield whole
             told = replace(told, number=None, lead=line(f"({number}) in numbers:"))
         yield told
 
@@ -203,11 +203,13 @@ class BetweenTelling:
         plain = bool(parts) and self._is_plain(left - right)
         most = (0 if self.long else FEW) if plain else SOME if parts else SHORT
         short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
-        found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension, ending)
-        if found is None:
-            return Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
-        self.counted.add(number)
-        return Equation(found.sides, number, lead, found.note)
+        whole = Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead) if short else None
+        if whole is None or (parts and not self.lettered and self.earlier.told_in_parts(whole)):
+            found = put_in(parts or left, right, self.unknowns, self.numeric, dimension, ending)
+            if found is not None:
+                self.counted.add(number)
+                return Equation(found.sides, number, lead, found.note)
+        return whole or Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
 
     def _ordered(self, left: sp.Expr, parts: Sequence[sp.Expr]) -> Math | Line:
         """A side with its terms in the order in which they were told: the kinetic energy, then the works."""
@@ -236,9 +238,7 @@ class BetweenTelling:
         words = (law.kept if b.gain == 0 else "") or law.heading or law.words
         head = f"From {b.since} to {b.stop}, {group}{words}"
         about = Name(law.about) if law.about else ""
-        return line(
-            head, about, law.explained, *self._through(law.passing), *idle_reactions(law.idle, law.internal), ":"
-        )
+        return line(head, about, law.explained, *self._through(law.passing), *self.earlier.said_idle(law), ":")
 
     def _through(self, forces: tuple[sp.Expr, ...]) -> list[Any]:
         """The forces that have no moment, as they pass through the point."""

@@ -161,11 +161,17 @@ def root_check(motion: MotionTrace, phrases: Phrases) -> Line:
             continue
         for e in leg.relations:
             if isinstance(e.source, BalanceTrace) and e.source.law.letter:
-                weights = sp.Add(*(x for words, x in e.source.brought if words.startswith((WEIGHT, WEIGHTS))))
-                rest = tuple((words, x) for words, x in e.source.brought if not words.startswith((WEIGHT, WEIGHTS)))
-                if told := _told(replace(e.source, brought=((WEIGHT, weights), *rest)), found, phrases, PUT_IN):
+                told = _told(e.source, found, phrases, PUT_IN)
+                if told := told or _told(_with_one_weight(e.source), found, phrases, PUT_IN):
                     return told
     return ()
+
+
+def _with_one_weight(balance: BalanceTrace) -> BalanceTrace:
+    """All weights as one source, where there are too many terms."""
+    weights = sp.Add(*(x for words, x in balance.brought if words.startswith((WEIGHT, WEIGHTS))))
+    rest = tuple((words, x) for words, x in balance.brought if not words.startswith((WEIGHT, WEIGHTS)))
+    return replace(balance, brought=((WEIGHT, weights), *rest))
 
 
 def _is_of_several_roots(leg: RouteStep) -> bool:

@@ -19,15 +19,16 @@ FEWEST = 3
 """A line of so many sides has a formula, its numbers and its value."""
 
 
-def needed_lines(
-    blocks: Sequence[Block], balance: BalanceTrace, letters: Sequence[Math], told: Equation, before: list[Told]
-) -> Iterator[Block]:
-    """The lines before a balance. `letters`: its sides in letters, where it starts from rest and has numbers as well,
-    `told`; `before`: what was told of which states, which grows.
+def comes_at_once(blocks: Sequence[Block], letters: Sequence[Math], told: Equation) -> bool:
+    """Does a balance need no lines before it? `letters`: its sides in letters, where it starts from rest and has
+    numbers as well, `told`.
     """
+    return bool(letters) and all(_is_one_term(b) for b in blocks) and _has_every_term(letters, told)
+
+
+def needed_lines(blocks: Sequence[Block], balance: BalanceTrace, at_once: bool, before: list[Told]) -> Iterator[Block]:
+    """The lines before a balance, which may come `at_once`; `before`: what was told of which states, which grows."""
     span = (balance.since, balance.stop)
-    at_once = bool(letters) and all(_is_one_term(b) for b in blocks)
-    at_once = at_once and _has_every_term(letters, told)
     for block in blocks:
         if isinstance(block, Equation) and len(block.sides) > FEWEST and _is_energy(block, balance):
             own = (span, block.sides[1:])

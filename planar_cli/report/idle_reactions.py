@@ -10,8 +10,8 @@ from planar_cli.principles.base import Idle
 from planar_cli.report.blocks import Math
 
 MOST_NAMED = 8
-MOST_INTERNAL = 3
-"""More forces are not listed by name; so many internal ones are."""
+MOST_INTERNAL, FEW = 3, 3
+"""More forces are not listed by name; so many internal ones are; and so many a second time."""
 
 
 def idle_reactions(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
@@ -33,6 +33,15 @@ def idle_reactions(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...])
         " no net work",
     ]
     return ["; ", *alone, *([", "] if alone else []), *together]
+
+
+def idle_again(reactions: tuple[Idle, ...], internal: tuple[sp.Symbol, ...]) -> list[Any]:
+    """The same where an earlier balance has told why."""
+    if not reactions and not internal:
+        return []
+    if internal or len(reactions) > FEW:
+        return ["; the same forces do no work"]
+    return ["; ", *_listed(tuple(r.force for r in reactions)), " do no work" if len(reactions) > 1 else " does no work"]
 
 
 def _listed(symbols: tuple[sp.Symbol, ...]) -> list[Any]:

@@ -343,7 +343,7 @@ class MotionTelling:
         sides: list[Any] = [self.phrases.math(r.unknown)]
         if (formula := r.formula) is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        self.between.stretches.add((r.unknown, formula if formula is not None else r.unknown))
+        self.between.earlier.ends.add((r.unknown, formula if formula is not None else r.unknown))
         formula, radians = self._formula(r), self.phrases.in_radians(r.unknown, r.formula, r.value)
         if formula is None and (known := self._in_known(r, LONGEST if explicit else 2 * PLAIN, explicit)):
             return self.phrases.math(r.unknown), *known, *radians, self._shown(r)

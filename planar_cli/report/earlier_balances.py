@@ -1,0 +1,169 @@
+"""What the balances of energies of a motion have told, to which a later one goes back: forces that do no work, energies
+by the same formulas, the words of a stretch.
+
+T_3 of crank = 0.0045 ω_crank,3²     after     T_2 of crank = 1/2 m_c v_G,crank,2² + … = 0.0045 ω_crank,2²
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import field, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.principles.base import Balance
+from planar_cli.records import changing
+from planar_cli.report.blocks import Block, Equation, Math, Name, Value
+from planar_cli.report.energy_lines import Told, needed_lines
+from planar_cli.report.few_lines import SPEEDS, breaks, ended, in_few_lines, written
+from planar_cli.report.idle_reactions import idle_again, idle_reactions
+from planar_cli.report.mentioned import names_in
+from planar_cli.report.ordering import NUMBER
+from planar_cli.solve.between.trace import BalanceTrace
+
+OF_STATE, PUT_IN = re.compile(r"__(\w+)"), re.compile(rf"{NUMBER}\d+")
+OF = " of the "
+FEWEST = 3
+"""A line of so many sides has one that it can do without."""
+
+
+@changing
+class EarlierBalances:
+    """Remembers what balances have told."""
+
+    ends: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
+    """Stretches, heights and kinetic energies that were told."""
+    energies: list[Told] = field(default_factory=list)
+    idle: set[tuple[Any, ...]] = field(default_factory=set)
+    forms: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """By the left sides of lines, what stood on the others; the states as the first and the last one of a balance."""
+
+    def said_idle(self, law: Balance) -> list[Any]:
+        """Which reactions do no work; why, where the same were not told before."""
+        own = (law.idle, law.internal)
+        again = own in self.idle
+        self.idle.add(own)
+        return idle_again(*own) if again else idle_reactions(*own)
+
+    def told_in_parts(self, equation: Equation) -> bool:
+        """Is a balance left to its parts, which stand above it: the first where it takes more than two rows, a later
+        one where it takes more than one?
+        """
+        return breaks(equation, 1 if self.forms else 2)
+
+    def lines(self, blocks: Sequence[Block], balance: BalanceTrace, at_once: bool, told: Equation) -> list[Block]:
+        """The lines before a balance, as `needed_lines` has them, by those before earlier ones."""
+        needed = list(needed_lines(blocks, balance, at_once, self.energies))
+        states = {balance.since: "@", balance.stop: "#"}
+        own = self._shortened(needed, states) if self.forms else needed
+        own = self._without_terms(own, balance, told) if self.forms else own
+        for b in needed:
+            if isinstance(b, Equation):
+                left, *others = _forms(b, states)
+                self.forms[left] = tuple(others)
+        return in_few_lines(own, told)
+
+    def _without_terms(self, blocks: list[Block], balance: BalanceTrace, told: Equation) -> list[Block]:
+        """Without the works that are the terms of a balance in letters, where all are, and others have told of which
+        forces these are.
+        """
+        works = [b for b in blocks if isinstance(b, Equation) and _is_work(b, balance)]
+        known = {left.partition(OF)[2] for left in self.forms}
+        whole = written(told.sides[0])
+        for b in works:
+            last = b.sides[-1]
+            lettered = isinstance(last, Math) and not last.values and written(last).removeprefix("-") in whole
+            if not lettered or written(b.sides[0]).partition(OF)[2] not in known:
+                return blocks
+        others = {name for b in (*blocks, told) if b not in works and not ended(b) for name in names_in(b)}
+        return [b for b in blocks if b not in works and (not ended(b) or ended(b) in others)]
+
+    def _shortened(self, blocks: Sequence[Block], states: dict[str, str]) -> list[Block]:
+        found: list[Block] = []
+        for own in blocks:
+            if not isinstance(own, Equation):
+                found.append(own)
+                continue
+            left, *others = _forms(own, states)
+            before = self.forms.get(left)
+            block = _without_words(own) if before is not None else own
+            if not before or len(block.sides) < FEWEST or before[0] != others[0]:
+                found.append(block)
+            elif before == tuple(others) and (speeds := self._known_speeds(block, found, states)):
+                found[-speeds:] = [replace(block, sides=(block.sides[0], block.sides[-1]))]
+            elif heights := self._idle_heights(block, found):
+                self.ends -= {end for end in self.ends if end[0].name in map(ended, heights)}
+                found = [*(b for b in found if b not in heights), _without_formula(block)]
+            else:
+                found.append(self._fitting(block))
+        return found
+
+    @staticmethod
+    def _fitting(block: Equation) -> Equation:
+        """A line, without the formula that is known where it would take two rows with it."""
+        return _without_formula(block) if breaks(block) else block
+
+    def _known_speeds(self, energy: Equation, found: Sequence[Block], states: dict[str, str]) -> int:
+        """How many lines of the speeds of an energy stand at last; 0: one was not told by the same formula."""
+        speeds = {name for name in names_in(energy.sides[1]) if name.startswith(SPEEDS)}
+        count = 0
+        for block in reversed(found):
+            if not isinstance(block, Equation) or not speeds.intersection(names_in(block.sides[0])):
+                break
+            left, *others = _forms(block, states)
+            if self.forms.get(left) != tuple(others):
+                return 0
+            count += 1
+        return count
+
+    @staticmethod
+    def _idle_heights(block: Equation, found: Sequence[Block]) -> list[Block]:
+        """The lines of heights that only the formula of a work needs, which goes on in other letters."""
+        _, formula, next_one, *_ = block.sides
+        if not isinstance(formula, Math) or not isinstance(next_one, Math) or next_one.values:
+            return []
+        only = set(names_in(formula)) - set(names_in(block.sides[2:]))
+        heights = [b for b in found if ended(b) in only]
+        others = {name for b in found if b not in heights for name in names_in(b)}
+        return heights if not others & {ended(b) for b in heights} else []
+
+
+def _is_work(block: Equation, balance: BalanceTrace) -> bool:
+    first = block.sides[0]
+    return isinstance(first, tuple) and first[0] == Name(balance.law.bring)
+
+
+def _without_formula(block: Equation) -> Equation:
+    return replace(block, sides=(block.sides[0], *block.sides[2:]))
+
+
+def _without_words(block: Equation) -> Equation:
+    """s_3 = 0.05 m, for `stretch of the spring coil, s_3 = 0.05 m`."""
+    first = block.sides[0]
+    if not ended(block) or not isinstance(first, tuple):
+        return block
+    return replace(block, sides=(first[-1], *block.sides[1:]))
+
+
+def _forms(block: Equation, states: dict[str, str]) -> list[str]:
+    """What its sides say, whatever the states."""
+    return [_form((block.lead, side) if not i else side, states) for i, side in enumerate(block.sides)]
+
+
+def _form(side: Any, states: dict[str, str]) -> str:
+    match side:
+        case tuple():
+            return "".join(_form(part, states) for part in side)
+        case Name(name):
+            said = name
+        case Math(expr, values):
+            texts = {s.name: text for s, text in (values or {}).items()}
+            said = PUT_IN.sub(lambda found: texts.get(found[0], found[0]), str(expr))
+        case Value():
+            # The number of another state is not compared.
+            return "value"
+        case _:
+            said = written(side)
+    return OF_STATE.sub(lambda found: f"__{states.get(found[1], found[1])}", said)
