@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
@@ -24,6 +25,8 @@ from planar_cli.units import LENGTH, PURE
 
 MOST_TERMS, MOST_FACTORS = 12, 28
 """A sum of more terms, or of more numbers in all, says less than its result."""
+FEW_TERMS = 6
+"""In a longer sum products of the same numbers are gathered."""
 ROW_TERMS, ROW_FACTORS = 24, 48
 """The same of equations that stand collected further down, where they are solved together."""
 
@@ -85,19 +88,31 @@ def _tells(terms: Sequence[Term], row: bool = False) -> bool:
 
 
 def _written(terms: Sequence[Term], phrases: Phrases) -> Math:
+    """A sum of products; in a long one those that differ by their first number alone have their sum: (1.5 + 2) r ω²."""
     enough = _figures([t for t in terms if t.rest == 1], phrases.figures)
     texts: dict[sp.Symbol, str] = {}
-    parts = []
+    parts: dict[tuple[Any, ...], tuple[Term, list[sp.Expr], list[sp.Expr]]] = {}
     for i, t in enumerate(terms):
         figures = enough if t.rest == 1 else _figures([t], phrases.figures)
         own = []
         for j, (number, power) in enumerate(t.numbers):
             symbol = sp.Symbol(f"{NUMBER}{i}{j}", real=True)
             texts[symbol] = significant(number, figures)
-            own.append(symbol**power)
-        factors = [*([sp.Integer(-1)] if t.sign < 0 else []), *own, *([] if t.rest == 1 else [t.rest])]
-        parts.append(sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0])
-    return Math(sp.Add(*parts, evaluate=False) if len(parts) > 1 else (parts or [sp.S.Zero])[0], texts)
+            own.append((symbol, power))
+        rest = tuple((texts[s], power) for s, power in own[1:])
+        gathered = len(terms) > FEW_TERMS and rest and own[0][1] == 1
+        factors = [s**power for s, power in own]
+        _, first, _ = parts.setdefault((t.sign, t.rest, rest) if gathered else (i,), (t, [], factors[1:]))
+        first += factors[:1]
+    shown = [_product(*part) for part in parts.values()]
+    return Math(sp.Add(*shown, evaluate=False) if len(shown) > 1 else (shown or [sp.S.Zero])[0], texts)
+
+
+def _product(term: Term, first: Sequence[sp.Expr], others: Sequence[sp.Expr]) -> sp.Expr:
+    head = [sp.Add(*first, evaluate=False)] if len(first) > 1 else first
+    sign = [sp.Integer(-1)] if term.sign < 0 else []
+    factors = [*sign, *head, *others, *([] if term.rest == 1 else [term.rest])]
+    return sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0]
 
 
 def _terms(
