@@ -27,6 +27,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
 from planar_cli.report.counted import as_vector
 from planar_cli.report.fixed_lines import along_fixed, touches_at_rest
+from planar_cli.report.half_arms import half_of
 from planar_cli.report.names import index_of
 from planar_cli.report.projected import known_sides, projected, unit_of, with_direction
 from planar_cli.report.rolled_contacts import on_fixed_axles, rolls_on_body, rolls_on_ground
@@ -76,7 +77,7 @@ class VectorTelling:
         self.of_wheels: Callable[[str, Vec, str], Iterator[Block]] | None = None
         """Tells the acceleration of a point of a wheel in letters."""
         self._told: set[str] = set()
-        self._arms: dict[str, str] = {}
+        self._arms, self._reaches = dict[str, str](), dict[str, Vec]()
 
     # --- a relation --------------------------------------------------------------------------------------------------
 
@@ -376,7 +377,10 @@ class VectorTelling:
         plain = not sp.sympify(arm.x).free_symbols | sp.sympify(arm.y).free_symbols
         if plain or (not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y))):
             shown = self.phrases.vector(self.phrases.certain(arm.x), self.phrases.certain(arm.y), LENGTH)
-            return line(name, " = ", *self._constructed(arm), *shown)
+            made = self._constructed(arm)
+            half = half_of(name.name, arm, self._reaches) if made else ()
+            self._reaches[name.name] = arm
+            return line(name, " = ", *(half or made), *shown)
         if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
             return ()
         return line(name, " = [", self.phrases.math(arm.x), ", ", self.phrases.math(arm.y), "]")
