@@ -71,3 +71,13 @@ def test_a_letter_that_counts_against_the_axis_says_so() -> None:
     assert "Given: a_van,y = 3 m/s²; a_van counts downward\n" in page
     assert "Given: v_van,y = -15 m/s; v_van counts downward\n" in page
     assert "counts" not in Terminal(200).render(narrate(worked(FILES["car-that-brakes-in-a-bend"])[0]))
+
+
+def test_a_rod_of_known_length_is_found_by_its_sine() -> None:
+    length, height = sp.symbols("l h", positive=True)
+    formula = sp.atan2(-height, sp.sqrt(length**2 - height**2))
+    numbers = Math(formula, {length: "2", height: "1"})
+    assert _rows(Math(theta), Math(formula), numbers, Value(Decimal(-30), "deg")) == [
+        "sin θ = -h/l = -1/2 = -0.5",
+        "θ = arcsin(-0.5) = -30°",
+    ]

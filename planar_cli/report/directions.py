@@ -1,4 +1,5 @@
-"""A direction that is found from its two components, as it is written by hand: tan φ = v_y/v_x, then φ.
+"""A direction that is found from its two components, as it is written by hand: tan φ = v_y/v_x, then φ; of a rod whose
+length is known from its sine.
 
 An angle that the components only repeat is told by the angle itself: 180° - β for a rod at l (-cos β), l sin β.
 """
@@ -8,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from decimal import Decimal
-from math import isclose, radians, tan
+from math import isclose, radians, sin, tan
 
 import sympy as sp
 
@@ -43,6 +44,11 @@ def _told(equation: Equation) -> Iterator[Block]:
         yield equation
     elif (repeated := _repeated(formulas[-1], value)) is not None:
         yield replace(equation, sides=(*sides[:at], *repeated, value))
+    elif sines := _sines(formulas, value):
+        told = Value(Decimal(sin(radians(value.number))), "1", value.figures)
+        yield replace(equation, sides=(line("sin ", sides[0]), *sines, told), note=())
+        arc = Math(sp.asin(RATIO), {RATIO: significant(told.number, told.figures)})
+        yield Equation((sides[0], arc, value), note=equation.note)
     elif abs(number := tan(radians(value.number))) > STEEP:
         yield equation
     else:
@@ -53,6 +59,19 @@ def _told(equation: Equation) -> Iterator[Block]:
         arc = Math(sp.atan(RATIO), {RATIO: significant(told.number, told.figures)})
         turn = "" if abs(value.number) < RIGHT else " + 180°" if value.number > 0 else " - 180°"
         yield Equation((sides[0], line(arc, turn), value), note=equation.note or _quadrant(formulas[0], value))
+
+
+def _sines(formulas: list[Math], value: Value) -> list[Math]:
+    """The sine of an acute angle, y/r, where that is plainer than y/x, as x is the root of r² - y²; else none."""
+    found = []
+    for f in formulas:
+        y, x = _parts(f.expr) or (sp.S.Zero, sp.S.One)
+        rooted = x.is_Pow and x.exp == sp.Rational(1, 2) and x.base.is_Add
+        r = sp.sqrt(sp.expand(y**2 + x**2)) if rooted else x
+        if not rooted or r.atoms(sp.Pow) or abs(value.number) >= RIGHT:
+            return []
+        found.append(Math(sp.Mul(y, sp.Pow(r, -1), evaluate=False), f.values))
+    return found
 
 
 def _quadrant(formula: Math, value: Value) -> Line:
