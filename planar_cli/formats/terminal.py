@@ -244,18 +244,25 @@ class Terminal(Format[Row]):
 
 
 def _alike(run: Sequence[Equation]) -> list[list[Equation]]:
-    """Equations that are aligned together: none beside one with a much longer lead, which would tear them apart; what
-    has no lead goes on with the one before it.
+    """Equations that are aligned together: none beside one with a much longer lead, which would tear them apart, and no
+    words beside numbers of equations; what has no lead goes on with the one before it.
     """
     parts: list[list[Equation]] = []
     sizes = [row_cells(spans(e.lead)) for e in run]
     for i, equation in enumerate(run):
         apart = abs(sizes[i] - sizes[i - 1]) > (_LONGER_LEAD if sizes[i - 1] else _FIRST_LEAD) and sizes[i] > 0
+        apart |= i > 0 and _is_headed(equation) and not all(map(_is_headed, parts[-1]))
         if i and not apart:
             parts[-1].append(equation)
         else:
             parts.append([equation])
     return parts
+
+
+def _is_headed(equation: Equation) -> bool:
+    """Does it begin with words, At 2:?"""
+    first = equation.lead[0] if equation.lead and equation.number is None else None
+    return isinstance(first, Text) and first.text[:1].isupper()
 
 
 @record

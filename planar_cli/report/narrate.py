@@ -18,6 +18,7 @@ from planar_cli.report.asked_in_general import with_asked
 from planar_cli.report.at_one_state import where_asked, where_told
 from planar_cli.report.axes_of_frames import with_axes_of_frames
 from planar_cli.report.bars import with_bars
+from planar_cli.report.beside_headings import beside_headings
 from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, Note
 from planar_cli.report.blow_limits import grips_in_letters, limits_of_motion
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
@@ -113,8 +114,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
-    lessons: set[str] = set()
-    meanings: set[str] = set()
+    lessons, meanings = set[str](), set[str]()
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         # Of a case in which nothing is asked there is nothing to tell.
@@ -155,7 +155,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
-    named = with_stated_angles(with_loads_by_letter(named, problem), problem)
+    named = beside_headings(with_stated_angles(with_loads_by_letter(named, problem), problem))
     page = checked_once(told_likewise(with_letters_apart(without_restated_data(named), problem), problem))
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
