@@ -20,6 +20,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.along_slots import NEARLY
+from planar_cli.report.as_printed import as_text
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Text, Value, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import sum_along, unit_along
@@ -29,6 +30,8 @@ from planar_cli.units import LENGTH, PURE
 
 LEAST = 3
 """So many sides has a product with its numbers; of fewer further ones each has a row."""
+ROW, BESIDE = 84, 14
+"""Characters of a row of products, and those of a value with what stands about it."""
 
 
 @record
@@ -80,9 +83,25 @@ def _in_rows(told: Sequence[Equation]) -> Iterator[Equation]:
     if len(others) < LEAST - 1:
         yield from others
         return
-    opened, *rest = ((b.sides[0], b.sides[-1]) for b in others)
+    row: list[Equation] = []
+    for b in others:
+        if row and sum(map(_length, (*row, b))) > ROW:
+            yield _by_values(row)
+            row = []
+        row.append(b)
+    yield _by_values(row)
+
+
+def _length(product: Equation) -> int:
+    """About how many characters a product has by its value."""
+    return len(as_text(line(product.sides[0]))) + BESIDE
+
+
+def _by_values(row: Sequence[Equation]) -> Equation:
+    """Products in one row."""
+    first, *rest = ((b.sides[0], b.sides[-1]) for b in row)
     beside = [p for i, (name, value) in enumerate(rest) for p in (", " if i else "likewise ", name, " = ", value)]
-    yield Equation(opened, note=line(*beside))
+    return Equation(first, note=line(*beside))
 
 
 def _written(equation: Equation) -> Line:
