@@ -54,3 +54,10 @@ def test_pin_forces_go_on_from_what_the_torque_took() -> None:
     assert "(3) to (7), 5 unknowns: B_x, B_y, A_n, O_x, O_y" in page
     assert "AB, perpendicular to A_n" not in page
     assert "As before: α_AB = 116.9 rad/s². (3): N_track =" in page
+
+
+def test_kinematics_of_which_no_later_line_names_an_equation_stand_once() -> None:
+    page = page_of_file("four-bar-driven")
+    assert page.count("Kinematic analysis") == 1
+    assert "CASE pins STEP 1 Kinetic analysis" in page
+    assert "STEP 2 Solving the equations (7) to (12), 6 unknowns: C_x" in page

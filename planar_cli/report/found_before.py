@@ -17,6 +17,7 @@ from planar_cli.records import record
 from planar_cli.report.as_printed import as_text, read_alike
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Text, Value, line
 from planar_cli.report.idle_symmetry import renumbered
+from planar_cli.report.one_motion import ANALYSIS, STEP
 from planar_cli.report.results import numbered
 from planar_cli.report.said import letter_of
 from planar_cli.report.steps import SOLVING
@@ -61,7 +62,29 @@ def goes_on(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     told = [p for g in known for p in (", ", g.lines[-1].sides[0], " = ", g.lines[-1].sides[-1])][1:]
     above = _without(blocks[:start], gone)
     own = _renumbered([b for g in kept for b in g.lines], gone)
-    return [*_renumbered(above, gone), *headed, Paragraph(line("As before: ", *told, ".")), *own, *blocks[stop:]]
+    page = [*_renumbered(above, gone), *headed, Paragraph(line("As before: ", *told, ".")), *own, *blocks[stop:]]
+    return _without_told_step(page, before)
+
+
+def _without_told_step(blocks: list[Block], before: Sequence[Block]) -> list[Block]:
+    """Blocks without a first step of kinematics that an earlier case has told, and of which no later line names an
+    equation.
+    """
+    heads = [i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label.startswith(STEP)]
+    start, stop = (*heads, 0, 0)[:2]
+    first = blocks[start]
+    if start >= stop or not isinstance(first, Heading) or first.text != ANALYSIS:
+        return blocks
+    own, said = blocks[start:stop], {read_alike(b) for b in before}
+    numbers = {b.number for b in own if isinstance(b, Equation)}
+    if numbers & _cited(blocks[stop:]) or not all(read_alike(b) in said for b in own):
+        return blocks
+    kept = [*blocks[:start], *blocks[stop:]]
+    for count, i in enumerate(heads[1:], 1):
+        head = blocks[i]
+        assert isinstance(head, Heading)
+        kept[i - (stop - start)] = replace(head, label=f"{STEP} {count}")
+    return kept
 
 
 @record
