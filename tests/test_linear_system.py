@@ -45,13 +45,27 @@ def _systems(page: str) -> list[tuple[list[dict[str, float]], list[float], dict[
         above = lines[:at]
         while above and (not above[-1].strip() or above[-1].startswith("  Rows")):
             above.pop()
-        head = max((i for i, row in enumerate(above) if row.startswith("  row ")), default=None)
-        rows, right = ([], []) if head is None else _of_table(above[head], above[head + 2 :])
+        rows, right = _of_tables(above)
         if not rows:
             rows, right = _of_equations(above)
         if rows:
             found.append((rows, right, _roots(lines[at:], {x for row in rows for x in row})))
     return found
+
+
+def _of_tables(above: list[str]) -> tuple[list[dict[str, float]], list[float]]:
+    """The rows of the last table, with what stands in one before it of the same rows."""
+    heads = [i for i, row in enumerate(above) if row.startswith("  row ")]
+    if not heads:
+        return [], []
+    body = above[heads[-1] + 2 :]
+    rows, right = _of_table(above[heads[-1]], body)
+    before = heads[-1] - len(body) - 3
+    if before in heads:
+        first = [row.split()[1:] for row in above[before + 2 : heads[-1] - 1]]
+        names = above[before].split()[1:]
+        rows = [{**dict(zip(names, map(float, own), strict=True)), **row} for own, row in zip(first, rows, strict=True)]
+    return rows, right
 
 
 def _of_table(head: str, body: list[str]) -> tuple[list[dict[str, float]], list[float]]:
@@ -149,6 +163,21 @@ def test_too_wide_a_table_is_equations() -> None:
     assert roots is not None
     told = system(rows, names, dict(zip(names, roots, strict=True)), 4)
     assert all(isinstance(b, Equation) for b in told[-20:])
+
+
+def test_too_wide_a_table_is_two_where_that_is_shorter() -> None:
+    names = sp.symbols("a:9")
+    rows = [
+        (i, Row({s: 1 / (Decimal(i + j + 1) + Decimal("0.01")) for j, s in enumerate(names)}, Decimal(3)), ())
+        for i in range(9)
+    ]
+    with localcontext(prec=60):
+        roots = solved([[r.coefficients[s] for s in names] for _, r, _ in rows], [r.number for _, r, _ in rows])
+        assert roots is not None
+        tables = [b for b in system(rows, names, dict(zip(names, roots, strict=True)), 4) if isinstance(b, Table)]
+    assert [len(b.header) for b in tables] == [6, 6]
+    assert all(len(b.rows) == 9 for b in tables)
+    assert [row[0] for row in tables[0].rows] == [row[0] for row in tables[1].rows]
 
 
 def test_no_roots_of_rows_that_say_the_same() -> None:

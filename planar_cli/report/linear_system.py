@@ -2,7 +2,8 @@
 that are printed below them.
 
 Where the rows are nearly alike, four figures of each coefficient give two of a root, so the coefficients get more. A
-table has a column for each unknown, with as many decimals in all rows; where it would be too wide, rows are equations.
+table has a column for each unknown, with as many decimals in all rows; where it would be too wide, there are two, or
+rows are equations.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ HALF = Decimal("0.5000001")
 """Of the last figure of a root: by so much it may differ."""
 GAP, WIDEST = 3, 96
 """Between two columns, and the width of all of them on a page of usual width."""
+BETWEEN, FRAME = 11, 3
+"""About what a name and a sign take beside each coefficient of an equation; the lines of a table that are no rows."""
 SENSITIVE = "Rows that are nearly alike need so many figures: with fewer, they would give other roots."
 DEPENDENT = "These rows are nearly dependent: the roots are those of the numbers before they were rounded."
 SMALLEST = Decimal("1e-9")
@@ -60,33 +63,41 @@ def system(
     kept = [row.cleaned() for _, row, _ in rows]
     for printed in range(figures, max(MOST, figures + MORE) + 1):
         places = {s: _decimals(kept, s, printed) for s in unknowns}
-        told = _table(rows, kept, unknowns, places, printed)
-        if told is None:
+        told = _tables(rows, kept, unknowns, places, printed)
+        if not told:
             places = dict.fromkeys(unknowns)
         if enough := _gives([_printed(row, places, printed) for row in kept], unknowns, roots, figures):
             break
-    blocks = [told] if told is not None else _equations(rows, kept, unknowns, printed)
+    blocks: list[Block] = [*told] or _equations(rows, kept, unknowns, printed)
     if not enough:
         return [Paragraph(line(DEPENDENT)), *blocks]
     return [Paragraph(line(SENSITIVE)), *blocks] if printed > figures + 1 else blocks
 
 
-def _table(
+def _tables(
     rows: Sequence[Numbered],
     kept: Sequence[Row],
     unknowns: Sequence[sp.Symbol],
     places: Mapping[sp.Symbol, int | None],
     figures: int,
-) -> Block | None:
-    """The rows below one another; None: too wide, or in different units."""
-    numbers, notes = [number for number, _, _ in rows], [note for _, _, note in rows]
+) -> list[Table]:
+    """The rows below one another, in two tables where that takes fewer lines than equations; empty: they are too wide
+    for that, or in different units.
+    """
+    notes = {note for _, _, note in rows}
     columns = [[_text(row, s, places, figures) for row in kept] for s in unknowns]
     columns.append([significant(row.number, figures) for row in kept])
-    if len(set(notes)) > 1 or sum(max(map(len, column)) + GAP for column in columns) > WIDEST:
-        return None
-    header = (line("row"), *(line(Math(s)) for s in unknowns), line("right side ", *notes[0]))
-    body = [tuple(map(line, (f"({n})", *own))) for n, *own in zip(numbers, *columns, strict=True)]
-    return Table(header, tuple(body))
+    sizes = [max(map(len, column)) + GAP for column in columns]
+    half = (len(columns) + 1) // 2
+    parts = [slice(None)] if sum(sizes) <= WIDEST else [slice(half), slice(half, None)]
+    if len(notes) > 1 or any(sum(sizes[part]) > WIDEST for part in parts):
+        return []
+    lengths = (len(texts) * BETWEEN + sum(map(len, texts)) for texts in zip(*columns, strict=True))
+    if len(parts) > 1 and sum(-(-length // WIDEST) for length in lengths) <= 2 * (len(rows) + FRAME):
+        return []
+    head = [*(line(Math(s)) for s in unknowns), line("right side ", *notes.pop())]
+    cells = [[line(f"({number})"), *map(line, own)] for (number, _, _), *own in zip(rows, *columns, strict=True)]
+    return [Table((line("row"), *head[part]), tuple((own[0], *own[1:][part]) for own in cells)) for part in parts]
 
 
 def _equations(

@@ -28,7 +28,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
-from planar_cli.report.results import told_by_others
+from planar_cli.report.results import told_by_others, value_told
 from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
 from planar_cli.report.turned_diagrams import is_turned, steps_turned, with_first_equations, without_arrows
@@ -321,7 +321,7 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
     """What stands in place of a run of lines: the diagram, the numbers of equations, quantities with their values; ():
     there is nothing to name. `cited`: the numbers that the lines after it name.
     """
-    if new := [valued for b in run if printed.renews(b) and (valued := _valued(b))]:
+    if new := [one for b in run if printed.renews(b) and (one := value_told(b))]:
         return line(*(p for i, t in enumerate(new) for p in (", ", t)[i == 0 :]))
     equations = [(here, there or 0) for b in run for here, there in printed.numbers(b)]
     drawn = [b for b in run if isinstance(b, Forces)]
@@ -333,7 +333,7 @@ def _as_before(run: Sequence[Block], printed: _Printed, cited: frozenset[str]) -
     else:
         linear = any(isinstance(b, Paragraph) and Text(LINEAR) in b.line for b in run)
         told += [line("the linear equation")] if linear else []
-        told += [valued for b in run if (valued := _valued(b))]
+        told += [one for b in run if (one := value_told(b))]
     last = " and " if len(equations) == 1 else ", "
     return line(*(p for i, t in enumerate(told) for p in (last if i == len(told) - 1 else ", ", t)[i == 0 :]))
 
@@ -374,17 +374,6 @@ def _places(before: Sequence[Block]) -> tuple[dict[int, str], str]:
             found |= dict.fromkeys(own, place)
             last = place if own else last
     return found, last
-
-
-def _valued(block: Block) -> Line:
-    """`U of the weight = 3.924 J`: what an equation tells, without the way; (): it tells no value of a letter."""
-    if not isinstance(block, Equation) or len(block.sides) < 2 or block.relation != "=":
-        return ()
-    first, last = (side if isinstance(side, tuple) else (side,) for side in (block.sides[0], block.sides[-1]))
-    named = isinstance(first[0], Name) if first else False
-    letter = len(first) == 1 and isinstance(first[0], Math) and getattr(first[0].expr, "is_Symbol", False)
-    unit = (" ", *block.note) if block.note and getattr(block.note[0], "text", "").startswith("in ") else ()
-    return line(first, " = ", last, *unit) if named or letter else ()
 
 
 def _headed(heading: Heading, run: Sequence[Block], told: Line, link: str) -> Heading:

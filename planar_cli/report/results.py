@@ -11,7 +11,7 @@ from typing import Any
 from planar_cli.equation.plain import identically_zero
 from planar_cli.problem.not_negative import distances
 from planar_cli.report.assumed import broken_by
-from planar_cli.report.blocks import Block, Line, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -150,3 +150,14 @@ def told_by_others(block: Block) -> list[int]:
     said = "".join(p.text for p in block.line if isinstance(p, Text))
     within = [range(int(low), int(high) + 1) for low, high in RUN.findall(said)]
     return sorted({*map(int, NUMBERED.findall(said)), *chain.from_iterable(within)})
+
+
+def value_told(block: Block) -> Line:
+    """`U of the weight = 3.924 J`: what an equation tells, without the way; (): it tells no value of a letter."""
+    if not isinstance(block, Equation) or len(block.sides) < 2 or block.relation != "=":
+        return ()
+    first, last = (side if isinstance(side, tuple) else (side,) for side in (block.sides[0], block.sides[-1]))
+    named = isinstance(first[0], Name) if first else False
+    letter = len(first) == 1 and isinstance(first[0], Math) and getattr(first[0].expr, "is_Symbol", False)
+    unit = (" ", *block.note) if block.note and getattr(block.note[0], "text", "").startswith("in ") else ()
+    return line(first, " = ", last, *unit) if named or letter else ()
