@@ -72,3 +72,9 @@ def test_one_heading_of_a_state() -> None:
     assert with_states_headed_once([one]) == [one]
     condition = Paragraph(line("At launch, v = u:"))
     assert with_states_headed_once([Paragraph(at), told[1], condition, told[2]]) == [condition, *told[1:]]
+
+
+def test_bodies_without_forces_have_no_diagram() -> None:
+    page = page_of_file("rope-that-jerks-taut")
+    assert "STEP 1 Kinetic analysis From 1 to 2 no force acts on A and B: A stays at rest and B keeps" in page
+    assert "so that a_" not in page

@@ -3,6 +3,8 @@ drawn for what everybody knows.
 
     a_x = 0
     a_y = -g = -9.81 m/s²                               only the weight acts
+
+Nor is one drawn of bodies on which no force acts at all: A stays at rest, B keeps its velocity.
 """
 
 from __future__ import annotations
@@ -10,23 +12,35 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.reading import listed
+from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
 from planar_cli.report.steps import KINETICS, is_ritual
+from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.solution import InstantSolution
 
 FREE = "Free flight"
 SO_THAT = ", so that "
+NOTHING = Text("0")
+"""Stands in a diagram for no forces."""
+PAIR = 2
 WEIGHT = line("only the weight acts:")
 """Stands before what it says of the acceleration; a page has it behind."""
 
 
-def in_free_flight(blocks: Sequence[Block], problem: Problem) -> list[Block]:
+def in_free_flight(blocks: Sequence[Block], motion: MotionTrace, instant: InstantSolution) -> list[Block]:
     """The blocks of a general position; its step of forces as the accelerations of a flight, where it is one."""
+    problem = instant.instant.scene.problem
     start = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), None)
     if start is None:
         return list(blocks)
     step, heading = blocks[start + 1 :], blocks[start]
     drawn = [b for b in step if isinstance(b, Forces)]
+    assert isinstance(heading, Heading)
+    if drawn and all(b.left == (NOTHING,) and b.right != (NOTHING,) for b in drawn):
+        at_once = all(_is_of_form(b) for b in step) and all(_acceleration(b) for b in step if isinstance(b, Equation))
+        said = without_forces([b.body for b in drawn], motion, instant)
+        return [*blocks[:start], replace(heading, aside=""), said] if at_once else list(blocks)
     open_masses = {b.name for b in problem.bodies if b.any_mass}
     if problem.plane != "vertical" or len(drawn) != 1 or drawn[0].body not in open_masses:
         return list(blocks)
@@ -35,10 +49,24 @@ def in_free_flight(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     found = [e for b in step if (e := _acceleration(b)) is not None]
     if not found or not all(_is_of_form(b) for b in step) or {b.number for b in found} != {None}:
         return list(blocks)
-    assert isinstance(heading, Heading)
     falls = [e for e in found if len(e.sides) > 1 and e.sides[1] != line("0")]
     told = [replace(e, lead=WEIGHT if e in falls else ()) for e in found]
     return [*blocks[:start], replace(heading, text=FREE, aside=""), *told]
+
+
+def without_forces(bodies: Sequence[str], motion: MotionTrace, instant: InstantSolution) -> Paragraph:
+    """What bodies do on which no force acts: A stays at rest, B keeps its velocity."""
+    start, stop = motion.regime(instant).stretches[0]
+    here = {g: own for own, g in motion.general.items() if motion.ledger.roles[own].at == start}
+    still = {s for s, own in here.items() if motion.route.plain.get(own) == 0}
+    edges = {e.body: {e.slide, e.rise} for e in instant.trial.system.tree.edges}
+    resting = [b for b in bodies if edges.get(b) and edges[b] <= still]
+    span = "No force" if stop in ("", motion.states[-1]) else f"From {start} to {stop} no force"
+    words = f"{span} acts on {listed(map(with_article, bodies), 'and')}: "
+    if len(bodies) > 1 and not resting:
+        return Paragraph(line(f"{words}{'both keep' if len(bodies) == PAIR else 'all keep'} their velocity."))
+    does = (f"{with_article(b)} {'stays at rest' if b in resting else 'keeps its velocity'}" for b in bodies)
+    return Paragraph(line(f"{words}{listed(does, 'and')}."))
 
 
 def is_flight(page: Sequence[Block]) -> bool:

@@ -312,7 +312,7 @@ def _instant_blocks(
     blocks = where_asked(blocks, part.motion, instant, telling, phrases)
     blocks = with_slips_told(blocks, part.motion, instant, voice.figures)
     if why is None:
-        blocks = in_free_flight(with_asked(blocks, telling, part.motion), telling.scene.problem)
+        blocks = in_free_flight(with_asked(blocks, telling, part.motion), part.motion, instant)
     acting = stretches(part, instant)
     if is_restated(blocks):
         before.data += blocks

@@ -7,6 +7,7 @@ from typing import Any
 
 from planar_cli.report.blocks import Block
 from planar_cli.report.comes_back import back_blocks
+from planar_cli.report.keeps_velocity import kept_blocks
 from planar_cli.report.links_in_line import in_line_blocks
 from planar_cli.report.met import data_of_meetings, met_blocks
 from planar_cli.report.periods_given import held_by_periods
@@ -21,7 +22,7 @@ def told_by_itself(
     result.
     """
     told = in_line_blocks(leg, found, phrases, number, chain) or met_blocks(leg, found, phrases, number)
-    return told or back_blocks(leg, found, number, chain)
+    return told or back_blocks(leg, found, number, chain) or kept_blocks(leg, found, number, chain)
 
 
 def told_elsewhere(found: MotionTrace) -> list[RouteStep]:
