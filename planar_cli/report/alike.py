@@ -1,4 +1,6 @@
-"""What is the same of several bodies is told once: moments of inertia, energies and weights of equal rods."""
+"""What is the same of several bodies is told once: moments of inertia, energies and weights of equal rods, and the
+accelerations of bodies that move together, a_A = a_B = a_G = R α = 0.3651 m/s².
+"""
 
 from __future__ import annotations
 
@@ -8,19 +10,28 @@ from dataclasses import replace
 
 from sympy import Expr
 
-from planar_cli.report.blocks import Block, Equation, Text, line
+from planar_cli.report.blocks import Answer, Block, Equation, Text, Value, line
+from planar_cli.report.names import plain_name
+from planar_cli.report.said import letter_of
 
 OF_BODY = re.compile(r"moments? of inertia of ([\w, ]+?)(| about .*):")
 """The lead of a moment of inertia: its bodies, and about which point it is."""
 SPRING, POINT = "spring ", re.compile(r"[A-Z]\d?")
 WEIGHT, WEIGHTS = "weight of ", "weights of "
+FULL = 4
+"""So many sides has a line letter = formula = numbers = value."""
 
 
 def with_equals_together(blocks: Iterable[Block]) -> list[Block]:
-    """Moments of inertia that follow each other and have one formula and value stand in one line."""
+    """Moments of inertia that follow each other and have one formula and value stand in one line; so do other letters
+    with one formula, numbers and value, but for those of answers.
+    """
+    blocks = list(blocks)
+    told = [b for b in blocks if isinstance(b, Answer)]
+    answers = frozenset(n for a in told for n in (plain_name(a.name), letter_of(a.line[:1])))
     found: list[Block] = []
     for block in blocks:
-        merged = _together(found[-1], block) if found else None
+        merged = _together(found[-1], block) or _of_one_value(found[-1], block, answers) if found else None
         if merged is None:
             found.append(block)
         else:
@@ -65,6 +76,22 @@ def _together(one: Block, other: Block) -> Equation | None:
         return None
     lead = line(f"moments of inertia of {mine[1]}, {theirs[1]}{mine[2]}:")
     return replace(one, sides=(*one.sides[:-same], other.sides[0], *other.sides[1:]), lead=lead)
+
+
+def _of_one_value(one: Block, other: Block, answers: frozenset[str]) -> Equation | None:
+    """a_A = a_B = formula = numbers = value; None: they differ, or an answer looks for one of them."""
+    if not isinstance(one, Equation) or not isinstance(other, Equation) or len(other.sides) < FULL:
+        return None
+    own, rest = letter_of(other.sides[0]), other.sides[1:]
+    before, bare = one.sides[: -len(rest)], (None, (), ())
+    if not own or not before or one.sides[-len(rest) :] != rest or not isinstance(rest[-1], Value):
+        return None
+    if any((b.number, b.lead, b.note) != bare for b in (one, other)):
+        return None
+    letters = [*map(letter_of, before), own]
+    if not all(letters) or len({*letters}) < len(letters) or not answers.isdisjoint(letters):
+        return None
+    return replace(one, sides=(*before, *other.sides))
 
 
 def _of(block: Equation) -> re.Match[str] | None:

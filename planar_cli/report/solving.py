@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -17,6 +18,7 @@ from planar_cli.report.isolated import at_sight
 from planar_cli.report.linear_system import system
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
+from planar_cli.report.put_at_once import put_at_once
 from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.solved_already import is_given, is_told, is_written
 from planar_cli.report.steps import SINGLE
@@ -191,6 +193,7 @@ class SolvingTelling:
             return small
         block = replace(block, lines=tuple(at_sight(x, block.equations, self.numeric.readable) for x in block.lines))
         lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
+        stands = partial(self._stands, block=block)
         if len(block.unknowns) > 1 and not block.letters:
             self._outright.add(block.lines[0].symbol)
         long = any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage)
@@ -202,11 +205,12 @@ class SolvingTelling:
                 if inserted := self._last_in_numbers(block, stage):
                     blocks += inserted
                     lines = [x for x in lines if x.symbol not in block.letters]
-        elif self._put_into(block):
+        elif put := put_at_once(block, lines, self.phrases, stands, self._is_constant):
+            self._inserted |= put
             lines = [x for x in lines if not x.letters]
         elif block.letters and len(block.unknowns) > 1:
             blocks += self._carrying(block, stage)
-            lines = [x for x in lines if not (x.letters and self._stands(x, block))]
+            lines = [x for x in lines if not (x.letters and stands(x))]
             lines = self._each_once(lines)
         merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
         return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
@@ -301,19 +305,6 @@ class SolvingTelling:
         carried = [x.symbol for x, _ in self.numeric.by_letter(block, stage)]
         self._carried_in_numbers.update(carried)
         return 1 < len(carried) <= FEW
-
-    def _put_into(self, block: SolvedBlock) -> bool:
-        """Do the lines in letters all stand already as equations, so that they are put into the last ones?"""
-        written = {w.number: w for w in block.equations}
-        carried = [x for x in block.lines if x.letters]
-        own = [written[x.equations[0]] for x in carried if x.equations and x.equations[0] in written]
-        result = next((x for x in block.lines if x.symbol in block.letters and not x.letters), None)
-        if result is None or not carried or len(own) < len(carried):
-            return False
-        if not all(is_written(w, x, self.phrases) for w, x in zip(own, carried, strict=True)):
-            return False
-        self._inserted[result.symbol] = tuple(w.number for w in own)
-        return True
 
     def _name_together(self, block: SolvedBlock, lines: Sequence[SolvedLine], stage: Stage) -> None:
         """The first result of several equations bears the numbers of all; so does one that its own does not hold."""

@@ -1,0 +1,62 @@
+"""Equations that are put into another at once, (1) to (3) in (4): no line tells before what each of them carries."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.report.solved_already import is_written
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line, SolvedBlock
+
+MOST, LONGEST = 3, 14
+"""No more lines are left out, and none before a result of more operations: there a reader would lose the way."""
+
+
+def put_at_once(
+    block: SolvedBlock,
+    lines: Sequence[Line],
+    phrases: Phrases,
+    stands: Callable[[Line], bool],
+    valued: Callable[[sp.Symbol], bool],
+) -> dict[sp.Symbol, tuple[int, ...]]:
+    """The one letter that is carried, with the numbers of the equations that are put into its own; empty: lines in
+    letters come first. `lines`: those of the block that are told; `stands`: does a line stand as its equation?
+    `valued`: has a letter a number on a page of letters?
+    """
+    result = next((x for x in block.lines if x.symbol in block.letters and not x.letters), None)
+    carried = [x for x in block.lines if x.letters]
+    if result is None or not carried:
+        return {}
+    numbers = _as_equations(block, carried, phrases)
+    if not numbers and (valued(result.symbol) or not phrases.symbolic):
+        numbers = _told_again(block, lines, result, stands)
+    return {result.symbol: numbers} if numbers else {}
+
+
+def _as_equations(block: SolvedBlock, carried: Sequence[Line], phrases: Phrases) -> tuple[int, ...]:
+    """The equations as which all lines in letters stand already, so that they are put into the last ones."""
+    written = {w.number: w for w in block.equations}
+    own = [written[x.equations[0]] for x in carried if x.equations and x.equations[0] in written]
+    if len(own) < len(carried) or not all(is_written(w, x, phrases) for w, x in zip(own, carried, strict=True)):
+        return ()
+    return tuple(w.number for w in own)
+
+
+def _told_again(
+    block: SolvedBlock, lines: Sequence[Line], result: Line, stands: Callable[[Line], bool]
+) -> tuple[int, ...]:
+    """The equations of the few lines in letters, where each is told again below by another formula, which its equation
+    gives as well, and the result is short.
+    """
+    put = [x for x in lines if x.letters]
+    again = {x.symbol: x.formula for x in lines if not x.letters}
+    told = [x for x in put if not stands(x)]
+    if len(block.letters) > 1 or len(told) > MOST or longer(result.formula, LONGEST):
+        return ()
+    if not all(again.get(x.symbol, x.formula) != x.formula for x in told):
+        return ()
+    numbers = tuple(dict.fromkeys(n for x in put for n in x.equations))
+    return () if {*numbers} & {*result.equations} else numbers
