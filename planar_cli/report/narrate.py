@@ -325,7 +325,7 @@ def _instant_blocks(
         blocks = []
     if len(part.instants) > 1 and blocks:
         blocks = of_motion(blocks, acting)
-    printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
+    printed = [*before.named, *(b.number for b in blocks if isinstance(b, Equation) and b.number is not None)]
     return blocks, steps, max(printed, default=numbers[1])
 
 

@@ -8,6 +8,7 @@ from dataclasses import field, replace
 from itertools import pairwise
 
 from planar_cli.records import changing, record
+from planar_cli.report.as_there import as_there
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Inline, Math, Name, Paragraph, Text, line
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
@@ -103,6 +104,8 @@ class ToldBefore:
     told: list[tuple[str, tuple[Section, ...]]] = field(default_factory=list)
     data: list[Block] = field(default_factory=list)
     """Steps that were left out, as they only write down what is given."""
+    named: set[int] = field(default_factory=set)
+    """Numbers of equations that stand for those of an earlier part."""
 
     def reduced(self, blocks: Sequence[Block], where: str, steps: int) -> list[Block]:
         """Blocks without the steps that an earlier place has told, which is named instead. `where`: what this place is
@@ -135,12 +138,22 @@ class ToldBefore:
                 yield self._referred(section, where)
                 continue
             elif where is None or needed:
-                yield section
+                yield self._as_there(section)
                 continue
             dropped.setdefault(where or "", []).append(NAMES.get(section.title, section.title))
         for where, names in dropped.items():
             said = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
             yield Paragraph(line(f"{said[:1].upper()}{said[1:]}: as {where}."))
+
+    def _as_there(self, section: Section) -> Section:
+        """A step by what changes in it, where the last one of its kind is like it."""
+        earlier = [(where, s) for where, told in self.told for s in told if s.title == section.title and s.forces]
+        if not section.forces or not earlier:
+            return section
+        where, last = earlier[-1]
+        found = replace(section, blocks=as_there(section.blocks, last.blocks, where))
+        self.named |= {*section.numbers()} - {*found.numbers()}
+        return found
 
     def _referred(self, section: Section, where: str) -> Section:
         """A step that was told there, of which later ones name equations: how these were numbered there."""
