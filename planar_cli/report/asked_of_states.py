@@ -23,6 +23,7 @@ from planar_cli.report.at_its_state import at_its_state
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.by_ends import by_ends
+from planar_cli.report.by_force import by_force
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.energy_after import energy_after
@@ -237,7 +238,9 @@ class AskedTelling:
             shown = shown[1:]  # the file calls it as the page does
         before = at_its_state(asked.find.name, formula, self.found) if span is None and not part.axis else None
         sides: list[Any] = [name, *([] if before is None else [phrases.math(before)]), *shown, *values]
-        if span is not None and values and (ends := by_ends(span, self.found, phrases, values[0])):
+        bare = all(math.values for math in shown)
+        ends = () if span is None or not values else by_ends(span, self.found, phrases, values[0])
+        if ends or (span is not None and values and (ends := by_force(span, self.found, phrases, bare))):
             yield Equation((name, *ends, *values))
         elif span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))

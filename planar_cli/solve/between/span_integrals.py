@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from decimal import Decimal
 from functools import cached_property, partial
 from itertools import pairwise
@@ -141,7 +142,8 @@ class SpanSolver:
         rates = self._rates(asked, segment)
         if asked.quantity.word != "path_length":
             way = self._change if asked.changes else self._integral
-            return way(p, r, rates[0], segment, asked.quantity)
+            found = way(p, r, rates[0], segment, asked.quantity)
+            return replace(found, letter=_steady(asked.rates[id(segment.regime)][0], found, segment))
         speed, signed = signed_speed(rates[0], rates[1], segment.regime)
         if not signed:
             return self._integral(p, r, speed, segment, asked.quantity)
@@ -286,6 +288,13 @@ def _potential(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -
     """The function of time, place and speed of which this is the rate, real between two times; None: there is none."""
     g = gained(rate, segment.regime)
     return None if g is None else where_real(g, segment.value.extended(segment.at((ta + tb) / 2)))
+
+
+def _steady(rate: sp.Expr, found: Piece, segment: ExactSegment) -> sp.Expr | None:
+    """The rate itself where it is one letter, or its opposite, that is the same all the time."""
+    one = rate.is_Symbol or (-rate).is_Symbol
+    moving = found.integrand.free_symbols & set(segment.regime.letters)
+    return rate if one and not moving and found.how != "change" else None
 
 
 def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:

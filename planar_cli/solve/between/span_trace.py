@@ -34,6 +34,8 @@ class Piece:
     """The integrand over time, where the motion is known as a function of it."""
     turns: tuple[Decimal, ...] = ()
     """Of a path length: the instants at which the velocity vanishes, s."""
+    letter: sp.Expr | None = None
+    """The integrand where it is an unknown of the general position that stays what it is, or its opposite."""
 
 
 @record
