@@ -19,6 +19,10 @@ from planar_cli.report.told_before import defined_once
         ("simple-pendulum", "as before: the diagram (turned), (1) and (2) of the first part"),
         ("disk-held-by-a-spring", "as before: (2) and (3) of case let go"),
         ("bicycle-driven-and-braked", "STEP 5 Kinematic analysis as from 1 to 2: (10) to (13), there (1) to (4)"),
+        (
+            "bicycle-driven-and-braked",
+            "Diagrams as from 1 to 2, but on frame M_b ↻ in place of M_c ↺; on rear no M_c ↻; on front also M_b ↺.",
+        ),
     ],
 )
 def test_equations_that_had_other_numbers(stem: str, line: str) -> None:

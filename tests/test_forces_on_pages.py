@@ -237,5 +237,5 @@ def test_friction_that_is_found_to_be_zero_stands_on_the_diagrams() -> None:
     """Whether the wheels slip is asked: the friction that answers it acts on both, and an equation gives it."""
     page = _page("momentum/two-wheels-pressed-together")
     assert page.count("F_C ↑ at C (assumed)") == page.count("F_C ↓ at C (assumed)") == 1
-    assert "↑ ΣF_y:   F_C + A_y = 0" in page
+    assert "↺ ΣM_A:   F_C R = I_large α_large" in page
     assert "x_B" not in page

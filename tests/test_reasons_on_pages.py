@@ -165,7 +165,7 @@ def test_nobody_asks_after_the_same_root_on_the_other_side(path: str) -> None:
         ("impact/dumbbell-dropped-on-a-floor", "(the impulse of the weight is negligible)"),
         ("impact/hinged-bars-struck", "momentum after."),
         ("energy/yo-yo", "T_thread (the point T of yoyo is at rest) does no work"),
-        ("momentum/two-wheels-pressed-together", "N_slide (B is at rest) do no work"),
+        ("energy/plank-on-a-tree-trunk", "N_rim, F_rim (the point of contact is at rest) do no work:"),
         ("momentum/two-wheels-pressed-together", "at C both have the same velocity; along the contact:"),
         ("textbook/ex-4-13", "momentum after (the impulse of the weight is negligible)."),
         ("textbook/ex-4-14", "momentum after."),

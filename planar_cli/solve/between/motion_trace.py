@@ -30,7 +30,7 @@ from planar_cli.solve.between.linear_parts import energies_near, linear_parts
 from planar_cli.solve.between.links_in_line import by_lines, line_of
 from planar_cli.solve.between.modes_of_oscillation import modes_told
 from planar_cli.solve.between.near_rest import near_rest
-from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
+from planar_cli.solve.between.needed import asked_at, laws_of_motion, modes_asked, wanted_of
 from planar_cli.solve.between.one_body import as_one_body
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -187,6 +187,8 @@ def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Rou
     course = motion.course
     asked = asked_at(course, motion.finds, instant)
     wanted, resting = wanted_of(course, routes, instant, asked, motion.value) if routes else (None, None)
+    if wanted is not None and (sticking := modes_asked(course, motion.finds, instant)):
+        wanted, resting = wanted | sticking, (resting or frozenset()) | sticking
     # A state that is never reached is none of these: what goes towards it goes on without end.
     names = [*(s.name for s in course.states), ""]
     spans = zip(pairwise(names), course.regimes, strict=False)

@@ -9,6 +9,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import are_zero, derivative, identically_zero
 from planar_cli.principles.base import Balance
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.by_centres import by_centres
@@ -27,6 +28,7 @@ from planar_cli.solve.regimes.timeline import Stop
 from planar_cli.solve.solution import InstantSolution
 
 AXES = ("x", "y")
+STICK = "stick"
 Asked = Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
 """By state, by the name of a find: its components in the unknowns of the general position."""
 
@@ -195,6 +197,30 @@ def _of_turnings(course: StatedMotion, regime: Regime) -> set[str]:
     ]
     pushes = (name for test in tests for name in (*(n for n, _ in test.pushes), *test.within))
     return {symbols[name].name for name in pushes if name in symbols}
+
+
+def modes_asked(course: StatedMotion, finds: Iterable[AskedFind], instant: InstantSolution) -> frozenset[str]:
+    """The pushes of contacts that stick in a general position, of which it is asked how they act at a state, where no
+    short formula tells the friction: that a body needs none is told by its equations.
+    """
+    regime = _regime(course, instant)
+    if regime is None:
+        return frozenset()
+    system, names = regime.general.trial.system, [s.name for s in course.states]
+    found: set[str] = set()
+    for what in (f.find.found.what for f in finds):
+        q = what.left if isinstance(what, Relation) else what
+        if not isinstance(q, Quantity) or q.word != "mode" or q.at not in names:
+            continue
+        first = names.index(str(q.at))
+        acting = course.regimes[min(first, len(course.regimes) - 1)]
+        for joint, mode in system.modes.items() if acting is regime else ():
+            named = {joint, system.aliases.get(joint)} & set(q.things)
+            tests = [t for t in mode.tests if not t.strict] if named and mode.name == STICK else []
+            pushes = {n for t in tests for n, _ in t.pushes}
+            if any(regime.closed(system.symbols[n]) == 0 for n in pushes):
+                found |= {system.symbols[n].name for n in pushes}
+    return frozenset(found)
 
 
 def _kinetic(balance: Balance, regime: Regime, stop: Stop, value: Valuation) -> Iterator[sp.Expr]:

@@ -16,6 +16,7 @@ from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
 from planar_cli.solve.regimes.gains import gained
 from planar_cli.solve.regimes.potential import signed_speed
+from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
 SOON = Decimal("1e-20")
@@ -55,18 +56,19 @@ def ask_spans(course: RegimeSequence) -> dict[sp.Symbol, SpanQuantity]:
             for other in readers:
                 if id(other.regime) in moving and id(other.regime) not in rates:
                     rates[id(other.regime)] = rates_of(q, other)
-                    other.exprs += rates[id(other.regime)] if _takes_time(course, q.at) else ()
+                    other.exprs += rates[id(other.regime)] if _acts_in(course, other.regime, q.at) else ()
             found[symbol] = SpanQuantity(q, rates, changes)
     return found
 
 
-def _takes_time(course: RegimeSequence, span: tuple[str, str]) -> bool:
-    """Does a span hold more than blows? Over these alone nothing is integrated."""
+def _acts_in(course: RegimeSequence, regime: Regime, span: tuple[str, str]) -> bool:
+    """Does a regime act in a span for some time, so that something is integrated in it? Over a blow nothing is."""
     order = {s.name: i for i, s in enumerate(course.states)}
     since, until = (order.get(name) for name in span)
     if since is None or until is None or since >= until:
         return True
-    return any(stretch.blow is None for stretch in course.modes.stretches[since:until])
+    inside = zip(course.regimes, course.modes.stretches, strict=True)
+    return any(r is regime and stretch.blow is None for r, stretch in list(inside)[since:until])
 
 
 def tell_spans(

@@ -11,7 +11,8 @@ from planar_cli.solve.regimes.works_of_parts import works_of_parts
 
 AT_HAND = -0.3
 """Of a constant acceleration between the only two states, where the equations of kinetics are asked for anyway: a
-balance of energies would begin anew.
+balance of energies would begin anew. So would it where these equations tell of bodies that move together that nothing
+accelerates them.
 """
 PER_EQUATION, FOR_ITSELF, OVER_TIME = 0.2, 0.5, 0.3
 """For each equation of kinetics; for each where nothing asks for a force, an acceleration or a time, or for no more
@@ -27,6 +28,8 @@ def effort(regime: Regime, f: sp.Expr) -> float:
     problem = regime.general.instant.scene.problem
     alone = not asks_kinetics(problem.find) or bool(works_of_parts(regime))
     if kinetic and not alone and len(problem.states) == 2 and not letters(f) & set(regime.letters):
+        return AT_HAND
+    if kinetic > 1 and not alone and f == 0 and len(regime.free) == 1:
         return AT_HAND
     each = FOR_ITSELF if alone and kinetic > 1 else PER_EQUATION
     return each * kinetic + (OVER_TIME if kinetic and regime.time in letters(f) else 0.0)
