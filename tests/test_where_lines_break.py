@@ -84,3 +84,13 @@ def test_lines_before_a_numbered_one_stand_apart_from_a_wide_lead_and_where_they
     numbered = Equation((Math(M), Math(R)), 1, line(lead))
     page = Terminal(56).render(Document("", (told, numbered)))
     assert [row.index("=", row.find(":") + 1) for row in page.splitlines() if row.strip()] == columns
+
+
+def test_the_innermost_brackets_break_last() -> None:
+    """Before a term of the numerator, and not inside R (R - M)."""
+    above = sp.Add(sp.Mul(4, H, M), sp.Mul(3, N, sp.Add(R, M)), evaluate=False)
+    told = (Math(sp.Mul(above, sp.Pow(H, -1, evaluate=False), evaluate=False), {M: "123.45", N: "678.9", R: "23.456"}),)
+    whole = "".join(s.text for s in spans(told))
+    for width in range(len(whole) - 12, len(whole)):
+        first, *_ = rows(told, width)
+        assert first.count("(") - first.count(")") == 1

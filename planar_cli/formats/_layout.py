@@ -1,7 +1,7 @@
 """Rows of styled text and how lines are wrapped into them; shared by formats of fixed-width text.
 
 A line may break at a space of its words; inside a formula only if it has to: before an operator, else between two
-factors, and inside brackets last.
+factors, and inside brackets last, the innermost at the very last.
 """
 
 from __future__ import annotations
@@ -18,12 +18,14 @@ from planar_cli.report.numbers import quantity
 
 # Spaces inside formulas while lines are being filled. `printable` lets neither through from a file.
 FIRM = "\N{NO-BREAK SPACE}"
-BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS = "\ue000", "\ue001", "\ue002"
-"""Outside brackets before + - =, and between two factors or before a stroke; inside brackets before an operator."""
+BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, DEEPER = "\ue000", "\ue001", "\ue002", "\ue003"
+"""Outside brackets before + - =, and between two factors or before a stroke; inside brackets before an operator, and
+inside brackets within these.
+"""
 LITTLE = 1 / 3
 VECTOR = (Text("["), Text(", "), Text("]"))
 """What stands around the components of a vector."""
-_INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS), " "))
+_INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, DEEPER), " "))
 
 
 @record
@@ -175,7 +177,7 @@ def _firm(formula: str) -> str:
 def _space(formula: str, place: int, depth: int) -> str:
     """A space of a formula, by what stands around it."""
     if re.match(r"[-+=] ", formula[place + 1 : place + 3]):
-        return IN_BRACKETS if depth else BEFORE_OPERATOR
+        return (BEFORE_OPERATOR, IN_BRACKETS, DEEPER)[min(depth, 2)]
     if re.match(r"[/·] ", formula[place + 1 : place + 3]):
         return FIRM if depth else BETWEEN_FACTORS
     behind_a_sign = re.search(r"(^|[-+=/·,≤≥<>→]|sin[²³]?|cos[²³]?|tan[²³]?)$", formula[:place])
@@ -241,7 +243,7 @@ def _chunks(content: Iterable[Span], space: str) -> list[_Chunk]:
 
 def _fitting(chunks: list[_Chunk], room: int) -> list[_Chunk]:
     """Chunks that are wider than the room, cut where they give way first, at last anywhere."""
-    for space in (BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, FIRM):
+    for space in (BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, DEEPER, FIRM):
         chunks = [part for c in chunks for part in (_cut(c, space) if row_cells(c.spans) > room else [c])]
         chunks = chunks if space != BEFORE_OPERATOR else [replace(c, begins=row_cells(c.spans) > room) for c in chunks]
     return [part for c in chunks for part in _sliced(c, room)]
