@@ -7,7 +7,11 @@ from __future__ import annotations
 import re
 
 import pytest
-from worked import page_of_file
+from conftest import PROBLEMS
+from worked import page_of_file, worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import Voice, narrate
 
 
 @pytest.mark.parametrize("told", [
@@ -61,3 +65,10 @@ def test_a_number_of_an_equation_is_given_once() -> None:
 ])  # fmt: skip
 def test_equations_put_in_at_once(stem: str, told: str) -> None:
     assert told in page_of_file(stem)
+
+
+def test_a_key_has_its_equations() -> None:
+    """It has no sentence that says of which earlier ones they are."""
+    (path,) = (p for p in PROBLEMS if p.stem == "bicycle-driven-and-braked")
+    key = Terminal().render(narrate(worked(path)[0], Voice(audience="exam")))
+    assert [n for n in range(10, 19) if f"({n})  " not in key] == []

@@ -170,7 +170,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
 
         telling = motion_telling(part.motion, figures, why)
     notes = presumed_notes(part, phrases_of(part.instants[0], figures), positive) if part.instants else []
-    before = ToldBefore()
+    before = ToldBefore(by_number=voice.audience != "exam")
     blocks, steps, count, place = _of_instants(part, telling, voice, why, (told, notes, before))
     phrases = settled = phrases_in(part, figures)
     blocks += _read_off(part, figures)

@@ -106,6 +106,8 @@ class ToldBefore:
     """Steps that were left out, as they only write down what is given."""
     named: set[int] = field(default_factory=set)
     """Numbers of equations that stand for those of an earlier part."""
+    by_number: bool = True
+    """Do equations give way to their numbers? A key has no words that say of which they are."""
 
     def reduced(self, blocks: Sequence[Block], where: str, steps: int) -> list[Block]:
         """Blocks without the steps that an earlier place has told, which is named instead. `where`: what this place is
@@ -134,7 +136,7 @@ class ToldBefore:
             if where is None and section.forces and self._before(section.equations) and not needed:
                 where = self._before(section.equations)
                 yield replace(section, blocks=section.forces)
-            elif where is not None and needed and not section.forces:
+            elif where is not None and needed and not section.forces and self.by_number:
                 yield self._referred(section, where)
                 continue
             elif where is None or needed:
@@ -148,7 +150,7 @@ class ToldBefore:
     def _as_there(self, section: Section) -> Section:
         """A step by what changes in it, where the last one of its kind is like it."""
         earlier = [(where, s) for where, told in self.told for s in told if s.title == section.title and s.forces]
-        if not section.forces or not earlier:
+        if not section.forces or not earlier or not self.by_number:
             return section
         where, last = earlier[-1]
         found = replace(section, blocks=as_there(section.blocks, last.blocks, where))
