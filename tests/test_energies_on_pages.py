@@ -270,3 +270,10 @@ def test_the_energy_of_all_is_not_that_of_the_group_that_was_told() -> None:
     assert problem is not None, wrong
     told = " ".join(Terminal(400).render(narrate(solve_problem(problem))).split())
     assert "T_3 = 1/2 m_A v_A,3² + 1/2 m_B v_B,3² = 1/2 · 1 · 0.8957² + 1/2 · 2.5 · 1.7307² = 4.145 J" in told
+
+
+def test_an_energy_is_made_of_velocities_that_are_asked() -> None:
+    page = page_of_file("rope-that-jerks-taut")
+    assert "v_Bx,3 = v_Ax,3 - v_B/A,3 sin β = 1.4313 - 2.1651 sin 34.341° = 0.2099 m/s" in page
+    assert "loss = 1/2 m_B (v_Bx,2² + v_By,2²) - 1/2 m_A (v_Ax,3² + v_Ay,3²) - 1/2 m_B (v_Bx,3² + v_By,3²) =" in page
+    assert "v_B = [v_Bx,3, v_By,3] = [0.2099, 2.766] m/s" in page

@@ -76,5 +76,5 @@ def test_one_heading_of_a_state() -> None:
 
 def test_bodies_without_forces_have_no_diagram() -> None:
     page = page_of_file("rope-that-jerks-taut")
-    assert "STEP 1 Kinetic analysis From 1 to 2 no force acts on A and B: A stays at rest and B keeps" in page
+    assert "STEP 1 Motion without forces From 1 to 2 no force acts on A and B: A stays at rest and B keeps" in page
     assert "so that a_" not in page

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from planar_cli.report.across_speeds import with_across_speeds
 from planar_cli.report.alike_put_in import with_alike_put_in
+from planar_cli.report.asked_velocities import with_asked_velocities
 from planar_cli.report.flight_axes import with_flight_axes
 from planar_cli.report.free_pair import with_free_pair
 from planar_cli.report.known_put_in import with_known_put_in
@@ -31,6 +32,6 @@ def equations_as_told(part: PartSolution) -> PartSolution:
         with_one_velocity(with_flight_axes(with_constants_for_speeds(with_polar_parts(with_offset_normals(part)))))
     )
     shared = with_ellipse_coordinates(
-        with_parts_before(with_own_accelerations(with_free_pair(with_line_of_blow(shared))))
+        with_parts_before(with_own_accelerations(with_free_pair(with_asked_velocities(with_line_of_blow(shared)))))
     )
     return with_single_forces(with_tangent_letters(with_across_speeds(with_known_put_in(with_alike_put_in(shared)))))

@@ -19,7 +19,7 @@ from planar_cli.report.steps import KINETICS, is_ritual
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
-FREE = "Free flight"
+FREE, ALONE = "Free flight", "Motion without forces"
 SO_THAT = ", so that "
 NOTHING = Text("0")
 """Stands in a diagram for no forces."""
@@ -40,7 +40,7 @@ def in_free_flight(blocks: Sequence[Block], motion: MotionTrace, instant: Instan
     if drawn and all(b.left == (NOTHING,) and b.right != (NOTHING,) for b in drawn):
         at_once = all(_is_of_form(b) for b in step) and all(_acceleration(b) for b in step if isinstance(b, Equation))
         said = without_forces([b.body for b in drawn], motion, instant)
-        return [*blocks[:start], replace(heading, aside=""), said] if at_once else list(blocks)
+        return [*blocks[:start], replace(heading, text=ALONE, aside=""), said] if at_once else list(blocks)
     open_masses = {b.name for b in problem.bodies if b.any_mass}
     if problem.plane != "vertical" or len(drawn) != 1 or drawn[0].body not in open_masses:
         return list(blocks)
