@@ -44,3 +44,9 @@ def test_what_is_given_at_a_state_keeps_its_name() -> None:
     """The wind goes as fast as the cyclist, whose speed is given, for a reason."""
     page = page_of_file("wind-felt-by-a-cyclist")
     assert "At slow: w_x = v_cyclist,x,slow = 3.333 m/s" in page
+
+
+def test_a_speed_that_a_balance_has_told_is_not_worked_out_anew() -> None:
+    page = page_of_file("slider-crank-with-a-spring")
+    assert "v_B,2 = r_c ω_crank,2 (tan θ_AB,2 cos θ_crank,2 - sin θ_crank,2) = -0.09696 ω_crank,2 in m/s" in page
+    assert "At 2: v_B = v_B,2 = -0.09696 (-12.51) = 1.213 m/s" in page

@@ -215,8 +215,11 @@ class EnergyTelling(WeightTelling):
     def _speeds(self, made: Moving) -> Iterator[tuple[str, sp.Symbol, sp.Expr]]:
         """The speed of the mass centre and that of turning, those that are not zero."""
         stop = self.balance.stop
-        square = self._put(made.vx) ** 2 + self._put(made.vy) ** 2
+        vx, vy = self._put(made.vx), self._put(made.vy)
+        square = vx**2 + vy**2
         v = sp.sqrt(square if longer(square, SHORT * 4) else simplified(square))
+        # A sum along an axis has the sign that it has in the kinematics; what is a product at sight is a speed.
+        v = along if 0 in (vx, vy) and _is_times_a_sum(along := vx + vy) else v
         for kind, mass, name, expr in (
             ("v", made.mass, f"v_{self.centre(made)}", v),
             ("omega", made.inertia, f"omega_{made.body}", _collected(self._put(made.omega))),
@@ -364,6 +367,11 @@ def _collected(omega: sp.Expr) -> sp.Expr:
     if not omega.is_Add or not sp.fraction(together(omega))[1].free_symbols:
         return omega
     return factored(omega)
+
+
+def _is_times_a_sum(speed: sp.Expr) -> bool:
+    """Is it r ω (tan β cos θ - sin θ)?"""
+    return bool(speed.is_Mul) and speed.has(sp.Add) and all(p.exp.is_Integer for p in speed.atoms(sp.Pow))
 
 
 def _chained(sides: Sequence[Any]) -> list[Any]:

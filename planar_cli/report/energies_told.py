@@ -1,4 +1,6 @@
-"""A kinetic energy that a balance has told is the same formula where a share of it is asked: T_2 = 1/2 I_C ω_2²."""
+"""A kinetic energy that a balance has told is the same formula where a share of it is asked, T_2 = 1/2 I_C ω_2²; and a
+speed that it has told by the one that was sought is not worked out anew, v_B = v_B,2 = -0.09696 (-12.51) = 1.213 m/s.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +11,12 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Value
+from planar_cli.report.energy_pieces import STATE
+from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
 
-ENERGY = "T__"
-"""So begins the letter of the kinetic energy at a state."""
+ENERGY, SPEED = "T__", "v_"
+"""So begins the letter of the kinetic energy at a state, and of a speed."""
 ROUNDED = Decimal("1e-3")
 """A formula with a rounded number gives a value that is off by less, in parts of it."""
 
@@ -23,7 +27,11 @@ def as_told(asked: Iterable[Block], way: Sequence[Block], phrases: Phrases) -> I
     letter: only that of the same speeds and value is the one that is asked.
     """
     told = {_energy(b): b.sides for b in way if isinstance(b, Equation) and len(b.sides) > 2}
+    speeds = [b for b in way if isinstance(b, Equation) and _is_speed(b)]
     for b in asked:
+        if speeds and isinstance(b, Equation) and (shorter := _by_speed(b, speeds, phrases)):
+            yield shorter
+            continue
         sides = told.get(_energy(b)) if isinstance(b, Equation) and _energy(b) else None
         alike = sides is not None and isinstance(b, Equation) and _is_same(sides, b, phrases)
         numbers = _numbers(sides[2], phrases) if alike and sides is not None else None
@@ -31,6 +39,39 @@ def as_told(asked: Iterable[Block], way: Sequence[Block], phrases: Phrases) -> I
             yield replace(b, sides=(b.sides[0], sides[1], numbers, b.sides[-1]))
         else:
             yield b
+
+
+def _is_speed(b: Equation) -> bool:
+    """Is it `v_B,2 = formula = number times what was sought`?"""
+    match b.sides:
+        case (Math(own), Math(_, None), Math(times, texts)) if texts and times.is_Mul and own.is_Symbol and not b.lead:
+            return str(own.name).startswith(SPEED) and STATE in own.name and all(x.is_Atom for x in times.args)
+    return False
+
+
+def _by_speed(b: Equation, speeds: Sequence[Equation], phrases: Phrases) -> Equation | None:
+    """What is asked, by a speed of the same formula or the opposite one; None: there is none."""
+    match b.sides:
+        case (left, Math(formula, None), *_, Value()):
+            values = tuple(s for s in b.sides[2:] if isinstance(s, Value))
+        case _:
+            return None
+    for told in speeds:
+        own, whole, shown = (side for side in told.sides if isinstance(side, Math))
+        if whole.expr.free_symbols != formula.free_symbols or formula.is_Symbol:
+            continue
+        sign = next((k for k in (1, -1) if sp.expand(formula - k * whole.expr) == 0), 0)
+        numbers = _numbers(Math(sign * shown.expr, shown.values), phrases) if sign else None
+        if numbers is not None and _gives(numbers, values[0], phrases):
+            return replace(b, sides=(left, phrases.math(sign * own.expr), numbers, *values))
+    return None
+
+
+def _gives(numbers: Math, value: Value, phrases: Phrases) -> bool:
+    """Do the numbers as they are printed give the value?"""
+    printed = {s: Decimal(text) for s, text in (numbers.values or {}).items() if s in numbers.expr.free_symbols}
+    found = phrases.value.extended(printed).known(numbers.expr)
+    return found is not None and significant(found, value.figures) == significant(value.number, value.figures)
 
 
 def _energy(b: Equation) -> str:
