@@ -30,6 +30,7 @@ from planar_cli.report.data import GIVEN
 from planar_cli.report.drives import with_drives_told
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.missing_couples import with_couples_among_forces
+from planar_cli.report.numbers_alone import numbers_alone
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
@@ -41,7 +42,7 @@ AT = re.compile(r"At ([\w, ]+):")
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     own = with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks)))
-    return with_vectors(with_places_carried_on(list(under_one_heading(own))))
+    return with_vectors(with_places_carried_on(numbers_alone(list(under_one_heading(own)))))
 
 
 def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
