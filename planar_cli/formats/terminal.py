@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Sequence
+from dataclasses import replace
 from io import StringIO
 from typing import ClassVar, TextIO, final
 
@@ -117,11 +118,14 @@ class Terminal(Format[Row]):
         return found
 
     def _aligned(self, part: Sequence[Equation]) -> list[Row]:
-        """Equations under each other; those before the first with a number or a lead stand apart from it where its
-        lead is a formula, or where the room for that would make them longer.
+        """Equations under each other, their signs too unless that makes them longer; those before the first with a
+        number or a lead stand apart from it where its lead is a formula, or where the room for that would do so.
         """
         columns = _Columns.of(part, self.width)
         rows = [row for equation in part for row in self._equation(equation, columns)]
+        if columns.left and len(rows) > len(part):
+            loose = [row for equation in part for row in self._equation(equation, replace(columns, left=0))]
+            rows = loose if len(loose) < len(rows) else rows
         led = next((i for i, e in enumerate(part) if e.lead or e.number is not None), 0)
         wide = part[led].number is not None and row_cells(spans(part[led].lead)) >= _WIDE_LEAD
         if not led or (len(rows) == len(part) and not wide):
