@@ -45,7 +45,9 @@ find: {v: v(block).mag @ 2, d: -x(block) @ 2}
         "P: m g ↓, k s_P ↑ = m a_P ↓",
         "v_P,meets = √(2 g h)",
         "U of the weight of P = m g (h + s_P,lowest)",
-        "c = s_P,lowest = (m g + √(m g (m g + 2 k h)))/k",
+        "v_max = v_P,fastest = √(m g²/k + 2 g h)",
+        "c = s_P,lowest = m g (1 + √(1 + 2 k h/(m g))) / k",
+        "With h → 0: v_max = g √(m/k); c = 2 m g/k.",
     ]),
     ("pile-driven-into-soil-of-constant-resistance", [
         "v_Q,2 = √(2 g h) = √(2 · 9.81 · 2) = 6.264 m/s",

@@ -105,7 +105,7 @@ def _in_data(blocks: list[Block], part: PartSolution, phrases: Phrases) -> list[
             continue
         if _by_definitions(own_sides, closed, phrases) or hides_data(_problem(part), answer, closed):
             continue
-        if answer.energy and _is_difference(own_sides, closed):
+        if (answer.energy and _is_difference(own_sides, closed)) or _is_told(blocks, own_sides, phrases):
             continue
         if isinstance(block, Equation) and not block.note and (share or _rests_on_results(block, closed)):
             above = [ratio for i, ratio in ratios.items() if i < lines[-1]]
@@ -181,6 +181,19 @@ def _rests_on_results(block: Block, closed: sp.Expr) -> bool:
         # Made of few results, it says more by these.
         return False
     return bool(more) and len(closed.free_symbols) <= len(formula.free_symbols) + 1
+
+
+def _is_told(blocks: Sequence[Block], sides: Sequence[Inline | Line], phrases: Phrases) -> bool:
+    """Is it one other letter, S_1 = S_2, whose own line has its formula by letters of data and of what only
+    names something?
+    """
+    letter = sides[1].expr if len(sides) > 1 and isinstance(sides[1], Math) else None
+    if letter is None or not letter.is_Symbol:
+        return False
+    given = {_left(block) for block in blocks} - {plain_name(s.name) for s in phrases.ledger.definitions}
+    own = (b for b in blocks if isinstance(b, Equation) and _left(b) == plain_name(letter.name) and len(b.sides) > 3)
+    formulas = (b.sides[1].expr for b in own if isinstance(b.sides[1], Math))
+    return any(not {plain_name(s.name) for s in e.free_symbols} & given for e in formulas)
 
 
 def _is_difference(sides: Sequence[Inline | Line], closed: sp.Expr) -> bool:

@@ -27,6 +27,7 @@ from planar_cli.report.notation import plain
 from planar_cli.report.pythagoras import of_one
 from planar_cli.report.relative_speeds import with_differences
 from planar_cli.report.spread import spread
+from planar_cli.report.static_roots import with_static_roots
 from planar_cli.report.total_masses import with_totals
 
 LONGEST = 90
@@ -45,7 +46,7 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
-        return with_differences(spread(self._neat(expr)), self.ledger, self.sign)
+        return with_static_roots(with_differences(spread(self._neat(expr)), self.ledger, self.sign))
 
     def _neat(self, expr: sp.Expr) -> sp.Expr:
         expr = with_totals(with_positive_divisors(expr), self.ledger)

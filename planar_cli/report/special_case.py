@@ -3,6 +3,7 @@
     With m_A = m_B:  a = 0, T = m_A g            equal weights balance each other
     Without friction, μ = 0:  a = g sin β
     With m_B → 0:  a = -g                        a free fall
+    With h → 0:  c = 2 m g/k                     a load put on suddenly: twice the compression at rest
 
 It is no check: nothing else is worked out for it. Only formulas with sums get there something that they do not show at
 sight; where the special case would say that a force of nothing is nothing it is none. Nor is one that the file rules
@@ -23,10 +24,12 @@ from planar_cli.report.presumed import assumed_in_file
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.units import MASS, PURE, TIME
+from planar_cli.units import LENGTH, MASS, PURE, TIME
 
-LONGEST, SHORT, MOST = 40, 3, 2
-"""Operations of an answer; factors of what it comes to; answers told of one case."""
+LONGEST, SHORT, MOST, MANY = 40, 3, 2, 3
+"""Operations of an answer; factors of what it comes to; answers told of one case; so many a length must tell: without
+a height all of a fall is known, while a body without a length is none.
+"""
 SIMPLE = (1, -1, 2, -2, sp.Rational(1, 2), sp.Rational(-1, 2))
 """Numbers that stand before what is known."""
 ROOTED = (2, sp.Rational(1, 2))
@@ -35,11 +38,14 @@ ROOTED = (2, sp.Rational(1, 2))
 
 @record
 class _Case:
-    """A special case: its words, what it puts in, and whether a zero says something there."""
+    """A special case: its words, what it puts in, whether a zero says something there, and of how many answers at least
+    it must tell.
+    """
 
     words: Line
     values: Mapping[sp.Symbol, sp.Expr]
     zero: bool
+    least: int = 1
 
 
 def special_case(part: PartSolution, phrases: Phrases) -> Line:
@@ -56,7 +62,7 @@ def special_case(part: PartSolution, phrases: Phrases) -> Line:
         # That nothing comes of an angle of zero is no news; that equal weights stay at rest is.
         if all(value == 0 for _, value in told) and not all(v.is_Symbol for v in case.values.values()):
             continue
-        if _weight(told) > _weight(best):
+        if len(told) >= case.least and _weight(told) > _weight(best):
             best, words = told, case.words
     # What something comes to tells more than that another is nothing.
     chosen = sorted(sorted(range(len(best)), key=lambda i: best[i][1] == 0)[:MOST])
@@ -104,6 +110,9 @@ def _cases(letters: set[sp.Symbol], phrases: Phrases) -> Iterator[_Case]:
             yield _Case(line("With ", Math(s), " = 90°"), {s: sp.pi / 2}, True)
     for s in masses:
         yield _Case(line("With ", Math(s), " → 0"), {s: sp.S.Zero}, False)
+    for s in own:
+        if ledger.units[s].dimension == LENGTH:
+            yield _Case(line("With ", Math(s), " → 0"), {s: sp.S.Zero}, False, MANY)
 
 
 def _rules_out(relation: sp.Expr, case: _Case) -> bool:
