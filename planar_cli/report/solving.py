@@ -15,11 +15,11 @@ from planar_cli.report.by_its_letter import makes_storeys
 from planar_cli.report.by_sine import by_sine
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
-from planar_cli.report.linear_system import system
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.put_at_once import put_at_once
 from planar_cli.report.results import numbered, other_roots
+from planar_cli.report.small_system import named_in, small_system
 from planar_cli.report.solved_already import is_given, is_told, is_written
 from planar_cli.report.steps import SINGLE
 from planar_cli.report.words import Phrases
@@ -128,7 +128,7 @@ class SolvingTelling:
         last one that has a number.
         """
         blocks = self._left(stage)
-        named = self._named(stage, [w for b in blocks for w in b.equations])
+        named = named_in(stage, [w for b in blocks for w in b.equations])
         many = sorted(self.number(stage, n) for n in named.values()) if len(named) > MANY else []
         named = {} if many else named
         equations = sum(len(b.equations) for b in blocks) + len(named)
@@ -173,12 +173,6 @@ class SolvingTelling:
         left = held - set(unknowns) - stage.algebra.unknowns
         return sorted((s for s in left if s.name in open_), key=lambda s: s.name)
 
-    @staticmethod
-    def _named(stage: Stage, written: Sequence[Written]) -> dict[sp.Symbol, int]:
-        """The accelerations that stand for others in these equations, with the numbers of the lines that say so."""
-        held = {s for w in written for s in w.residual.free_symbols}
-        return {x.symbol: x.number for x in stage.lines if x.symbol in held}
-
     def is_needed(self, stage: Stage) -> bool:
         """Is there more to solve than what the file gives, and what is zero at sight?"""
         return bool(self._left(stage))
@@ -189,7 +183,7 @@ class SolvingTelling:
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []
-        if len(block.letters) > 1 and (small := self._small_system(block, stage)):
+        if len(block.letters) > 1 and (small := small_system(block, stage, self.instant, self.numeric, self.number)):
             return small
         block = replace(block, lines=tuple(at_sight(x, block.equations, self.numeric.readable) for x in block.lines))
         lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
@@ -230,26 +224,6 @@ class SolvingTelling:
         for i, s in enumerate(block.letters):
             parts += [", " if i else "", Math(s)]
         return [Paragraph(line(*parts, ":"))]
-
-    def _small_system(self, block: SolvedBlock, stage: Stage) -> list[Block]:
-        """Numeric equations of which several unknowns would have to be carried: each as a row, numbers on the right,
-        and what all of them give. Empty: a row can not be told.
-        """
-        if self.phrases.symbolic:
-            return []
-        order = [s for s in self.instant.trial.system.tree.acceleration_unknowns() if s in block.unknowns]
-        order += [s for s in block.unknowns if s not in order]
-        values = {x.symbol: x.value for x in block.lines if not x.letters}
-        found = {self.number(stage, w.number): self.numeric.row(w, stage, order) for w in block.equations}
-        rows = [(number, *own) for number, own in sorted(found.items()) if own is not None]
-        if len(rows) < len(found) or any(values.get(s) is None for s in order):
-            return []
-        roots = {s: value for s, value in values.items() if value is not None}
-        told = system(rows, order, roots, self.phrases.figures)
-        for i, symbol in enumerate(order):
-            lead = () if i else line("together:")
-            told.append(Equation((self.phrases.math(symbol), self.phrases.shown(symbol, values[symbol])), None, lead))
-        return told
 
     def _each_once(self, lines: Sequence[SolvedLine]) -> list[SolvedLine]:
         """Without the formulas of what was solved in letters before: of that its numbers alone are new, or its closed
@@ -323,7 +297,7 @@ class SolvingTelling:
         for w in block.equations:
             bare = w.residual.free_symbols <= stage.algebra.unknowns
             # The accelerations in it have their values first.
-            bare |= len(block.unknowns) == 1 and bool(self._named(stage, [w])) and not self.numeric.put_whole(w, stage)
+            bare |= len(block.unknowns) == 1 and bool(named_in(stage, [w])) and not self.numeric.put_whole(w, stage)
             # Of one unknown the result has all these numbers.
             bare |= len(block.lines) == len(block.unknowns) == 1 and bool(self.numeric.solution(block.lines[0], stage))
             equation = None if bare else self.numeric.put_in(w, stage, block.unknowns)
@@ -373,7 +347,7 @@ class SolvingTelling:
     def _put_for(self, x: SolvedLine, stage: Stage) -> list[int]:
         """The lines of accelerations that stand in the equation of a result, but no longer in the result."""
         own = [w for b in stage.blocks for w in b.equations if w.number in x.equations]
-        gone = self._named(stage, own).items()
+        gone = named_in(stage, own).items()
         return [self.number(stage, n) for s, n in gone if s not in x.formula.free_symbols | self._valued]
 
     def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
