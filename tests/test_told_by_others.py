@@ -7,10 +7,13 @@ from decimal import Decimal
 
 import pytest
 import sympy as sp
-from worked import page_of_file
+from conftest import PROBLEMS
+from worked import page_of_file, worked
 
+from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Equation, Heading, Math, Name, Paragraph, Value, line
 from planar_cli.report.components_listed import with_components_listed
+from planar_cli.report.narrate import Voice, narrate
 from planar_cli.report.results import told_by_others
 from planar_cli.report.sizes_listed import with_sizes_listed
 
@@ -115,3 +118,14 @@ def test_sizes_of_vectors_in_a_row() -> None:
 def test_accelerations_alone_have_no_heading() -> None:
     assert "Accelerations:" not in page_of_file("chain-5")
     assert "Accelerations:" in page_of_file("four-bar-driven")
+
+
+@pytest.mark.parametrize("stem", ["chain-5", "chain-5-symbols"])
+def test_the_key_has_all_rows(stem: str) -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == stem)
+    page = " ".join(Terminal(300).render(narrate(worked(path)[0], Voice(audience="exam"))).split())
+    root, _, inner = page.partition("CASE inner")
+    assert "(11) ↺ ΣM_D:" in root
+    assert "about O: (13) to (15)" in root
+    assert root.count("right side in") == 1
+    assert "right side in" not in inner

@@ -25,14 +25,18 @@ from planar_cli.report.blocks import (
     Table,
     Text,
     Value,
+    line,
 )
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.rests_on import rests_on
+from planar_cli.report.results import told_by_others
 
 KEPT = ("CASE", "STATE")
 """Headings that say of what the equations are."""
 NOTES = ("Assume", "Fails", "Instead", "Disagrees")
 GIVEN = "given:"
+ROW = line("row")
+"""Begins the table of a system of equations."""
 TESTS = ("≤", "<", ">", "≥")
 """A check with one of these tests an assumption."""
 
@@ -42,9 +46,9 @@ def key_blocks(blocks: Sequence[Block], before: Collection[Block]) -> list[Block
     kept = rests_on(blocks)
     if kept is None:
         kept = _in_place(blocks)
-    kept = _last_forms(blocks, kept)
+    kept = _last_forms(blocks, kept) | _rows_of_systems(blocks)
     told = [_bare(b) for i, b in enumerate(blocks) if (i in kept and not _is_datum(b)) or _stays(b)]
-    return list(_without_empty([b for b in told if not (isinstance(b, Equation) and b in before)]))
+    return list(_without_empty([b for b in told if not (isinstance(b, Equation | Paragraph | Table) and b in before)]))
 
 
 def _in_place(blocks: Sequence[Block]) -> frozenset[int]:
@@ -56,6 +60,12 @@ def _in_place(blocks: Sequence[Block]) -> frozenset[int]:
     return frozenset(
         numbered or lines or [i for i, b in enumerate(blocks) if isinstance(b, Paragraph | Table | Bullet)]
     )
+
+
+def _rows_of_systems(blocks: Sequence[Block]) -> frozenset[int]:
+    """The equations whose rows are solved together in a table."""
+    rows = {row[0] for b in blocks if isinstance(b, Table) and b.header[0] == ROW for row in b.rows}
+    return frozenset(i for i, b in enumerate(blocks) if rows and line(f"({_number(b)})") in rows)
 
 
 def _number(block: Block) -> int | None:
@@ -79,7 +89,9 @@ def _stays(block: Block) -> bool:
         return block.label in KEPT
     if isinstance(block, Check):
         return any(sign in p.text for p in pieces_of(block.line) if isinstance(p, Text) for sign in TESTS)
-    return isinstance(block, Answer) or (isinstance(block, Note) and block.kind in NOTES)
+    if isinstance(block, Table):
+        return block.header[0] == ROW
+    return bool(told_by_others(block)) or isinstance(block, Answer) or (isinstance(block, Note) and block.kind in NOTES)
 
 
 def _without_empty(blocks: Sequence[Block]) -> Iterator[Block]:
