@@ -20,6 +20,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.enough_figures import figures_each
+from planar_cli.report.given_distances import with_given_distances
 from planar_cli.report.in_decimals import in_decimals
 from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import quantity, significant, vector_words
@@ -66,7 +67,8 @@ class Phrases:
 
     def neat(self, expr: sp.Expr) -> sp.Expr:
         """An expression as a person would write it."""
-        return self.writer(expr)
+        whole = self.writer(expr)
+        return whole if self.symbolic else with_given_distances(whole, self.ledger, self.value)
 
     @property
     def writer(self) -> Neat:
