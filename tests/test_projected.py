@@ -97,7 +97,7 @@ def test_a_point_at_rest_gives_the_turning_by_the_coriolis_acceleration_alone() 
         ("kinematics/four-bar", "(k × r_C/B) · e_DC = -0.1316 (-0.2233) + 0.9913 · 0.4474 = 0.4729 m"),
         ("kinematics/four-bar", "ω_AB (k × r_B/A) · e_DC + ω_BC (k × r_C/B) · e_DC = 0 (1) 0.4729 ω_BC"),
         ("kinematics/four-bar", "- ω_BC² r_C/B · e_DC = -ω_DC² r_C/D · e_DC (3) 0.4729 α_BC"),
-        ("kinematics/four-bar", "r_B/A · e_DC = 0.1585 m likewise r_C/B · e_DC = 0.1625 m"),
+        ("kinematics/four-bar", "r_C/D · e_DC = 0.4 m likewise r_B/A · e_DC = 0.1585 m, r_C/B · e_DC = 0.1625 m"),
         (
             "kinematics/watts-sun-and-planet-gear",
             "the same velocity; along the contact (unit vector [0.8660, -0.5]): (3)",

@@ -18,7 +18,7 @@ from planar_cli.report.given_components import against
 from planar_cli.report.group_by_group import grown
 from planar_cli.report.in_numbers import Collected, in_numbers, solved_for, unit_note
 from planar_cli.report.linear_system import Row
-from planar_cli.report.opened_sums import opened_number, opened_sides
+from planar_cli.report.opened_sums import opened_number, opened_sides, opened_solution
 from planar_cli.report.order_of_unknowns import places_of
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.projected import difference_of
@@ -69,6 +69,8 @@ class NumericTelling:
         """`general`: writes letters of a motion in which nothing varies, with the units of the numbers among them."""
         self.phrases, self.general = phrases, general
         self._put: set[tuple[int, int]] = set()
+        self._told_by_terms: set[tuple[int, int]] = set()
+        """Equations that are not collected, as what they give has their very terms."""
         self.components: dict[tuple[int, int], Across | None] = {}
         """The components of known vectors that were told before a relation, by its algebra and number."""
         self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
@@ -228,6 +230,8 @@ class NumericTelling:
         if len(written) != 1:
             return []
         (w,) = written
+        if (id(stage.algebra), w.number) in self._told_by_terms and (found := self._by_terms(w, stage)) is not None:
+            return [found]
         if explicit.keys() & w.residual.free_symbols & x.formula.free_symbols and not self.put_whole(w, stage):
             explicit = {}
         left, right = (s.xreplace(explicit) / self._length(w) for s in (w.left, w.right))
@@ -326,8 +330,27 @@ class NumericTelling:
         return opened_sides(sides, unknowns - self._data(stage), self.phrases, row, self._places(stage))
 
     def collected(self, w: Written, stage: Stage, sides: tuple[Any, ...], note: Line) -> tuple[Equation, ...]:
-        """The line below such an equation, unless it stands collected where it is solved."""
-        return () if self.is_row(w, stage) else (Equation(sides, None, line("collected:"), note),)
+        """The line below such an equation, unless it stands collected where it is solved, or gives its one unknown
+        by these very terms.
+        """
+        if self.is_row(w, stage):
+            return ()
+        if self._by_terms(w, stage) is not None:
+            self._told_by_terms.add((id(stage.algebra), w.number))
+            return ()
+        return (Equation(sides, None, line("collected:"), note),)
+
+    def _by_terms(self, w: Written, stage: Stage) -> Math | None:
+        """The numbers that give the only unknown of an equation of forces, as its terms have them."""
+        block = next((b for b in stage.blocks if any(x.number == w.number for x in b.equations)), None)
+        if block is None or len(block.equations) != 1 or len(block.lines) != 1 or block.letters:
+            return None
+        (own,), (x,) = block.equations, block.lines
+        inside = own.residual.free_symbols
+        if stage.algebra.explicit.keys() & inside or own.law not in UNITS:
+            return None
+        unknowns = (inside & stage.algebra.unknowns) - self._data(stage)
+        return opened_solution(x.symbol, (own.left, own.right), unknowns, self.phrases)
 
     def title(self, x: Explicit, stage: Stage) -> Line:
         """What stands before a line that names an acceleration; where some are in numbers, its reason alone."""

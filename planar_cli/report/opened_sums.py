@@ -17,6 +17,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Math
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.in_numbers import SMALL, Collected
+from planar_cli.report.notation import plain
 from planar_cli.report.numbers import significant
 from planar_cli.report.order_of_unknowns import in_order
 from planar_cli.report.ordering import NUMBER, factor_key
@@ -29,6 +30,9 @@ FEW_TERMS = 6
 """In a longer sum products of the same numbers are gathered."""
 ROW_TERMS, ROW_FACTORS = 24, 48
 """The same of equations that stand collected further down, where they are solved together."""
+
+WIDEST = 100
+"""Numbers of so many characters fill a row and its beginning behind an unknown."""
 
 
 @record
@@ -78,6 +82,37 @@ def opened_number(residual: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
         return None
     turned = (_worked(terms, [n for t in terms for n, _ in t.numbers]) < 0) != negative
     return _written([replace(t, sign=-t.sign if turned else t.sign, numbers=t.turned()) for t in terms], phrases)
+
+
+def opened_solution(
+    symbol: sp.Symbol, sides: tuple[sp.Expr, sp.Expr], unknowns: Collection[sp.Symbol], phrases: Phrases
+) -> Math | None:
+    """What gives the one unknown that is left of an equation by its terms as they stand in it:
+    (0.125 · 41.82 - 1.5 · 9.81 · 0.15)/0.5. None: it is in several of them, or they are too long.
+    """
+    terms = _terms(sides[0] - sides[1], frozenset(unknowns), phrases) or []
+    held = [t for t in terms if symbol in t.rest.free_symbols]
+    if len(held) != 1 or held[0].rest != symbol or len(terms) < 2 or phrases.value.is_zero(symbol):
+        return None
+    (own,) = held
+    sizes: dict[sp.Symbol, Decimal] = {}
+
+    def product(t: Term, sign: int) -> sp.Expr:
+        start = len(sizes)
+        for i, (number, power) in enumerate(t.numbers, start):
+            sizes[sp.Symbol(f"{NUMBER}{i}", positive=True)] = abs(number) if power % 2 == 0 else number
+        powers = (s**power for s, (_, power) in zip(list(sizes)[start:], t.numbers, strict=True))
+        factors = [*([sp.Integer(-1)] if sign < 0 else []), *powers, *([] if t.rest in (1, symbol) else [t.rest])]
+        return sp.Mul(*factors, evaluate=False) if len(factors) != 1 else factors[0]
+
+    others = [(t, -t.sign * own.sign) for t in terms if t is not own]
+    # What is positive opens the sum.
+    opens = next((i for i, (_, sign) in enumerate(others) if sign > 0), 0)
+    parts = [product(*other) for other in (others[opens], *others[:opens], *others[opens + 1 :])]
+    whole = sp.Add(*parts, evaluate=False) if len(parts) > 1 else parts[0]
+    divided = any(significant(number, phrases.figures) != "1" for number, _ in own.numbers)
+    told = phrases.numbers(whole / product(own, 1) if divided else whole, sizes, turns=False)
+    return told if told is not None and len(plain(told.expr, told.values)) <= WIDEST else None
 
 
 def _tells(terms: Sequence[Term], row: bool = False) -> bool:

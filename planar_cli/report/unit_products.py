@@ -6,7 +6,7 @@ along DC, where ω_DC does not enter:
     r_B/A · e_DC = -0.1316 · 0.1 + 0.9913 · 0.1732 = 0.1585 m                                     of ω_AB²
     ω_AB (k × r_B/A) · e_DC + ω_BC (k × r_C/B) · e_DC = 0                  before it is told in numbers
 
-The first product of a kind has its numbers; of several more like it the values stand in one row.
+The first product with a unit vector has its numbers; of several more the values stand in one row.
 """
 
 from __future__ import annotations
@@ -72,14 +72,18 @@ def with_products(told: Told, words: list[Block], j: Joining | None, w: Written,
 
 
 def _in_rows(told: Sequence[Equation]) -> Iterator[Equation]:
-    """The first product beside its unit vector, if that is new; of several more the values in one row."""
+    """The first product beside its unit vector; of several more, and of those with a vector that is known, the values
+    in one row.
+    """
     vectors = [b for b in told if len(b.sides) < LEAST]
     products = [b for b in told if b not in vectors]
     if not products:
         yield from vectors
         return
-    first, *others = products
-    yield replace(vectors[0], note=_written(first)) if vectors else first
+    others = products
+    if vectors or len(products) < LEAST - 1:
+        first, *others = products
+        yield replace(vectors[0], note=_written(first)) if vectors else first
     if len(others) < LEAST - 1:
         yield from others
         return
