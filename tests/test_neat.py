@@ -58,6 +58,7 @@ DRAWS, CERTAIN = 4, 1e-9
         (m * k * (r - (r - R) * sp.cos(phi)), "m k (r + (R - r) cos φ)"),
         (sp.sqrt((2 * g - 2 * g * sp.cos(phi)) / L), "√(2 g (1 - cos φ) / L)"),
         (g * L * ((m * r + L) / L - 1) / r, "m g"),
+        (g / (L + R * (m * R + k / R)), "g/(m R² + k + L)"),
         ((sp.sqrt(k**2 * g + m) - k * sp.sqrt(g)) / (L * sp.sqrt(g)), "(√((m + k² g)/g) - k)/L"),
     ],
 )

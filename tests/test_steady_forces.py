@@ -57,3 +57,9 @@ def test_a_key_has_its_equations() -> None:
     (path,) = (p for p in PROBLEMS if p.stem == "bicycle-driven-and-braked")
     key = Terminal().render(narrate(worked(path)[0], Voice(audience="exam")))
     assert [n for n in range(10, 19) if f"({n})  " not in key] == []
+
+
+def test_an_equation_in_numbers_stands_once() -> None:
+    page = page_of_file("rear-wheel-drive")
+    assert "(4) in numbers: F_C = -416 α_rear" not in page
+    assert "(2) in (4): F_C = -416 α_rear in N" in page

@@ -12,7 +12,17 @@ def is_nested(term: sp.Expr, sums: set[sp.Expr]) -> bool:
     `sums`: those in it.
     """
     found = any(_is_nested(s) or holds_quotient(s) for s in sums) or any(map(holds_fraction, below(term)))
-    return found or _shares_root(term)
+    return found or _shares_root(term) or _multiplies_back(term)
+
+
+def _multiplies_back(term: sp.Expr) -> bool:
+    """Does a letter multiply a sum of which it divides a term: R (m R + I/R)?"""
+    for product in (p for p in sp.preorder_traversal(term) if p.is_Mul):
+        letters = {1 / f for f in product.args if f.is_Symbol}
+        inside = {g for f in product.args if f.is_Add for t in f.args for g in sp.Mul.make_args(t)}
+        if not letters.isdisjoint(inside):
+            return True
+    return False
 
 
 def _shares_root(term: sp.Expr) -> bool:

@@ -1,4 +1,6 @@
-"""Equations that are put into another at once, (1) to (3) in (4): no line tells before what each of them carries."""
+"""Equations that are put into another at once, (1) to (3) in (4): no line tells before what each of them carries; and
+one whose numbers a later line tells has no line of its own.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,8 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Block, Equation, Math
+from planar_cli.report.notation import plain
 from planar_cli.report.solved_already import is_written
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line, SolvedBlock
@@ -60,3 +64,14 @@ def _told_again(
         return ()
     numbers = tuple(dict.fromkeys(n for x in put for n in x.equations))
     return () if {*numbers} & {*result.equations} else numbers
+
+
+def without_repeated(blocks: Sequence[Block], later: Sequence[Block]) -> list[Block]:
+    """Equations in numbers without those of which a later line tells the same: F_C = -416 α."""
+    said = {_spelled(b) for b in later if isinstance(b, Equation)}
+    return [b for b in blocks if not isinstance(b, Equation) or _spelled(b) not in said]
+
+
+def _spelled(equation: Equation) -> str:
+    sides = (plain(x.expr, x.values) if isinstance(x, Math) else repr(x) for x in equation.sides)
+    return f"{' = '.join(sides)} {equation.note!r}"

@@ -17,7 +17,7 @@ from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
 from planar_cli.report.notation import plain
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
-from planar_cli.report.put_at_once import put_at_once
+from planar_cli.report.put_at_once import put_at_once, without_repeated
 from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.small_system import named_in, small_system
 from planar_cli.report.solved_already import is_given, is_told, is_written
@@ -197,7 +197,7 @@ class SolvingTelling:
             if len(block.unknowns) > 1:
                 self._name_together(block, lines, stage)
                 if inserted := self._last_in_numbers(block, stage):
-                    blocks += inserted
+                    blocks = [*without_repeated(blocks, inserted), *inserted]
                     lines = [x for x in lines if x.symbol not in block.letters]
         elif put := put_at_once(block, lines, self.phrases, stands, self._is_constant):
             self._inserted |= put
