@@ -21,7 +21,7 @@ def _page(name: str) -> str:
     ("name", "row"),
     [
         ("friction/heaviest-weight-before-a-box-slips", "load:  W ↓,  T ↑   =   m_load a_Hy ↑\n"),
-        ("particles/unknown-counterweight", "weight:  m_B g ↓,  T ↑   =   m_B a_By ↑\n"),
+        ("particles/unknown-counterweight", "weight:  m_B g ↓,  T ↑   =   m_B a_B ↓\n"),
     ],
 )
 def test_an_acceleration_that_is_zero_is_not_drawn(name: str, row: str) -> None:

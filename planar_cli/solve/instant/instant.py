@@ -28,6 +28,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
+from planar_cli.problem.stated_downward import stated_downward
 from planar_cli.records import record
 from planar_cli.solve.instant.asked import (
     alias_of,
@@ -126,7 +127,7 @@ class Instant:
         builder = TreeBuilder(scene.ledger, scene.rigid, scene.own_name, bodies, components_of(scene), heading)
         # Over time the places of a chain are told by the angles of its bodies, from its beginning to its end.
         builder.pivots_first = scene.displacement is None and not scene.problem.states
-        builder.going = dict(scene.problem.going)
+        builder.going = dict(scene.problem.going) or stated_downward(scene.problem)
         return builder if own.general else with_known_turns(builder, scene, self.statements, self.modes)
 
     def name_of(self, push: Push) -> tuple[str, str]:

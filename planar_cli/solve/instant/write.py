@@ -22,7 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
-from planar_cli.solve.instant.evident_sense import apart, as_told, counts_clockwise, in_its_sense, with_the_motion
+from planar_cli.solve.instant.evident_sense import apart, as_counted, as_told, in_its_sense, with_the_motion
 from planar_cli.solve.instant.led import led_by_ground, of_length
 from planar_cli.solve.instant.named_parts import by_named
 from planar_cli.solve.instant.numbers import Numbers, exact_number
@@ -391,9 +391,9 @@ class Writer:
         if len(left) == 2 and right == 0:
             left, right = as_told(*left)
         left, right = (left, right) if left else apart(self.shortened(residual), set(self.numbers.unknowns))
-        if len(left) == 1 and counts_clockwise(left[0], self.system):
-            left, right = [-left[0]], -right
-        datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
+        given = condition.kind == "given" and len(form.terms) == 1
+        left, right = as_counted(left, right, given, self.system)
+        datum = given and sp.Add(*left).is_Symbol
         written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
