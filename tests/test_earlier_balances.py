@@ -24,7 +24,7 @@ TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1
     (SLIDER_CRANK, "y_G,crank,3 = y_G,AB,3 = 0 m, s_3 = 0.05 m U"),
     (SLIDER_CRANK, "T_1 + U = T_2: 0.3232 + 0.5386 + 2.989 = 3.851 = 0.02461 ω_crank,2² in J"),
     ("crate-winched-up-a-slope", "U of the weight of crate = m g (y_1 - y_mid) = -m g s_mid sin β = "),
-    ("crate-winched-up-a-slope", "N_P does no work: T_3 = 0 U of the weight of crate = -m g s_3 sin β U"),
+    ("crate-winched-up-a-slope", "energy, T_3 = 0; N_P does no work: U of the weight of crate = -m g s_3 sin β U"),
     ("satellite-launched-at-a-slant", "(-m g R²/r²) dr = m g R² (1/r_apogee - 1/r_burnout) = "),
     ("satellite-launched-at-a-slant", "U of gravity = m g R² (1/r_perigee - 1/r_burnout) = 3.981"),
 ])  # fmt: skip

@@ -100,11 +100,10 @@ class BetweenTelling:
         """One equation with its heading; `source`: what it was planned from."""
         self.named = None
         if isinstance(source, BalanceTrace):
-            yield Paragraph(self._heading(source))
             if source.law.letter and self._has_numbers(source):
-                yield from self._energies(source, number)
+                yield from self.earlier.headed(self._heading(source), self._energies(source, number))
             else:
-                yield from self._balance(source, number)
+                yield from (Paragraph(self._heading(source)), *self._balance(source, number))
         else:
             yield from self._drawn(source.impact)
             yield from self._impact(source, number)

@@ -7,7 +7,7 @@ T_3 of crank = 0.0045 ω_crank,3²     after     T_2 of crank = 1/2 m_c v_G,cran
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from typing import Any
 
@@ -15,7 +15,7 @@ import sympy as sp
 
 from planar_cli.principles.base import Balance
 from planar_cli.records import changing
-from planar_cli.report.blocks import Block, Equation, Math, Name, Value
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.energy_lines import Told, needed_lines
 from planar_cli.report.few_lines import SPEEDS, breaks, ended, in_few_lines, written
 from planar_cli.report.idle_reactions import idle_again, idle_reactions
@@ -24,7 +24,7 @@ from planar_cli.report.ordering import NUMBER
 from planar_cli.solve.between.trace import BalanceTrace
 
 OF_STATE, PUT_IN = re.compile(r"__(\w+)"), re.compile(rf"{NUMBER}\d+")
-OF = " of the "
+OF, NOUGHT = " of the ", Math(sp.S.Zero)
 FEWEST = 3
 """A line of so many sides has one that it can do without."""
 
@@ -46,6 +46,20 @@ class EarlierBalances:
         again = own in self.idle
         self.idle.add(own)
         return idle_again(*own) if again else idle_reactions(*own)
+
+    def headed(self, heading: Line, blocks: Iterable[Block]) -> Iterator[Block]:
+        """A balance under its heading, in which a later one has that a kinetic energy is nought: `work and kinetic
+        energy, T_4 = 0; N does no work:`.
+        """
+        later = bool(self.forms)
+        first, *others = blocks
+        words, *rest = heading
+        ends = later and rest and isinstance(words, Text) and isinstance(rest[0], Text) and rest[0].text[:1] in ";:"
+        if not ends or not isinstance(first, Equation) or first.lead or first.note or first.sides[-1] != NOUGHT:
+            yield from (Paragraph(heading), first, *others)
+            return
+        told = line(words, ", ", *(p for side in first.sides[:-1] for p in line(side, " = ")), "0", *rest)
+        yield from (Paragraph(told), *others)
 
     def told_in_parts(self, equation: Equation) -> bool:
         """Is a balance left to its parts, which stand above it: the first where it takes more than two rows, a later
