@@ -1,6 +1,5 @@
 """One heading over what is told of a state: `At launch:` once over both components of a velocity, and the condition of
-a state over all that is told there, which else stood once without it and once with it. Headings that follow each
-other, each over one line, stand before their lines.
+a state over all that is told there, which else stood once without it and once with it.
 """
 
 from __future__ import annotations
@@ -12,42 +11,11 @@ from itertools import takewhile
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Text
 
 AT = "At "
-SEVERAL = 2
-"""Of fewer headings with one line each, each stays over its own."""
 
 
 def with_states_headed_once(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    return _with_leads(_with_shared_leads(_with_one_condition(blocks)))
-
-
-def _with_leads(blocks: Sequence[Block]) -> list[Block]:
-    """`At 3:` and `At 4:`, each over a single line of what is asked, before that line where they follow each other."""
-    found: list[Block] = []
-    i = 0
-    while i < len(blocks):
-        run = [i]
-        while _is_single(blocks, run[-1]):
-            run.append(run[-1] + 2)
-        if len(run) > SEVERAL:
-            for k in run[:-1]:
-                head, told = blocks[k], blocks[k + 1]
-                assert isinstance(head, Paragraph)
-                assert isinstance(told, Equation)
-                found.append(replace(told, lead=head.line))
-            i = run[-1]
-        else:
-            found.append(blocks[i])
-            i += 1
-    return found
-
-
-def _is_single(blocks: Sequence[Block], i: int) -> bool:
-    """Does the heading of a state stand there, over one line?"""
-    told = blocks[i + 1] if i + 1 < len(blocks) and _state(blocks[i]) else None
-    if not isinstance(told, Equation) or told.number is not None or told.lead:
-        return False
-    return i + 2 == len(blocks) or not isinstance(blocks[i + 2], Equation)
+    return _with_shared_leads(_with_one_condition(blocks))
 
 
 def _with_shared_leads(blocks: Sequence[Block]) -> list[Block]:
