@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from worked import page_of_file
 
 
@@ -26,3 +27,17 @@ def test_across_the_contact_the_accelerations_differ() -> None:
 
 def test_at_rest_they_do_not() -> None:
     assert "at T both have the same acceleration; along y:" in page_of_file("slab-on-rollers")
+
+
+@pytest.mark.parametrize(("stem", "told"), [
+    ("two-wheels-pressed-together", "(11), differentiated: (12) R α_large = -r α_small"),
+    ("watts-sun-and-planet-gear", "(3), differentiated: (6) 0.3 α_link - 0.15 α_rod - 0.15 α_sun = 0 in m/s²"),
+])  # fmt: skip
+def test_wheels_in_mesh(stem: str, told: str) -> None:
+    """R ω_1 = -r ω_2 holds all the time."""
+    assert told in page_of_file(stem)
+
+
+def test_a_centre_that_moves_is_told() -> None:
+    """The acceleration of the centre of a planet is needed further down."""
+    assert "a_P = α_arm × r_P/O - ω_arm² r_P/O" in page_of_file("planetary-gear")
