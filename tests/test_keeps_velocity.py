@@ -10,6 +10,8 @@ from worked import page_of_file
     ("stem", "line"),
     [
         ("three-carriages", "From 2 to 3, no resultant force acts on A along x: (3) v_A,3 = v_A,2 = 7.875 ft/s"),
+        ("three-carriages", "A, no impulse along x: (4) v_A,4 = v_A,3 = 7.875 ft/s"),
+        ("puck-hits-a-free-rod", "puck, no impulse along y: (5) v_puck,y,2 = v_puck,y,1 = 2.736 m/s"),
         ("blow-handed-on-by-a-ball", "From 3 to 4, no resultant force acts on A: (8) v_Ax,4 = v_Ax,3"),
         (
             "rope-that-jerks-taut",

@@ -42,8 +42,10 @@ def together(bodies: str, velocity: sp.Symbol, whole: bool) -> Line:
 
 
 def keeps(e: Relation, r: Result) -> bool:
-    """Does a balance of moments of a blow say that a velocity stays what it was?"""
-    if not isinstance(e.source, ImpactEquation) or e.source.law != "moment":
+    """Does a balance of moments of a blow, or one of the momentum of one body along an axis, say that a velocity stays
+    what it was?
+    """
+    if not isinstance(e.source, ImpactEquation) or not (e.source.law == "moment" or _is_of_one(e.source)):
         return False
     if r.formula is None or not r.formula.is_Symbol:
         return False
@@ -51,16 +53,25 @@ def keeps(e: Relation, r: Result) -> bool:
     return bool(since) and before == e.source.impact.since and own == r.unknown.name.partition(STATE)[0]
 
 
+def _is_of_one(e: ImpactEquation) -> bool:
+    return e.law == "force" and bool(e.lead) and len(e.bodies) == 1
+
+
 def told_alone(found: MotionTrace) -> set[str]:
     """The states before blows of which one equation is told, by which a velocity stays what it was."""
     sources = [e.source for leg in found.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation)]
     once = {since for since, n in Counter(s.impact.since for s in sources).items() if n == 1}
     legs = [leg for leg in found.route.steps if len(leg.relations) == 1]
-    return once & {leg.relations[0].since for leg in legs if keeps(leg.relations[0], leg.results[0])}
+    kept = (leg.relations[0] for leg in legs if keeps(leg.relations[0], leg.results[0]))
+    return once & {e.since for e in kept if isinstance(e.source, ImpactEquation) and e.source.law == "moment"}
 
 
 def unchanged(e: ImpactEquation, passing_by: Sequence[Any]) -> Line:
-    """Why bodies turn on together as they did; (): the equation says it. `passing_by`: `, through which J passes`."""
+    """Why bodies turn on together as they did, or a body goes on as it did; (): the equation says it. `passing_by`:
+    `, through which J passes`.
+    """
+    if _is_of_one(e):
+        return line(f"{e.bodies[0]}, no impulse along {e.lead}")
     if e.law != "moment" or e.centre is not None or len(e.bodies) < 2:
         return ()
     words = f"Just after {e.impact.since}, {', '.join(e.bodies)}: "
