@@ -11,6 +11,10 @@ from worked import page_of_file
     [
         ("ex-4-10", "θ: the angle of AB from the x axis, counterclockwise"),
         ("ex-4-08", "θ: the angle by which the spool has turned, clockwise"),
+        (
+            "reaction-wheel",
+            "θ_satellite, θ_wheel: the angles by which the satellite and the wheel have turned, counterclockwise",
+        ),
         ("car-on-a-circle", "s_A: the way of A along its path, from where it is drawn"),
         ("cylinder-that-rolls-off-a-cylinder", "φ: the angle of OG from the vertical, counterclockwise"),
         ("block-down-a-free-wedge", "s_P: the way of P along its path, from where it is drawn"),

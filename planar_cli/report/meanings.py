@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
@@ -12,7 +13,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Rod, with_article
 from planar_cli.report.across_speeds import across_meanings, without_polar_velocities
-from planar_cli.report.blocks import Block, Heading, Line, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.changes import CHANGE
 from planar_cli.report.counted import clockwise, turning
 from planar_cli.report.laws import counted
@@ -23,6 +24,7 @@ from planar_cli.report.steps import is_ritual
 from planar_cli.solve.between.trace import MotionTrace
 
 STEP, SHORT = "STEP", 2
+TURNED = re.compile(r": the angle by which (.+) has turned, (\w+)")
 TURNS, WAY, CIRCLE = "angle of ", "way of ", " on its circle"
 
 
@@ -42,10 +44,26 @@ def with_meanings(blocks: Sequence[Block], found: MotionTrace, told: set[str]) -
             turns = {s: words for s, words in _rotations(found).items() if s in seen and not told}
             new, turns = (new, turns) if new and found.problem.turning else (new or turns, {})
             told.update(map(str, (new | turns).values()))
-            if own := list(dict.fromkeys(new.values())):
+            if own := _together(list(dict.fromkeys(new.values()))):
                 yield Paragraph(line(*(p for k, words in enumerate(own) for p in (*(("; ",) if k else ()), *words))))
             # It is left out again beside an angle of which the page speaks.
             yield from map(Paragraph, turns.values())
+
+
+def _together(meanings: Sequence[Line]) -> list[Line]:
+    """Angles that count alike in one sentence: θ_A, θ_B: the angles by which A and B have turned, clockwise."""
+    found: dict[str, list[tuple[Line, str]]] = {}
+    for told in meanings:
+        last = told[-1]
+        turned = TURNED.fullmatch(last.text) if isinstance(last, Text) else None
+        found.setdefault(turned[2] if turned else str(told), []).append((told, turned[1] if turned else ""))
+    return [group[0][0] if len(group) == 1 else _of_several(group, way) for way, group in found.items()]
+
+
+def _of_several(group: Sequence[tuple[Line, str]], way: str) -> Line:
+    letters = (p for k, (told, _) in enumerate(group) for p in (*((", ",) if k else ()), told[0]))
+    *bodies, last = (body for _, body in group)
+    return line(*letters, f": the angles by which {', '.join(bodies)} and {last} have turned, {way}")
 
 
 def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:
