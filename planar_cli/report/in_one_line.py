@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.report.blocks import (
+    Answer,
     Block,
     Equation,
     Heading,
@@ -30,19 +31,25 @@ from planar_cli.report.data import GIVEN
 from planar_cli.report.drives import with_drives_told
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.missing_couples import with_couples_among_forces
+from planar_cli.report.notation import plain
+from planar_cli.report.numbers import quantity
 from planar_cli.report.numbers_alone import numbers_alone
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
 STRETCH = re.compile(r"(From|At) ")
 STEADY = re.compile(r"From .*, constant (angular )?velocity")
+CONSTANT = re.compile(r"From .*, constant (angular )?acceleration")
 AT = re.compile(r"At ([\w, ]+):")
+WIDEST = 106
+"""A longer heading would break inside its formula."""
 
 
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     own = with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks)))
-    return with_vectors(with_places_carried_on(numbers_alone(list(under_one_heading(own)))))
+    own = with_accelerations_in_heads(list(under_one_heading(own)))
+    return with_vectors(with_places_carried_on(numbers_alone(own)))
 
 
 def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
@@ -63,6 +70,50 @@ def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
     return found
 
 
+def with_accelerations_in_heads(blocks: Sequence[Block]) -> list[Block]:
+    """`From 4 to 5, constant acceleration of B along its path, s̈_B = a_B = 2.16 m/s²:` for the acceleration, that was
+    found before, under a heading of its own.
+    """
+    found: list[Block] = []
+    for block in blocks:
+        match found[-2:]:
+            case [Paragraph() as law, Equation(number=None, lead=(), note=()) as rate] if (
+                _is_steady(law, block, CONSTANT) and _is_letter(rate) and not _is_used(rate, blocks)
+            ):
+                assert isinstance(block, Paragraph)
+                head = _heading(block)
+                assert isinstance(head[-1], Text)
+                sides = [p for i, side in enumerate(rate.sides) for p in (" = " if i else ", ", side)]
+                told = line(*head[:-1], head[-1].text.removesuffix(":"), *sides, ":", *block.line[len(head) :])
+                found[-2:] = [Paragraph(told)] if _width(told) <= WIDEST else [*found[-2:], block]
+            case _:
+                found.append(block)
+    return found
+
+
+def _width(words: Line) -> int:
+    """How many characters they take, about as they are printed."""
+    return sum(len(_text(p)) for p in words)
+
+
+def _text(piece: Inline) -> str:
+    match piece:
+        case Math():
+            return plain(piece.expr, piece.values)
+        case Value():
+            return quantity(piece.number, piece.unit, piece.figures)
+        case Text():
+            return piece.text
+    return str(piece)
+
+
+def _is_letter(rate: Equation) -> bool:
+    """Is it a letter with its value?"""
+    if len(rate.sides) != 3:
+        return False
+    return isinstance(rate.sides[1], Math) and rate.sides[1].expr.is_Symbol and isinstance(rate.sides[2], Value)
+
+
 def _is_used(rate: Equation, blocks: Sequence[Block]) -> bool:
     """Does another equation hold the letter of a rate, which then has a line of its own, and none give its value; or is
     it told as a component of a velocity, v_boat,x for ẋ_boat, of which it is not the letter?
@@ -75,15 +126,16 @@ def _is_used(rate: Equation, blocks: Sequence[Block]) -> bool:
     if components & given - set(names_in(rate.sides[1])):
         return True
     again = any(not b.lead and set(names_in(b.sides[0])) == own for b in others)
+    if any(isinstance(b, Answer) and own & set(names_in(b)) for b in blocks):
+        return True
     return not again and any(own & set(names_in(side)) for b in others for side in b.sides)
 
 
-def _is_steady(law: Paragraph, block: Block) -> bool:
-    """Is a law told, and are the words of a motion at this velocity the next ones?"""
-    if not isinstance(block, Paragraph) or not _words(law).startswith("For ") or STEADY.match(_words(block)) is None:
+def _is_steady(law: Paragraph, block: Block, words: re.Pattern[str] = STEADY) -> bool:
+    """Is a law told, and are the words of a motion at this velocity the next ones, up to a colon?"""
+    if not isinstance(block, Paragraph) or not _words(law).startswith("For ") or words.match(_words(block)) is None:
         return False
-    last = block.line[-1]
-    return isinstance(last, Text) and last.text.endswith(":")
+    return bool(_heading(block)) and (words is CONSTANT or _heading(block) == block.line)
 
 
 def under_one_heading(blocks: Iterable[Block]) -> Iterator[Block]:
