@@ -5,7 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from conftest import PROBLEMS
-from worked import page_of_file, page_of_text
+from worked import page_of_file, page_of_text, worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import Voice, narrate
 
 CARRIER = "block-shot-along-a-carrier"
 
@@ -46,3 +49,9 @@ def test_a_force_inside_that_is_asked_parts_them(tmp_path: Path) -> None:
     text = text[: text.index("find:")] + "find: {F: reaction(P_2/bullet).x @ after}\n"
     page = page_of_text(tmp_path, text.replace("- weld: {at: P,", "- weld: {at: P, name: P_2,"))
     assert "bullet: m g ↓, P_2,x ←, P_2,y ↑ = m a_P" in page or "bullet: m g ↓, P_2,x →, P_2,y ↑ = m a_P" in page
+
+
+def test_a_lesson_says_that_they_are_drawn_as_one() -> None:
+    (path,) = (p for p in PROBLEMS if p.stem == "bullet-stays-in-a-block")
+    page = " ".join(Terminal().render(narrate(worked(path)[0], Voice(audience="lesson"))).split())
+    assert "drawn alone, what is stuck together as one where nobody asks for the force between, with all forces" in page

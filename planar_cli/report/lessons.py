@@ -14,6 +14,7 @@ from planar_cli.solve.law import RELATIVE
 from planar_cli.solve.passages import ALONG, CURVE, PLACES, RADIAL, RATES, ROLLING
 
 KINEMATICS = "Kinematic analysis"
+WELDED = ", what is stuck together as one where nobody asks for the force between"
 
 
 @record
@@ -195,8 +196,8 @@ def _why_kinetics(uses: Uses) -> Iterator[str]:
         yield "Each body is drawn alone, with all forces that act on it; at rest they balance, and so do their moments."
     elif uses.forces and not uses.inertial:
         yield (
-            "Each body is drawn alone, with all forces that act on it on the left and what they amount "
-            "to on the right. "
+            f"Each body is drawn alone{WELDED if uses.welded else ''}, with all forces that act on it on the left and "
+            "what they amount to on the right. "
             "The trap is to draw mass times acceleration among the forces: it is what they come to, and no force."
         )
     if uses.inertial and not uses.at_balance:

@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
+from planar_cli.equation.one_body import inner_reactions
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import GROUND
@@ -53,6 +54,8 @@ class Uses:
     forces: bool = False
     at_balance: bool = False
     """Are all forces and moments those of bodies in equilibrium?"""
+    welded: bool = False
+    """Are bodies joined to one?"""
     inertial: bool = False
     """Are inertial forces drawn among the forces?"""
     streams: bool = False
@@ -196,6 +199,7 @@ def _of_instant(found: Uses, instant: InstantSolution, stages: tuple[Stage, ...]
     if any(w.law in ("force", "moment") for w in written):
         balanced = all(balance(system, s) for s in stages if s.level == "acceleration")
         found.at_balance = balanced and (found.at_balance or not found.forces)
+        found.welded |= next(inner_reactions(system), None) is not None
     found.at_rest |= instant.instant.at_rest
     found.together = max([found.together, *(len(b.unknowns) for s in stages for b in s.blocks)])
     for w in written:
