@@ -119,6 +119,9 @@ def test_a_mass_centre_that_swings_down_counts_downward(stem: str) -> None:
         "↻ ΣM_C: T R - m g R sin β = m a_G R + I_wheel α",
         "a_G = R α = 0.3 · 5.474 = 1.642 m/s²",
     ]),
+    ("momentum/bicycle-driven-and-braked", [
+        "α_rear, α_front are counted clockwise, the way in which the rear rolls along a_A, the front along a_B.",
+    ]),
     ("systems/gear-pair", ["At C gear_A and gear_B have the same tangential acceleration: (1) r_A α_A = -r_B α_B"]),
 ])  # fmt: skip
 def test_what_is_asked_or_stated_counts_in_its_sense(stem: str, lines: list[str]) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import sympy as sp
 
@@ -77,10 +78,13 @@ def _turned(found: Found, letter: sp.Symbol, value: Valuation) -> Found:
 
 def counted(system: System, phrases: Phrases) -> Iterator[Block]:
     """What is said of it, once."""
+    several = _rolling(system)
     for e in system.tree.edges:
         # What a blow turns is told where the angular velocity stands first.
-        if e.turn < 0 and e.spin_rate is not None and not system.scene.problem.turning:
-            yield Paragraph(_clockwise(phrases, e, system))
+        told = e.turn < 0 and e.spin_rate is not None and not system.scene.problem.turning
+        if told and (len(several) < 2 or e is several[0]):
+            words = _all_of(several, phrases, system) if len(several) > 1 else _clockwise(phrases, e, system)
+            yield Paragraph(words)
         # What goes one way through a motion is told with its coordinate.
         if e.slide_rate is not None and e.body not in system.builder.going and (way := _way(e)):
             yield Paragraph(line(phrases.math(e.slide_rate), f" is counted {way}."))
@@ -92,9 +96,31 @@ def _clockwise(phrases: Phrases, edge: Edge, system: System) -> Line:
     if states_clockwise(system.scene.problem):
         return line(phrases.math(edge.spin), " and ", letter, f" are counted clockwise, the way in which {body} turns.")
     if len(system.scene.bodies) > 1:
-        centre = Name(f"a_{system.scene.center_name(edge.body)}")
-        return line(letter, f" is counted clockwise, the way in which {body} rolls along ", centre, ".")
+        return line(letter, f" is counted clockwise, the way in which {body} rolls along ", _centre(edge, system), ".")
     return clockwise(letter, edge)
+
+
+def _rolling(system: System) -> list[Edge]:
+    """The bodies of a scene of several that count clockwise as they roll."""
+    if states_clockwise(system.scene.problem) or len(system.scene.bodies) < 2:
+        return []
+    return [e for e in system.tree.edges if e.turn < 0 and e.spin_rate is not None]
+
+
+def _all_of(edges: Sequence[Edge], phrases: Phrases, system: System) -> Line:
+    """α_rear, α_front are counted clockwise, the way in which the rear rolls along a_A, the front along a_B."""
+    letters = (p for k, e in enumerate(edges) for p in (", " * bool(k), phrases.math(e.spin_rate)))
+    ways: list[Any] = []
+    for k, e in enumerate(edges):
+        ways += [
+            f", {with_article(e.body)} along " if k else f"{with_article(e.body)} rolls along ",
+            _centre(e, system),
+        ]
+    return line(*letters, " are counted clockwise, the way in which ", *ways, ".")
+
+
+def _centre(edge: Edge, system: System) -> Name:
+    return Name(f"a_{system.scene.center_name(edge.body)}")
 
 
 def clockwise(letter: Math, edge: Edge) -> Line:
