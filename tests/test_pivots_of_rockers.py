@@ -14,7 +14,7 @@ from worked import page_of_file, page_of_text
     [
         "v_C = v_B + ω_BC × r_C/B",
         "v_C = ω_DC × r_C/D",
-        "a_C = α_DC × r_C/D - ω_DC² r_C/D",
+        "- ω_BC² r_C/B = α_DC × r_C/D - ω_DC² r_C/D",
         "Likewise v_C along x: (2)",
         "C is l_BC from B and l_DC from D, the upper one; H: the foot of the perpendicular from C on BD",
         "BH = (BC² + BD² - DC²)/(2 BD) = (0.5² + 0.5292² - 0.4²) / (2 · 0.5292) = 0.3496 m",

@@ -27,6 +27,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.both_ways import with_both_ways
 from planar_cli.report.data import GIVEN
 from planar_cli.report.drives import with_drives_told
 from planar_cli.report.mentioned import names_in
@@ -47,7 +48,7 @@ WIDEST = 106
 
 def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
-    own = with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks)))
+    own = with_both_ways(with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks))))
     own = with_accelerations_in_heads(list(under_one_heading(own)))
     return with_vectors(with_places_carried_on(numbers_alone(own)))
 
