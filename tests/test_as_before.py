@@ -71,7 +71,7 @@ def test_what_stands_alone_under_its_heading_stays() -> None:
 
 def test_where_a_body_is_drawn_is_not_told() -> None:
     """Diagrams that read alike are the same, wherever their arrows are drawn."""
-    assert "As before: the diagram." in page_of_file("central-impact-in-letters")
+    assert "Impulse and momentum as before: the diagram" in page_of_file("central-impact-in-letters")
 
 
 def test_a_case_that_is_derived_as_the_first_part_tells_its_results() -> None:
@@ -115,5 +115,5 @@ def test_the_diagram_of_an_earlier_case_that_reads_alike() -> None:
 
 def test_a_component_of_an_earlier_case_stands_before_new_vectors() -> None:
     page = page_of_file("six-bar-class-3")
-    assert "As before: (1) to (8). a_G,PC = " in page
+    assert "Kinematic analysis as before: (1) to (8) a_G,PC = " in page
     assert page.count("Likewise a_D along x:") == 1

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from decimal import Decimal
 
-from planar_cli.report.blocks import Forces, Inline, Line, Math, Name, Text
+from planar_cli.report.blocks import Forces, Inline, Line, Math, Name, Text, Value
 from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
+from planar_cli.report.numbers import quantity
 
 NUMBER = re.compile(r"Decimal\('([^']+)'\)")
 
@@ -35,4 +36,6 @@ def _printed(piece: Inline) -> str:
             return plain_name(name)
         case Math(expr, values):
             return plain(expr, values)
+        case Value(number, unit, figures):
+            return quantity(number, unit, figures)
     return read_alike(piece)

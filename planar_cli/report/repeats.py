@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from planar_cli.equation.plain import longer
 from planar_cli.report.as_printed import as_text, diagram, read_alike
+from planar_cli.report.before_in_heads import with_before_in_heads
 from planar_cli.report.blocks import (
     Block,
     Equation,
@@ -81,7 +82,7 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
         else:
             found += drawn[start : max(stop, start + 1)]
             start = max(stop, start + 1)
-    return found
+    return with_before_in_heads(found)
 
 
 def _known_first(blocks: Sequence[Block], printed: _Printed) -> list[Block]:
