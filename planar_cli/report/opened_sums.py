@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
-from typing import Any
 
 import sympy as sp
 
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.report.blocks import Math
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.in_numbers import SMALL, Collected
@@ -26,8 +25,8 @@ from planar_cli.units import LENGTH, PURE
 
 MOST_TERMS, MOST_FACTORS = 12, 28
 """A sum of more terms, or of more numbers in all, says less than its result."""
-FEW_TERMS = 6
-"""In a longer sum products of the same numbers are gathered."""
+FEW_TERMS, PARTS = 6, (1, 2, 4)
+"""In a longer sum products of the same numbers are gathered, also with arms that are such parts of the first one."""
 ROW_TERMS, ROW_FACTORS = 24, 48
 """The same of equations that stand collected further down, where they are solved together."""
 
@@ -122,11 +121,39 @@ def _tells(terms: Sequence[Term], row: bool = False) -> bool:
     return any(t.scaled for t in terms) and len(terms) <= most and counted <= factors
 
 
+@changing
+class _Gathered:
+    """Products that differ by their first number alone, or by an arm that is half or a quarter of the first one's."""
+
+    term: Term
+    first: list[sp.Expr]
+    others: list[sp.Expr]
+    texts: tuple[tuple[str, int], ...]
+    """The numbers behind the first and before the arm, as they are printed."""
+
+    def part(self, term: Term, texts: tuple[tuple[str, int], ...]) -> int:
+        """Of how many such parts the arm of its products consists, where a product is one of them; 0: it is none."""
+        same = (term.sign, term.rest, term.scaled, texts) == (
+            self.term.sign,
+            self.term.rest,
+            self.term.scaled,
+            self.texts,
+        )
+        whole, own = (t.numbers[-1][0] for t in (self.term, term))
+        return next((n for n in PARTS if same and abs(n * own - whole) <= SMALL * whole), 0)
+
+    def product(self) -> sp.Expr:
+        head = [sp.Add(*self.first, evaluate=False)] if len(self.first) > 1 else self.first
+        sign = [sp.Integer(-1)] if self.term.sign < 0 else []
+        factors = [*sign, *head, *self.others, *([] if self.term.rest == 1 else [self.term.rest])]
+        return sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0]
+
+
 def _written(terms: Sequence[Term], phrases: Phrases) -> Math:
-    """A sum of products; in a long one those that differ by their first number alone have their sum: (1.5 + 2) r ω²."""
+    """A sum of products; in a long one they are gathered: (1.5 + 2 + 1.2/2) r ω²."""
     enough = _figures([t for t in terms if t.rest == 1], phrases.figures)
     texts: dict[sp.Symbol, str] = {}
-    parts: dict[tuple[Any, ...], tuple[Term, list[sp.Expr], list[sp.Expr]]] = {}
+    groups: list[_Gathered] = []
     for i, t in enumerate(terms):
         figures = enough if t.rest == 1 else _figures([t], phrases.figures)
         own = []
@@ -134,20 +161,17 @@ def _written(terms: Sequence[Term], phrases: Phrases) -> Math:
             symbol = sp.Symbol(f"{NUMBER}{i}{j}", real=True)
             texts[symbol] = significant(number, figures)
             own.append((symbol, power))
-        rest = tuple((texts[s], power) for s, power in own[1:])
-        gathered = len(terms) > FEW_TERMS and rest and own[0][1] == 1
+        between = tuple((texts[s], power) for s, power in own[1:-1])
         factors = [s**power for s, power in own]
-        _, first, _ = parts.setdefault((t.sign, t.rest, rest) if gathered else (i,), (t, [], factors[1:]))
-        first += factors[:1]
-    shown = [_product(*part) for part in parts.values()]
+        gathers = len(terms) > FEW_TERMS and len(own) > 1 and own[0][1] == own[-1][1] == 1
+        found = next(((g, n) for g in groups if gathers and g.texts == between and (n := g.part(t, between))), None)
+        if found is None:
+            groups.append(_Gathered(t, factors[:1], factors[1:], between if gathers else ((str(i), 0),)))
+        else:
+            group, parts = found
+            group.first.append(factors[0] / parts)
+    shown = [g.product() for g in groups]
     return Math(sp.Add(*shown, evaluate=False) if len(shown) > 1 else (shown or [sp.S.Zero])[0], texts)
-
-
-def _product(term: Term, first: Sequence[sp.Expr], others: Sequence[sp.Expr]) -> sp.Expr:
-    head = [sp.Add(*first, evaluate=False)] if len(first) > 1 else first
-    sign = [sp.Integer(-1)] if term.sign < 0 else []
-    factors = [*sign, *head, *others, *([] if term.rest == 1 else [term.rest])]
-    return sp.Mul(*factors, evaluate=False) if len(factors) > 1 else factors[0]
 
 
 def _terms(
