@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.report.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.blocks import Equation, Math, Name, Paragraph, line
 from planar_cli.report.numbers_alone import numbers_alone
 
 R, NUMBER = sp.symbols("r number", positive=True)
@@ -31,3 +31,13 @@ def test_what_is_new_stands_in_letters() -> None:
     own = [of_state(2, 1), Equation((Math(R), Math(sp.Symbol("y__3"))), 2), in_numbers(3, 2)]
     assert numbers_alone(own) == own
     assert numbers_alone(own[:2]) == own[:2]
+
+
+def test_a_balance_that_takes_three_rows_is_left_to_its_parts() -> None:
+    lead = line(Name("T__1"), " + ", Name("U"), " = ", Name("T__2"), ":")
+    work = Equation((line(Name("U"), " of the weight"), Math(R)))
+    for rows, numbers in ((1, False), (3, True)):
+        whole = Equation((line("x" * 100 * rows), Math(R * sp.Symbol("v__2"))), 1, lead)
+        told = numbers_alone([work, whole, in_numbers(2, 1)])
+        assert (len(told) == 2) is numbers
+        assert numbers_alone([whole, in_numbers(2, 1)]) == [whole, in_numbers(2, 1)]

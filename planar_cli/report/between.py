@@ -178,11 +178,9 @@ class BetweenTelling:
         listed = list(by_turning_and_sliding(lines, (first, last), at_end, self.groups.get(b.stop), self.numeric))
         sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
         at_once = comes_at_once(listed, () if self._put(b.before) else sides, told)
-        whole = Equation(sides, number, lead)
-        lettered = sides and (at_once or not self.earlier.told_in_parts(whole))
         yield from self.earlier.lines(listed, b, at_once, told)
-        if lettered:
-            yield whole
+        if sides:
+            yield Equation(sides, number, lead)
             told = replace(told, number=None, lead=line(f"({number}) in numbers:"))
         yield told
 
@@ -202,13 +200,11 @@ class BetweenTelling:
         plain = bool(parts) and self._is_plain(left - right)
         most = (0 if self.long else FEW) if plain else SOME if parts else SHORT
         short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
-        whole = Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead) if short else None
-        if whole is None or (parts and not self.lettered and self.earlier.told_in_parts(whole)):
-            found = put_in(parts or left, right, self.unknowns, self.numeric, dimension, ending)
-            if found is not None:
-                self.counted.add(number)
-                return Equation(found.sides, number, lead, found.note)
-        return whole or Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
+        found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension, ending)
+        if found is None:
+            return Equation((self._ordered(left, parts), self.phrases.math(right)), number, lead)
+        self.counted.add(number)
+        return Equation(found.sides, number, lead, found.note)
 
     def _ordered(self, left: sp.Expr, parts: Sequence[sp.Expr]) -> Math | Line:
         """A side with its terms in the order in which they were told: the kinetic energy, then the works."""

@@ -61,12 +61,6 @@ class EarlierBalances:
         told = line(words, ", ", *(p for side in first.sides[:-1] for p in line(side, " = ")), "0", *rest)
         yield from (Paragraph(told), *others)
 
-    def told_in_parts(self, equation: Equation) -> bool:
-        """Is a balance left to its parts, which stand above it: the first where it takes more than two rows, a later
-        one where it takes more than one?
-        """
-        return breaks(equation, 1 if self.forms else 2)
-
     def lines(self, blocks: Sequence[Block], balance: BalanceTrace, at_once: bool, told: Equation) -> list[Block]:
         """The lines before a balance, as `needed_lines` has them, by those before earlier ones."""
         needed = list(needed_lines(blocks, balance, at_once, self.energies))

@@ -34,7 +34,6 @@ from planar_cli.report.mentioned import names_in
 from planar_cli.report.missing_couples import with_couples_among_forces
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity
-from planar_cli.report.numbers_alone import numbers_alone
 from planar_cli.report.words import components
 
 MOTION, ASSUME = "MOTION", "Assume"
@@ -50,7 +49,7 @@ def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     own = with_both_ways(with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks))))
     own = with_accelerations_in_heads(list(under_one_heading(own)))
-    return with_vectors(with_places_carried_on(numbers_alone(own)))
+    return with_vectors(with_places_carried_on(own))
 
 
 def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:

@@ -49,6 +49,7 @@ from planar_cli.report.loads_by_letter import with_loads_by_letter
 from planar_cli.report.meanings import with_meanings
 from planar_cli.report.named_in_answer import named_in_answer
 from planar_cli.report.near_rest import with_numbers
+from planar_cli.report.numbers_alone import numbers_alone
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.only_body import with_only_body
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -145,15 +146,14 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
             blocks += with_lessons(told_once(as_in_part(own, blocks, problem), blocks), uses_of([part]), lessons)
         else:
-            blocks += told_once(as_in_part(own, blocks, problem), blocks)
+            blocks += told_once(as_in_part(numbers_alone(own), blocks, problem), blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:
         scene = next((i.instant.scene for part in solution.parts for i in part.instants), None)
         drawn = () if first is None or scene is None else tuple(slots_beside(scene, first))
         opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
-    if voice.audience == "exam":
-        opening = tuple(n for n in opening if n.kind == "Principle")
+    opening = tuple(n for n in opening if voice.audience != "exam" or n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = beside_headings(with_stated_angles(with_loads_by_letter(named, problem), problem))
     page = checked_once(told_likewise(with_letters_apart(without_restated_data(named), problem), problem))

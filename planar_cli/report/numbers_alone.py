@@ -1,5 +1,5 @@
-"""An equation of a later state that stood in letters for an earlier one comes with its numbers at once, where it is
-solved in numbers.
+"""An equation that is solved in numbers comes with these at once, where its letters are known: of a later state that
+stood in letters for an earlier one, or a long balance of energies all of whose parts were told.
 
 (2)  0 = l sin θ_AB,2 + r_c sin θ_crank,2          (5)  0 = 0.45 sin θ_AB,4 + 0.15 sin θ_crank,4   in m
 """
@@ -9,8 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 
-from planar_cli.report.blocks import Block, Equation, Math, Text
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text
+from planar_cli.report.few_lines import WORK, breaks
 
 OF_STATE, IN_NUMBERS = re.compile(r"__\w+"), re.compile(r"\((\d+)\) in numbers:")
 
@@ -26,13 +28,36 @@ def numbers_alone(blocks: Sequence[Block]) -> list[Block]:
     for block in blocks:
         form = _form(block) if isinstance(block, Equation) else ""
         other = put_in.get(block.number) if isinstance(block, Equation) and block.number is not None else None
-        if isinstance(block, Equation) and other is not None and form and form in told:
+        known = bool(form) and form in told
+        if isinstance(block, Equation) and other is not None and (known or _is_told_in_parts(block, found)):
             found.append(replace(other, number=block.number, lead=block.lead))
             left_out.append(other)
         elif block not in left_out:
             found.append(block)
         told |= {form} if form else set()
     return found
+
+
+def _is_told_in_parts(block: Equation, before: Sequence[Block]) -> bool:
+    """Is it a balance whose works stand above it: the first if it takes more than two rows, a later one if it takes
+    more than one?
+    """
+    if not _is_balance(block):
+        return False
+    parts = takewhile(lambda b: isinstance(b, Equation) and b.number is None, reversed(before))
+    works = any(isinstance(b, Equation) and _is_work(b.sides[0]) for b in parts)
+    return works and breaks(block, 1 if any(map(_is_balance, before)) else 2)
+
+
+def _is_balance(block: Block) -> bool:
+    """Does `T_1 + U = T_2:` stand before it?"""
+    lead = block.lead if isinstance(block, Equation) and block.number is not None else ()
+    return len(lead) > 1 and isinstance(lead[0], Name) and lead[1] == Text(" + ")
+
+
+def _is_work(side: Inline | Line) -> bool:
+    first = side[0] if isinstance(side, tuple) else side
+    return isinstance(first, Name) and first.name.startswith(WORK)
 
 
 def _number(block: Equation) -> int | None:
