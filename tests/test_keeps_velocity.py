@@ -25,3 +25,8 @@ def test_one_line(stem: str, line: str) -> None:
 
 def test_a_velocity_by_several_letters_has_its_balance() -> None:
     assert "From 2 to 3, ladder: conservation of momentum:" in page_of_file("ladder-leaving-the-wall")
+
+
+def test_both_axes_have_one_heading() -> None:
+    page = page_of_file("rope-that-jerks-taut")
+    assert "From 1 to 2, constant velocity of B: (4) x_B,2 = x_B,1 + v_Bx,1 t_2 (5) y_B,2 = v_By,1 t_2" in page

@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
+from planar_cli.report.along_both_axes import headed_once
 from planar_cli.report.angles_found import by_trial
 from planar_cli.report.as_stated import as_written
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
@@ -55,7 +56,6 @@ from planar_cli.report.origins import (
     needed_steps,
     says_zero,
     sides_of,
-    told_once,
     turning_blocks,
 )
 from planar_cli.report.own_ways import told_by_itself, told_elsewhere
@@ -120,7 +120,7 @@ class MotionTelling:
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
-        if not (body := list(told_once(self._body()))):
+        if not (body := headed_once(self._body())):
             return []
         if not (title := last_title(self.found, self.early)):
             return body

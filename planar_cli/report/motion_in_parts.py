@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 from typing import Any
 
+from planar_cli.report.along_both_axes import headed_once
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Note, Paragraph, line
 from planar_cli.report.in_order_of_time import in_time, in_turn, last_by_energy, states_of, states_told, steps_before
 from planar_cli.report.inertias import with_inertias
@@ -16,7 +17,7 @@ from planar_cli.report.motion import MotionTelling
 from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.motion_title import title_of
 from planar_cli.report.nil_impulses import nil_impulses
-from planar_cli.report.origins import needed_steps, told_once
+from planar_cli.report.origins import needed_steps
 from planar_cli.solve.between.trace import PAIR, ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
@@ -41,7 +42,7 @@ def early_blocks(
     telling.next = count + 1
     own: list[Block] = [] if telling.early else list(nil_impulses(found, telling.phrases))
     for part in in_turn(legs, found):
-        body = list(told_once(telling.told_route(found.route, part)))
+        body = headed_once(telling.told_route(found.route, part))
         states = states_told(states_of(part, found), states_of(telling.early, found))
         telling.early += part
         steps += bool(body)
@@ -77,7 +78,7 @@ def _before_pair(telling: MotionTelling, steps: int) -> list[Block]:
     legs = needed_steps(found.route, telling.wanted)
     first = next((i for i, leg in enumerate(legs) if leg.relations[0].kind == PAIR), None)
     for part in in_turn(in_time(legs[:first], found), found) if first is not None else ():
-        body = list(told_once(telling.told_route(found.route, part)))
+        body = headed_once(telling.told_route(found.route, part))
         states = states_told(states_of(part, found), states_of(telling.early, found))
         telling.early += part
         steps += bool(body)
