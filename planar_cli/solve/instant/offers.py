@@ -288,10 +288,10 @@ class Offers:
         return priced(group.bodies, None, choice, row, c.of_whole(self.scene, group.bodies, form))
 
     def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
-        value = self.numbers.value
-        row = combine(group.rows, (value(place.y), -value(place.x), ONE))
-        # The α of another body may happen to cancel: its pin has moved the group towards this point.
-        if self._percussion(group, row, [j for j, body in self._spins.items() if body in group.bodies]):
+        row = combine(group.rows, (self.numbers.value(place.y), -self.numbers.value(place.x), ONE))
+        # About a pin the α of another body may happen to cancel, which moves the group towards it or away.
+        pinned = any(p.place == name for p in self.system.pushes)
+        if self._percussion(group, row, [j for j, b in self._spins.items() if b in group.bodies or not pinned]):
             return None
         return priced(group.bodies, None, Choice(True, place, "", (), name), row, form)
 
