@@ -42,10 +42,10 @@ def test_a_diagram_in_which_one_force_is_turned_is_drawn_again() -> None:
 
 
 def test_results_from_equations_with_other_numbers() -> None:
-    """(6) in (7) gives what (5) in (6) gave."""
+    """What follows from rows of a table is as before."""
     page = page_of_file("chain-5-symbols")
     assert page.count("α_DE = -3 g cos β / (362 L)") == 3
-    assert "α_DE = -3 g cos β / (362 L), α_OA = -459 g cos β / (362 L)" in page
+    assert "As before: α_OA = -459 g cos β / (362 L), α_AB = 123 g cos β / (362 L)" in page
 
 
 @pytest.mark.parametrize(
