@@ -94,3 +94,11 @@ def test_the_innermost_brackets_break_last() -> None:
     for width in range(len(whole) - 12, len(whole)):
         first, *_ = rows(told, width)
         assert first.count("(") - first.count(")") == 1
+
+
+@pytest.mark.parametrize(("size", "columns"), [(16, [10, 10]), (20, [10, 5])])
+def test_lines_behind_a_number_stand_apart_where_beside_it_they_would_break(size: int, columns: list[int]) -> None:
+    numbered = Equation((line("a"), Math(R)), 1)
+    told = Equation((line("b"), line("c" * 24)), None, (), line("d" * size))
+    page = Terminal(56).render(Document("", (numbered, told)))
+    assert [row.index("=") - 1 for row in page.splitlines() if row.strip()] == columns

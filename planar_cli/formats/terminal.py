@@ -119,14 +119,19 @@ class Terminal(Format[Row]):
 
     def _aligned(self, part: Sequence[Equation]) -> list[Row]:
         """Equations under each other, their signs too unless that makes them longer; those before the first with a
-        number or a lead stand apart from it where its lead is a formula, or where the room for that would do so.
+        number or a lead stand apart from it where its lead is a formula, or where the room for that would do so, and
+        where it would so do those behind the last number.
         """
         columns = _Columns.of(part, self.width)
         rows = [row for equation in part for row in self._equation(equation, columns)]
         if columns.left and len(rows) > len(part):
             loose = [row for equation in part for row in self._equation(equation, replace(columns, left=0))]
             rows = loose if len(loose) < len(rows) else rows
-        led = next((i for i, e in enumerate(part) if e.lead or e.number is not None), 0)
+        own = [i for i, e in enumerate(part) if e.lead or e.number is not None] or [0]
+        led, last = own[0], own[-1] + 1
+        if last < len(part) < len(rows) and part[last - 1].number is not None:
+            apart = [*self._aligned(part[:last]), *self._aligned(part[last:])]
+            return rows if len(apart) >= len(rows) else apart
         wide = part[led].number is not None and row_cells(spans(part[led].lead)) >= _WIDE_LEAD
         if not led or (len(rows) == len(part) and not wide):
             return rows
