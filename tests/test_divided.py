@@ -22,6 +22,14 @@ def test_other_quotients_stay() -> None:
         assert divided_out(other) is other
 
 
+def test_a_root_is_divided_by_what_all_but_one_of_its_terms_have() -> None:
+    root = sp.sqrt((2 * M * g * t - q * t**2) / M)
+    assert divided_out(root) == sp.sqrt(2 * g * t - q * t**2 / M)
+    assert divided_out(3 * root) == 3 * sp.sqrt(2 * g * t - q * t**2 / M)
+    for other in (sp.sqrt((M * g + q + u) / M), sp.sqrt((M * g - q) / M) / t):
+        assert divided_out(other) == other
+
+
 def test_the_speed_of_a_rocket_is_seen_under_the_integral() -> None:
     page = page_of_file("rocket-up-and-along")
     assert "∫[0 → v_2] dv = ∫[0 → T] (u q / (M - q t) - g) dt" in page

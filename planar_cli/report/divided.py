@@ -1,5 +1,5 @@
 """Quotients of sums divided out where a term has the whole divisor as a factor: u q/(M - q t) - g for
-(u q - g (M - q t))/(M - q t).
+(u q - g (M - q t))/(M - q t); and under a root by a letter that all terms but one have: √(2 g h - k s²/m).
 """
 
 from __future__ import annotations
@@ -8,12 +8,32 @@ from typing import Any
 
 import sympy as sp
 
+HALF = sp.Rational(1, 2)
+
 
 def divided_out(expr: sp.Expr) -> sp.Expr:
     """The expression with every such quotient in it divided out."""
+    roots = {p: q for p in expr.atoms(sp.Mul) if (q := _root_divided(p)) is not None}
+    expr = expr.xreplace(roots) if roots else expr
     if not any(p.is_Mul and _quotient(p) is not None for p in sp.preorder_traversal(expr)):
         return expr
     return expr.replace(lambda p: p.is_Mul and _quotient(p) is not None, _divided)
+
+
+def _root_divided(product: Any) -> sp.Expr | None:
+    """√(2 g h - k s²/m) of √(2 m g h - k s²)/√m, with a number before it; None: more than one term lacks the letter, or
+    there is no such root, or more beside it.
+    """
+    sums = [f for f in product.args if f.is_Pow and f.exp == HALF and f.base.is_Add]
+    below = [f.base for f in product.args if f.is_Pow and f.exp == -HALF]
+    if len(sums) != 1 or len(below) != 1 or not below[0].is_Symbol:
+        return None
+    (root,), (letter,) = sums, below
+    others = [f for f in product.args if f is not root and f != letter**-HALF]
+    if not all(f.is_number for f in others) or sum(letter not in sp.Mul.make_args(t) for t in root.base.args) != 1:
+        return None
+    whole = sp.sqrt(sp.Add(*(t / letter for t in root.base.args)))
+    return sp.Mul(*others, whole)
 
 
 def _quotient(product: Any) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
