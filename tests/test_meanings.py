@@ -15,6 +15,7 @@ from worked import page_of_file
             "reaction-wheel",
             "θ_satellite, θ_wheel: the angles by which the satellite and the wheel have turned, counterclockwise",
         ),
+        ("slider-crank-with-a-spring", "θ_crank, θ_AB: the angles of OA and AB from the x axis, counterclockwise"),
         ("car-on-a-circle", "s_A: the way of A along its path, from where it is drawn"),
         ("cylinder-that-rolls-off-a-cylinder", "φ: the angle of OG from the vertical, counterclockwise"),
         ("block-down-a-free-wedge", "s_P: the way of P along its path, from where it is drawn"),

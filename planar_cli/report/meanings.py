@@ -24,7 +24,12 @@ from planar_cli.report.steps import is_ritual
 from planar_cli.solve.between.trace import MotionTrace
 
 STEP, SHORT = "STEP", 2
-TURNED = re.compile(r": the angle by which (.+) has turned, (\w+)")
+ALIKE = (
+    (re.compile(r": the angle by which (.+) has turned, (\w+)"), ": the angles by which {} have turned, "),
+    (re.compile(r": the angle of the radius to (\w+) (from .+)"), ": the angles of the radii to {} "),
+    (re.compile(r": the angle of (\w+) (from .+)"), ": the angles of {} "),
+)
+"""What is said of one angle, and of several that count alike."""
 TURNS, WAY, CIRCLE = "angle of ", "way of ", " on its circle"
 
 
@@ -54,16 +59,21 @@ def _together(meanings: Sequence[Line]) -> list[Line]:
     """Angles that count alike in one sentence: θ_A, θ_B: the angles by which A and B have turned, clockwise."""
     found: dict[str, list[tuple[Line, str]]] = {}
     for told in meanings:
-        last = told[-1]
-        turned = TURNED.fullmatch(last.text) if isinstance(last, Text) else None
-        found.setdefault(turned[2] if turned else str(told), []).append((told, turned[1] if turned else ""))
-    return [group[0][0] if len(group) == 1 else _of_several(group, way) for way, group in found.items()]
+        last = told[-1].text if isinstance(told[-1], Text) else ""
+        key, what = str(told), ""
+        for one, several in ALIKE:
+            if (alike := one.fullmatch(last)) is not None:
+                key, what = f"{several}{alike[2]}", alike[1]
+                break
+        found.setdefault(key, []).append((told, what))
+    return [group[0][0] if len(group) == 1 else _of_several(group, key) for key, group in found.items()]
 
 
-def _of_several(group: Sequence[tuple[Line, str]], way: str) -> Line:
+def _of_several(group: Sequence[tuple[Line, str]], words: str) -> Line:
+    """`words`: those of all of them, with a place for what they are of."""
     letters = (p for k, (told, _) in enumerate(group) for p in (*((", ",) if k else ()), told[0]))
-    *bodies, last = (body for _, body in group)
-    return line(*letters, f": the angles by which {', '.join(bodies)} and {last} have turned, {way}")
+    *others, last = (what for _, what in group)
+    return line(*letters, words.format(f"{', '.join(others)} and {last}"))
 
 
 def _accelerated(coordinates: Iterable[sp.Symbol], letters: Iterable[sp.Symbol], found: MotionTrace) -> set[sp.Symbol]:
