@@ -8,8 +8,16 @@ from conftest import PROBLEMS
 from worked import page_of_file, page_of_text
 
 
-def test_the_damping_ratio_says_of_which_kind_it_is() -> None:
-    page = page_of_file("bar-with-spring-and-damper").partition("CASE damped")[2]
+def _at_rest(tmp_path: Path, damping: str) -> str:
+    """The page of the bar about its equilibrium alone."""
+    (path,) = (p for p in PROBLEMS if p.stem == "bar-with-spring-and-damper")
+    text = path.read_text(encoding="utf-8").replace("c: 20 N*s/m}", f"c: {damping} N*s/m}}")
+    asked = "states: {rest: [theta = 0 deg, equilibrium]}\nfind: {T_d: period(rest), settles: stable(rest)}\n"
+    return page_of_text(tmp_path, f"title: Bar\n{text[text.index('plane:') : text.index('cases:')]}{asked}")
+
+
+def test_the_damping_ratio_says_of_which_kind_it_is(tmp_path: Path) -> None:
+    page = _at_rest(tmp_path, "20")
     assert "ζ = 3 c/(8 m ω_0) = 3 · 20 / (8 · 3 · 14.14) = 0.1768 ζ < 1: light damping" in page
     assert "displaced, it returns, and its amplitude falls as exp(-3 c t/(8 m))." in page
     assert "ω_d = ω_0 √(1 - ζ²) = 14.14 √(1 - 0.1768²) = 13.92 rad/s" in page
@@ -48,8 +56,8 @@ def test_one_condition_is_assumed_once(tmp_path: Path) -> None:
     assert "Assume 64 m k > 3 c² STEP 1" in page
 
 
-def test_a_damper_of_no_strength_is_not_drawn() -> None:
-    page = page_of_file("bar-with-spring-and-damper").partition("CASE undamped")[2].partition("CASE damped")[0]
+def test_a_damper_of_no_strength_is_not_drawn(tmp_path: Path) -> None:
+    page = _at_rest(tmp_path, "0")
     assert "F_coil ↓ at A, O_x → at O" in page
 
 

@@ -35,11 +35,12 @@ def test_short_ones_stand_as_they_are() -> None:
 
 
 def test_a_motion_between_states_needs_the_whole_force() -> None:
-    """In the case in which it is let go, the page tells the exact forces."""
+    """In the case in which it is let go, the page tells the exact forces; their linear equation serves the others."""
     page = page_of_file("bar-with-spring-and-damper")
     first = page.partition("CASE undamped")[0]
     assert "first order" not in first
-    assert "first order" in page
+    assert "pull of the spring coil: F_coil = k (AK - h)" in first
+    assert "As in case light, with c = 0 and δ a small deviation" in page
 
 
 @pytest.mark.parametrize(

@@ -6,27 +6,27 @@ As in the first part, by (1) and (2):
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
+from planar_cli.report.equation_of_case import parts_of_page, with_equation_above
 from planar_cli.report.found_before import asks_more, goes_on
-from planar_cli.report.repeats import CASE
 from planar_cli.report.results import numbered
 from planar_cli.report.unused_numbers import without_unused_numbers
+from planar_cli.solve.solved_problem import PartSolution
 
 LEAST = 3
 """So many lines at least must be spared."""
-FIRST = "in the first part"
 
 
-def as_in_part(blocks: Sequence[Block], before: Sequence[Block], problem: Problem) -> list[Block]:
-    """The blocks of a case. `before`: those of the first part and of earlier cases."""
-    blocks = without_unused_numbers(blocks, before)
+def as_in_part(blocks: list[Block], before: Sequence[Block], problem: Problem, part: PartSolution) -> list[Block]:
+    """The blocks of a case, which is `part`. `before`: those of the first part and of earlier cases."""
+    blocks = without_unused_numbers(with_equation_above(blocks, before, part), before)
     if before and problem.cases and asks_more(problem):
         blocks = goes_on(blocks, before)
-    earlier = list(_parts(before))
+    earlier = list(parts_of_page(before))
     found: list[Block] = []
     start = 0
     while start < len(blocks):
@@ -35,14 +35,6 @@ def as_in_part(blocks: Sequence[Block], before: Sequence[Block], problem: Proble
         found += _referred(section, earlier) if earlier and isinstance(blocks[start], Heading) else section
         start = stop
     return found
-
-
-def _parts(before: Sequence[Block]) -> Iterator[tuple[str, Sequence[Block]]]:
-    """The first part and each case, with the words that say where something stands."""
-    cases = [(i, b.text) for i, b in enumerate(before) if isinstance(b, Heading) and b.label == CASE]
-    words, starts = [FIRST, *(f"in case {name}" for _, name in cases)], [i for i, _ in cases]
-    for place, begin, stop in zip(words, [0, *starts], [*starts, len(before)], strict=True):
-        yield place, before[begin:stop]
 
 
 def _end(blocks: Sequence[Block], start: int) -> int:

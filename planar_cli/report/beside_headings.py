@@ -10,13 +10,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.report.blocks import Block, Equation, Paragraph, Result, Table, Text
+from planar_cli.report.joined_lines import in_fewer_lines
 
 HEADING = re.compile(r"(Hence|(Hence, a|A)t [\w, ]+|(Hence, i|I)n state \w+):")
 
 
 def beside_headings(blocks: Sequence[Block]) -> list[Block]:
-    """`At 2:` and the only line under it as one, `At 2:   v_B = ω r = 1.213 m/s`."""
+    """`At 2:` and the only line under it as one, `At 2:   v_B = ω r = 1.213 m/s`; so too its values alone."""
     found: list[Block] = []
+    blocks = in_fewer_lines(blocks)
     for i, block in enumerate(blocks):
         last, following = found[-1] if found else None, blocks[i + 1] if i + 1 < len(blocks) else None
         alone = not isinstance(following, Equation | Result | Table)

@@ -123,8 +123,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             continue
         own = with_equals_together(with_bars(list(with_tangents(part_blocks(part, voice, why, told))), part.found))
         if part.motion is not None and why is None:
-            declared = (c.name for c in problem.coordinates)
-            own = with_turning_rates(list(with_meanings(own, part.motion, meanings)), declared)
+            own = list(with_meanings(own, part.motion, meanings))
+            own = with_turning_rates(own, (c.name for c in problem.coordinates))
         if part.case:
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
@@ -144,9 +144,9 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         elif voice.audience == "lesson":
             from planar_cli.report.lessons import with_lessons
 
-            blocks += with_lessons(told_once(as_in_part(own, blocks, problem), blocks), uses_of([part]), lessons)
+            blocks += with_lessons(told_once(as_in_part(own, blocks, problem, part), blocks), uses_of([part]), lessons)
         else:
-            blocks += told_once(as_in_part(numbers_alone(own), blocks, problem), blocks)
+            blocks += told_once(as_in_part(numbers_alone(own), blocks, problem, part), blocks)
     blocks[:0] = not_used(problem, blocks, voice.figures)
     opening: tuple[Note, ...] = ()
     if why is None:

@@ -170,13 +170,32 @@ def _single(
     if c != 0:
         if value.is_zero(square):
             yield Paragraph(line(CRITICAL))
-        elif ratio and "zeta" not in phrases.ledger.reserved:
+        elif ratio:
             yield _damping_ratio(c, value(w2).sqrt(), value, phrases, symbolic)
         if value(square) <= 0:
             return
+        if ratio and not symbolic:
+            yield _damped_by_ratio(value(w2).sqrt(), value(c), value(square).sqrt(), phrases)
+        else:
+            yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
         natural = sp.Symbol("omega_d", real=True)
-        yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
     yield _line(name, found.period, value, "s", phrases, symbolic, (2 * sp.pi / natural, value(sp.sqrt(square))))
+
+
+def _damped_by_ratio(natural: Decimal, c: Decimal, damped: Decimal, phrases: Phrases) -> Equation:
+    """ω_d = ω_0 √(1 - ζ²) = numbers = value; all in 1/s."""
+    letters = sp.symbols("omega_0 zeta omega_d", positive=True)
+    formula = sp.Mul(letters[0], sp.sqrt(1 - letters[1] ** 2), evaluate=False)
+    put = phrases.numbers(formula, {letters[0]: natural, letters[1]: c / (2 * natural)}, turns=False)
+    sides = (phrases.math(letters[2]), phrases.math(formula), *(() if put is None else (put,)))
+    return Equation((*sides, Value(damped, "rad/s")))
+
+
+def tells_ratio(motion: MotionTrace, state: str) -> bool:
+    """Is the damping ratio told with the oscillations, as nothing asks for it and nothing else has its letter?"""
+    asked = (r.find.found.what for r in motion.requests)
+    alone = not any(isinstance(q, Quantity) and q.word == "damping_ratio" and state in q.things for q in asked)
+    return alone and "zeta" not in motion.ledger.reserved
 
 
 def _damping_ratio(c: sp.Expr, frequency: Decimal, value: Valuation, phrases: Phrases, symbolic: bool) -> Equation:

@@ -13,7 +13,7 @@ from planar_cli.equation.exact import Sample
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.blocks import Line, Name, Value, line
 from planar_cli.report.linearised import DEVIATION
-from planar_cli.report.oscillation import RATES
+from planar_cli.report.oscillation import RATES, tells_ratio
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
@@ -69,7 +69,9 @@ def _told(found: OscillationTrace, motion: MotionTrace, phrases: Phrases) -> Lin
 
 
 def _damped(found: OscillationTrace, motion: MotionTrace, natural: Decimal, phrases: Phrases) -> Line:
-    """ω_d from ω_0 and the damping ratio, where it swings in spite of its damping."""
+    """ω_d from ω_0 and the damping ratio, where it swings in spite of its damping and the page has another formula."""
+    if tells_ratio(motion, found.state):
+        return ()
     c, square = motion.value.known(found.damping), motion.value.known(found.square)
     ratio = Decimal(0) if c is None else c / (2 * natural)
     if not ratio or square is None or square <= 0:

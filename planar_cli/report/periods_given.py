@@ -13,17 +13,15 @@ import sympy as sp
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Line, line
 from planar_cli.report.equilibrium_places import place_blocks
-from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula
+from planar_cli.report.oscillation import oscillation_blocks, period_line, periods_told, tells_formula, tells_ratio
 from planar_cli.report.small_deviations import is_of_small_deviations
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import OscillationTrace
 from planar_cli.solve.between.trace import MotionTrace, RouteStep
 
 ASKS = re.compile(r"\b(?:period|frequency)\((\w+)\)")
-RATIO = "damping_ratio"
 LONGEST = 16
 """A quantity of more operations is not differentiated on the page."""
 
@@ -51,8 +49,7 @@ def swings(found: MotionTrace, phrases: Phrases, leg_of: Callable[[RouteStep], I
     yield from place_blocks(found, phrases)
     for swing in found.oscillations:
         name, legs = periods.get(swing.state, "T"), held.get(swing.state, [])
-        asked = (r.find.found.what for r in found.requests)
-        ratio = not any(isinstance(q, Quantity) and q.word == RATIO and swing.state in q.things for q in asked)
+        ratio = tells_ratio(found, swing.state)
         if not legs:
             yield from oscillation_blocks(swing, found.value, phrases, phrases.symbolic, name, (), linear, ratio)
             continue

@@ -182,16 +182,14 @@ def _agreement(most: str, told: Sequence[Result], x: Linear, phrases: Phrases) -
     """By how much the values of the whole equation are off, each kind of what it is measured by."""
     rates = [r for r in told if _is_rate(r, x)]
     angles = [r for r in told if r not in rates and _is_angle(r, phrases)]
-    start = phrases.math(x.start)
-    parts: list[Any] = []
-    if len(rates) + len(angles) < len(told):
-        parts.append(line(f"the time by {most}"))
-    if angles:
-        parts.append(line(f"the angle{'s' * (len(angles) > 1)} by {most} of ", start))
-    if rates:
-        parts.append(line(f"the angular velocity by {most} of ", phrases.math(NATURAL), " ", start))
-    last = len(parts) - 1
-    joined = [p for i, part in enumerate(parts) for p in (" and " if i and i == last else ", " if i else "", *part)]
+    start, natural = phrases.math(x.start), phrases.math(NATURAL)
+    of_angles = [line(f"the angle{'s' * (len(angles) > 1)}", " by ", most, " of ", start)] if angles else []
+    of_rates = [line("the angular velocity by ", most, " of ", natural, " ", start)] if rates else []
+    times = [line("the time by ", most)] if len(rates) + len(angles) < len(told) else []
+    parts = [*times, *of_angles, *of_rates]
+    if len(parts) > 2:
+        parts = [line("each by ", most, ", angles of ", start, ", the angular velocity of ", natural, " ", start)]
+    joined = (p for i, part in enumerate(parts) for p in (" and " if i else "", *part))
     return line("The whole equation, below, changes ", *joined, ".")
 
 

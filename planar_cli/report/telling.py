@@ -27,6 +27,7 @@ from planar_cli.report.given_components import vector_before, with_given
 from planar_cli.report.given_speeds import speed_told, turned
 from planar_cli.report.grooves import groove_told
 from planar_cli.report.group_by_group import told_groups
+from planar_cli.report.joined_lines import ACCELERATIONS, VELOCITIES
 from planar_cli.report.limits_alike import with_limits_alike
 from planar_cli.report.numeric import level_of, vanishing
 from planar_cli.report.numeric_choice import numeric_telling
@@ -50,7 +51,7 @@ from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.sums_of_rates import sums_of_rates
 from planar_cli.report.translations import translations
 from planar_cli.report.vectors import VectorTelling
-from planar_cli.report.velocities_first import ACCELERATIONS, VELOCITIES, asked_told, of_velocities, without_repeats
+from planar_cli.report.velocities_first import asked_told, of_velocities, without_repeats
 from planar_cli.report.words import Phrases
 from planar_cli.report.zero_reactions import zero_reactions
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -197,8 +198,7 @@ class Telling:
             written = [w for b in stage.blocks for w in b.equations]
             if written:
                 # What only stands under Given again, with nothing after it, wants no heading.
-                if last is not None or not all(map(self.data.restates, written)):
-                    blocks.append(VELOCITIES)
+                blocks += [] if last is None and all(map(self.data.restates, written)) else [VELOCITIES]
                 blocks += [*self._equations(written, stage), *self.solving.blocks(stage)]
         self.first = self.first if blocks and last is not None else ()
         blocks += [*self.definitions.of_asked(self.first), *asked_told(self.asked, self.first, blocks)]

@@ -11,11 +11,10 @@ import sympy as sp
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.axes_asked import is_vector
-from planar_cli.report.blocks import Block, Equation, Paragraph, line
+from planar_cli.report.blocks import Block, Equation
+from planar_cli.report.joined_lines import ACCELERATIONS, VELOCITIES
 from planar_cli.report.said import said
 from planar_cli.solve.solution import Found
-
-VELOCITIES, ACCELERATIONS = Paragraph(line("Velocities:")), Paragraph(line("Accelerations:"))
 
 
 def of_velocities(found: Iterable[Found], late: Collection[sp.Symbol]) -> tuple[Found, ...]:

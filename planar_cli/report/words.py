@@ -15,7 +15,7 @@ from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger, display
 from planar_cli.equation.one_way import one_way, sized
-from planar_cli.equation.plain import PRINTABLE, longer
+from planar_cli.equation.plain import PRINTABLE, by_name, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
@@ -94,14 +94,14 @@ class Phrases:
         if not all(self.has_numbers(s) for s in expr.free_symbols - set(sizes or ())):
             return None
         expr = self.neat(self.met(expr)) if sizes is None else with_totals(expr, self.ledger)
-        degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
+        degrees = [s for s in by_name(expr.free_symbols) if self._in_degrees(s)]
         apart = (
             {}
             if turns and is_angle(expr, degrees)
             else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
         )
         counted: dict[sp.Symbol, Decimal] = {}
-        for symbol in expr.free_symbols:
+        for symbol in by_name(expr.free_symbols):
             value = (sizes or {}).get(symbol, self.value.known(symbol))
             if value is None:
                 return None
