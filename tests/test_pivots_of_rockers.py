@@ -15,7 +15,7 @@ from worked import page_of_file, page_of_text
         "v_C = v_B + ω_BC × r_C/B",
         "v_C = ω_DC × r_C/D",
         "- ω_BC² r_C/B = α_DC × r_C/D - ω_DC² r_C/D",
-        "Likewise v_C along x: (2)",
+        "(2) v_C along x: 0.3965 ω_DC - 0.2233 ω_BC = 0.1732 (-10) = -1.732",
         "C is l_BC from B and l_DC from D, the upper one; H: the foot of the perpendicular from C on BD",
         "BH = (BC² + BD² - DC²)/(2 BD) = (0.5² + 0.5292² - 0.4²) / (2 · 0.5292) = 0.3496 m",
         "HC = √(0.5² - 0.34962²) = 0.3574 m BH² + HC² = BC²",

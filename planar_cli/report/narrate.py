@@ -29,6 +29,7 @@ from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.choice_of_checks import OF_MOTIONS, OF_PARTS, chosen_check
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.component_letters import with_component_letters
+from planar_cli.report.components_beside import with_components_beside
 from planar_cli.report.data_numbers import without_numbered_data, without_restated_data
 from planar_cli.report.decisions import with_decisions
 from planar_cli.report.directions import with_tangents
@@ -156,7 +157,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     opening = tuple(n for n in opening if voice.audience != "exam" or n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = beside_headings(with_stated_angles(with_loads_by_letter(named, problem), problem))
-    page = checked_once(told_likewise(with_letters_apart(without_restated_data(named), problem), problem))
+    page = told_likewise(with_letters_apart(without_restated_data(named), problem), problem)
+    page = checked_once(with_components_beside(page))
     return Document(problem.title or problem.file, (*texts, *(said_once(b) for b in page if not says_nothing(b))))
 
 
