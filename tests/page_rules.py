@@ -492,7 +492,7 @@ def axes(page: Page) -> Iterator[str]:
     """Rule 5: a sum of forces whose arrow is not that of a term m a that stands in it alone."""
     drawn = {}
     for r in page.of("forces"):
-        for piece in (*r.sides[0].split(",  "), *r.sides[1].split(",  ")):
+        for piece in (p for side in r.sides[:2] for p in re.split(r",  ?", side)):
             if match := re.match(rf"(.*?) ([{ARROWS}])", piece.strip()):
                 drawn.setdefault(match[1], set()).add(match[2])
     opposite = dict(zip("↑↓←→↖↗↘↙", "↓↑→←↘↙↖↗", strict=True))

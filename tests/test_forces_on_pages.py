@@ -97,7 +97,7 @@ def test_a_limit_speaks_of_the_extreme_that_is_asked() -> None:
     ("name", "rows"),
     [
         # The ball starts at the lowest point to the right; the pole falls to the right.
-        ("energy/ball-that-just-rolls-round-a-loop", ["N_K ↖ at C,  F_K ↗ at C", "    (1)  ↖ ΣF:   N_K - m g"]),
+        ("energy/ball-that-just-rolls-round-a-loop", ["N_K ↖ at C, F_K ↗ at C", "    (1)  ↖ ΣF:   N_K - m g"]),
         ("energy/toppling-pole-that-stops-pressing", ["1/2 m l α ↖ at G,  1/2 m l ω² ↙ at G"]),
     ],
 )

@@ -41,7 +41,7 @@ _NOTE_COLUMN = 56
 _GAP, _UNIT = 3, 16
 """What stands before an aside at least; an aside of no more columns is a unit, which stays beside its equation."""
 _LABEL, _ROOM = 9, 12
-_KINETIC = "   =   "
+_KINETIC, _BETWEEN = "   =   ", ",  "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
 _LONGER_LEAD, _FIRST_LEAD, _WIDE_LEAD = 24, 16, 12
@@ -187,10 +187,16 @@ class Terminal(Format[Row]):
         return rows
 
     def _diagram(self, head: list[Span], block: Forces, column: int) -> list[Row]:
-        rows = fill(head, spans(block.left), column, self.width)
+        """With less room between its forces where that spares a row."""
+        wide, narrow = (self._drawn(head, block, column, gap) for gap in (_BETWEEN, _BETWEEN[:-1]))
+        return narrow if len(narrow) < len(wide) else wide
+
+    def _drawn(self, head: list[Span], block: Forces, column: int, gap: str) -> list[Row]:
+        sides = (spans(block.left), spans(block.right))
+        left, right = ([replace(s, text=gap) if s.text == _BETWEEN else s for s in side] for side in sides)
+        rows = fill(head, left, column, self.width)
         if not block.right:
             return rows
-        right = spans(block.right)
         if row_cells(rows[-1]) + row_cells(right) + len(_KINETIC) <= self.width:
             return [*rows[:-1], *fill([*rows[-1], Span(_KINETIC)], right, column, self.width)]
         head = [*indent(column - 2 if column > _NUMBER else column), Span("= ")]
