@@ -72,3 +72,14 @@ def test_another_formula_is_not_alike() -> None:
     assert len(told_likewise(blocks, PROBLEM)) == 2
     blocks[2] = Equation((blocks[2].sides[0], Math(3 * sp.Symbol("O3_t"))), 3)
     assert told_likewise(blocks, PROBLEM) == blocks
+
+
+def test_moments_of_inertia_by_one_formula() -> None:
+    """Also where the mass of one has no index, as a unit has none."""
+    page = page_of_file("six-bar-class-3")
+    assert "I_AB = 1/12 m AB² = 1/12 · 1 · 0.4472² = 0.01667 kg·m² Likewise I_PC = 0.03125 kg·m², I_QD = 0.025" in page
+
+
+def test_a_further_component_of_a_shared_vector_stands_behind_its_words() -> None:
+    page = page_of_file("six-bar-class-3")
+    assert "(3) v_C along x: 0.4 ω_PC - 0.2 ω_AB - 0.2 ω_slab = 0.2 · 4 = 0.8 in m/s (4) v_D along x:" in page

@@ -24,7 +24,7 @@ from planar_cli.report.sizes_listed import with_sizes_listed
 
 LEAST, LONGEST, SAVED, OF_POINTS = 3, 4, 3, 1
 """Fewer units are told one by one; a unit has no more blocks; more rows of a page are saved, of points with their arms
-one at least.
+and of moments of inertia one at least.
 """
 ROW = 95
 """About how many characters fill a row."""
@@ -46,7 +46,8 @@ def told_likewise(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     start = 0
     while start < len(blocks):
         size, units = _units(blocks, start, names)
-        least = OF_POINTS if units and _are_points(units[0]) else SAVED
+        few = bool(units) and (_are_points(units[0]) or _is_inertia(blocks[start]))
+        least = OF_POINTS if few else SAVED
         told = _told(units, names, answers) if sum(map(_rows, units[1:])) > least else None
         if told is None:
             found.append(blocks[start])
@@ -96,6 +97,12 @@ class _Unit:
         own = tuple(dict.fromkeys(names.pattern.findall(text)))
         form = names.pattern.sub(lambda m: f"‹{own.index(m[0])}›", text)
         return cls(tuple(blocks), NUMBER.sub("(#)", form), own)
+
+
+def _is_inertia(block: Block) -> bool:
+    """Is it the line of a moment of inertia?"""
+    lead = block.lead[:1] if isinstance(block, Equation) and block.number is None else ()
+    return bool(lead) and isinstance(lead[0], Text) and lead[0].text.startswith("moment of inertia of ")
 
 
 def _units(blocks: Sequence[Block], start: int, names: _Names) -> tuple[int, list[_Unit]]:
@@ -157,7 +164,8 @@ def _piece(piece: object) -> str:
         case Math(expr):
             return COMMA.sub("_", str(expr))
         case Value(_, unit):
-            return f"# {unit}"
+            # No letter of a unit is a name: m of kg·m² is no mass.
+            return f"# {'.'.join(str(ord(c)) for c in unit)}"
     return repr(piece)
 
 

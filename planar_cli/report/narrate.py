@@ -110,8 +110,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 
     `why`: the name of one find; only what its answer used is told. KeyError: there is no such find.
     """
-    blocks: list[Block] = []
-    problem = solution.problem
+    blocks, problem = list[Block](), solution.problem
     texts = stated_text(problem) if voice.audience == "lesson" else []
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
