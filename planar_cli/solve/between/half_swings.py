@@ -65,9 +65,9 @@ def dates_by_modes(course: MotionEquations, value: Valuation) -> Iterator[Equati
         if state.name in course.modes.turnings or not is_dated_by_mode(state):
             continue
         stop, when = course.stops[state.name], value.known(course.stops[state.name].t)
-        for name in course.modes.turnings:
+        for name in course.modes.turnings if when is not None and when.is_finite() else ():
             other = course.stops[name]
-            if when is not None and (t := value.known(other.t)) is not None and abs(t - when) <= CLOSE * abs(when):
+            if when and (t := value.known(other.t)) is not None and abs(t - when) <= CLOSE * abs(when):
                 yield Equation(stop.t - other.t, "link", f"it is state {name}", stop.name, name)
 
 
@@ -113,6 +113,8 @@ def _quarters(law: Law, since: Stop, stop: Stop, value: Valuation) -> int | None
     """
     own, q = law.vibration, law.coordinate.symbol
     assert own is not None
+    if not all((t := value.known(s.t)) is not None and t.is_finite() for s in (since, stop)):
+        return None
     phase = value.known(own.natural * (stop.t - since.t))
     swing = value.known(own.natural * (since.letters[q] - own.steady))
     speed = value.known(_speed(law, stop))
