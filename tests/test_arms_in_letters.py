@@ -28,7 +28,7 @@ def test_an_equation_in_accelerations_that_are_known_gets_their_numbers() -> Non
 
 def test_a_long_sum_of_moments_has_its_masses_and_arms_before_it_is_collected() -> None:
     page = page_of_file("chain-5")
-    assert "+ 0.04167 α_DE + 1 · 0.05130 a_G,BC,x + 1 · 0.1410 a_G,BC,y + 1.5 · 0.06788 a_G,CD,x" in page
+    assert "= 0.02 α_CD + 0.04167 α_DE - 1.5 · 0.03473 a_G,CD,x + 1.5 · 0.19696 a_G,CD,y" in page
 
 
 def test_half_of_a_rod_that_coordinates_place_is_told_by_its_length() -> None:
