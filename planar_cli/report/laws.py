@@ -59,11 +59,13 @@ def swings(e: Relation) -> bool:
 
 
 def counted(words: str) -> str:
-    """What a coordinate counts, in a sentence: the angle of the wheel, x of P, the way of C along its path."""
+    """What a coordinate counts, in a sentence: the angle of the wheel, x of P, the way of C along its path; of one that
+    the file declares its name alone, x_B.
+    """
     what, _, thing = words.partition(" of ")
     thing, _, rest = thing.partition(" ")
     told = f"{what} of {with_article(thing)}{' ' if rest else ''}{rest}" if thing else what
-    return told if what in ("x", "y") else f"the {told}"
+    return told if what in ("x", "y") or (not thing and (len(what) == 1 or "_" in what)) else f"the {told}"
 
 
 class LawTelling:

@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.counting import operations
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.solve.between.balances import StateBalance
+from planar_cli.solve.between.substitution import STATE, TIME
 from planar_cli.solve.regimes.equations import Equation
 
 GIVEN, LINK = "given", "link"
@@ -28,6 +29,17 @@ def by_given(equations: Sequence[Equation], unknowns: Collection[sp.Symbol], pla
     """
     formulas = _formulas(equations, unknowns, plain)
     return [_in_given(e, formulas, plain) for e in equations]
+
+
+def by_its_name(e: Equation, residual: sp.Expr, inside: frozenset[sp.Symbol]) -> frozenset[sp.Symbol]:
+    """The velocity or place at a state, of two unknowns of a datum of which the other one is a constant that is sought:
+    v_1 = v_0 is no equation to be solved, but its name. A time keeps its own letter, by which the others differ.
+    """
+    if e.kind != GIVEN or e.told:
+        return inside
+    (own, *more) = [s for s in inside if STATE in s.name and not s.name.startswith(TIME)] or [None]
+    named = own is not None and not more and len(inside) == 2 and residual.is_Add and len(residual.args) == 2
+    return frozenset((own,)) if named and all(a.is_Symbol or (-a).is_Symbol for a in residual.args) else inside
 
 
 def _formulas(

@@ -15,6 +15,7 @@ from planar_cli.problem.scene import Round
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Chain
 from planar_cli.solve.between.extremes import stationary
+from planar_cli.solve.between.lasting_laws import lasting_equations
 from planar_cli.solve.between.mass_centres import mass_centre_equations
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.following.departure import Departure
@@ -253,6 +254,7 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr], data: Sequ
         stated = known | begun_at(data, start)
         by_laws = law_equations(laws, start, stop, regime, value.extended(dict(_not_forward(stated, value))))
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
+        found += list(lasting_equations(motion, i, since))
         met = meeting_equations(motion.demands[state.name], laws, start, stop, regime)
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in met]
         found += list(link_equations(laws, start, stop, regime))

@@ -22,7 +22,7 @@ from planar_cli.equation.plain import by_name, derivative, letters, longer, simp
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.angles_between import by_angles, by_the_angle_between
 from planar_cli.solve.between.at_hand import at_hand
-from planar_cli.solve.between.by_given import by_given
+from planar_cli.solve.between.by_given import by_given, by_its_name
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
@@ -106,7 +106,7 @@ class Router:
                 if e.kind not in (*DATA, "v(t)", "link", "q(t)"):
                     continue
                 residual = e.residual.xreplace(found)
-                inside = letters(residual) & self.unknowns
+                inside = by_its_name(e, residual, letters(residual) & self.unknowns)
                 if len(inside) != 1 or inside & found.keys():
                     continue
                 (x,) = inside
