@@ -31,15 +31,24 @@ def by_given(equations: Sequence[Equation], unknowns: Collection[sp.Symbol], pla
     return [_in_given(e, formulas, plain) for e in equations]
 
 
-def by_its_name(e: Equation, residual: sp.Expr, inside: frozenset[sp.Symbol]) -> frozenset[sp.Symbol]:
-    """The velocity or place at a state, of two unknowns of a datum of which the other one is a constant that is sought:
-    v_1 = v_0 is no equation to be solved, but its name. A time keeps its own letter, by which the others differ.
+def beginnings(equations: Sequence[Equation]) -> frozenset[str]:
+    """The states from which motions go on and to which none comes."""
+    spans = [e for e in equations if e.since]
+    return frozenset(e.since for e in spans) - {e.stop for e in spans}
+
+
+def by_its_name(
+    e: Equation, residual: sp.Expr, inside: frozenset[sp.Symbol], begins: Collection[str]
+) -> frozenset[sp.Symbol]:
+    """The velocity or place with which a motion begins, of two unknowns of a datum of which the other one is a constant
+    that is sought: v_1 = v_0 is no equation to be solved, but its name.
     """
-    if e.kind != GIVEN or e.told:
+    if e.kind != GIVEN or e.told or e.stop not in begins or len(inside) != 2:
         return inside
-    (own, *more) = [s for s in inside if STATE in s.name and not s.name.startswith(TIME)] or [None]
-    named = own is not None and not more and len(inside) == 2 and residual.is_Add and len(residual.args) == 2
-    return frozenset((own,)) if named and all(a.is_Symbol or (-a).is_Symbol for a in residual.args) else inside
+    own = [s for s in inside if STATE in s.name and not s.name.startswith(TIME)]
+    said = e.words.partition("=")[2].strip(" -")
+    named = len(own) == 1 and residual.is_Add and len(residual.args) == 2 and said in {s.name for s in inside}
+    return frozenset(own) if named and all(a.is_Symbol or (-a).is_Symbol for a in residual.args) else inside
 
 
 def _formulas(

@@ -22,7 +22,7 @@ from planar_cli.equation.plain import by_name, derivative, letters, longer, simp
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.angles_between import by_angles, by_the_angle_between
 from planar_cli.solve.between.at_hand import at_hand
-from planar_cli.solve.between.by_given import by_given, by_its_name
+from planar_cli.solve.between.by_given import beginnings, by_given, by_its_name
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
@@ -98,15 +98,15 @@ class Router:
 
     def _plain(self, equations: Sequence[Equation]) -> dict[sp.Symbol, sp.Expr]:
         """Data that need no line: zeros, names of the file or their opposites, starting times; and what stays so."""
-        found: dict[sp.Symbol, sp.Expr] = {}
-        changed = True
+        found, changed = dict[sp.Symbol, sp.Expr](), True
+        begins = beginnings(equations)
         while changed:
             changed = False
             for e in equations:
                 if e.kind not in (*DATA, "v(t)", "link", "q(t)"):
                     continue
                 residual = e.residual.xreplace(found)
-                inside = by_its_name(e, residual, letters(residual) & self.unknowns)
+                inside = by_its_name(e, residual, letters(residual) & self.unknowns, begins)
                 if len(inside) != 1 or inside & found.keys():
                     continue
                 (x,) = inside
