@@ -55,3 +55,11 @@ def test_the_result_of_one_equation_has_its_numbers_once(stem: str, result: str)
     page = page_of_file(stem)
     assert result in page
     assert "in numbers:" not in page
+
+
+def test_a_long_formula_of_an_acceleration_stands_in_its_line_alone() -> None:
+    page = page_of_file("slider-crank-driven")
+    formula = "a_B = √3/2 r α_AB + (r/2 - x_B) ω_AB² - 1/2 r ω_OA²"
+    assert page.count(formula) == 1
+    assert "(5): a_B = √3/2 · 0.1 · 116.95 + (0.1/2 - 0.3372) · 3.482² - 1/2 · 0.1 · 20² = -13.35 m/s²" in page
+    assert "(4): a_G,AB,y = 0.1436 · 116.95 - 34.116 = -17.32 m/s²" in page

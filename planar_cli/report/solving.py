@@ -357,9 +357,18 @@ class SolvingTelling:
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
             value = None if self.phrases.symbolic else self.phrases.shown(symbol)
-            chain, lead = self.chain(symbol, stage.algebra.explicit[symbol], value), line()
-            if len(chain) == 2 and (numbers := self.numeric.put_whole_line(symbol, stage)) is not None:
-                chain, named = (chain[0], numbers, chain[1]), {x.symbol: x.number for x in stage.lines}
-                lead = line(f"({self.number(stage, named[symbol])}):") if symbol in named else line()
-            if len(chain) > 2 or not self.phrases.symbolic:
-                yield Equation(chain, None, lead)
+            chain = self.chain(symbol, stage.algebra.explicit[symbol], value)
+            short = self._by_its_line(symbol, chain, stage)
+            named = next((y.number for y in stage.lines if y.symbol == symbol and short != chain), None)
+            if len(short) > 2 or not self.phrases.symbolic:
+                yield Equation(short, None, line() if named is None else line(f"({self.number(stage, named)}):"))
+
+    def _by_its_line(self, symbol: sp.Symbol, chain: tuple[Any, ...], stage: Stage) -> tuple[Any, ...]:
+        """The value of an acceleration without the formula of its line, or with the numbers of that line."""
+        own = next((y for y in stage.lines if y.symbol == symbol), None)
+        if len(chain) == 2 or (own is not None and self.numeric.put_named(own)):
+            numbers = self.numeric.put_whole_line(symbol, stage)
+            return chain if numbers is None else (chain[0], numbers, chain[-1])
+        long = own is not None and len(chain) > 3 and longer(own.expression, SHORT)
+        stands = long and own is not None and chain[1] == self.phrases.math(own.expression)
+        return (chain[0], *chain[2:]) if stands else chain
