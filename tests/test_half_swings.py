@@ -78,3 +78,5 @@ def test_what_a_mode_alone_dates_is_derived() -> None:
     assert "Q = μ m g way = 0.15 · 2 · 9.81 · 0.4891 = 1.439 J" in page
     assert "(x_start - x_turn_1) + (x_turn_2 - x_turn_1) + (x_turn_2 - x_stops) + (x_stops_2 - x_stops)" in page
     assert "as before: the diagram, (1) and (2)" in page
+    assert page.count("; there, between both midpoints, friction holds it: (9) x_stops_2 = ") == 1
+    assert page.count("friction holds it") == 1

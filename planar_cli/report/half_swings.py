@@ -19,6 +19,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Relation, RouteStep
 from planar_cli.solve.law import AT_MIDPOINT, FROM_REST, HALF_SWINGS
 
+STOPS = "it stops sliding"
+
 
 class HalfSwingTelling:
     """Tells such steps; what holds for each half swing is said once."""
@@ -50,11 +52,25 @@ class HalfSwingTelling:
         elif e.kind == HALF_SWINGS:
             yield Paragraph(line(f"{reach}, ", *self._counted(e, natural), ":"))
         elif self._said:
-            yield Paragraph(line(f"{reach} likewise", *(x for q in rest for x in (", about ", Math(q))), ":"))
+            about = (x for q in rest for x in (", about ", Math(q)))
+            yield Paragraph(line(f"{reach} likewise", *about, f"{self._held(e)}:"))
         else:
             self._said = True
-            words = ", from rest to rest, it goes as far beyond the midpoint as it began before it:"
-            yield Paragraph(line(reach, words))
+            words = ", from rest to rest, it goes as far beyond the midpoint as it began before it"
+            yield Paragraph(line(reach, words, f"{self._held(e)}:"))
+
+    def _held(self, e: Relation) -> str:
+        """Why it stays there, where friction moves the midpoint: between both it can slide neither way."""
+        law, found = e.law, self.found
+        ends = (t for t in found.turnings if t.state == e.stop and t.words == STOPS)
+        if law is None or not any(not goes_on(found, e.stop, t.expr) for t in ends):
+            return ""
+        own = (s for s, general in found.general.items() if general == law.coordinate.symbol)
+        place = next((found.value.known(s) for s in own if found.ledger.roles[s].at == e.stop), None)
+        every = (x.vibration for _, _, laws in found.stretches for x in laws if x.coordinate == law.coordinate)
+        known = [v for x in every if x is not None and (v := found.value.known(x.steady)) is not None]
+        between = place is not None and bool(known) and min(known) < place < max(known)
+        return "; there, between both midpoints, friction holds it" if between else ""
 
     def _counted(self, e: Relation, natural: Math) -> Line:
         """`4 half swings of π/ω_n each, with the same ω_n either way`."""
@@ -91,4 +107,4 @@ def _rests(found: MotionTrace, e: Relation) -> Iterator[str]:
 def goes_on(found: MotionTrace, state: str, speed: sp.Expr) -> bool:
     """Is a coordinate whose speed vanishes there accelerated after it, so that it comes back?"""
     after = (laws for since, _, laws in found.stretches if since == state)
-    return any(law.speed == speed and law.order == 2 and law.f != 0 for laws in after for law in laws)
+    return any(law.speed in (speed, -speed) and law.order == 2 and law.f != 0 for laws in after for law in laws)
