@@ -30,8 +30,8 @@ from planar_cli.units import LENGTH, PURE
 
 LEAST = 3
 """So many sides has a product with its numbers; of fewer further ones each has a row."""
-ROW, BESIDE = 84, 14
-"""Characters of a row of products, and those of a value with what stands about it."""
+ROW, BETWEEN = 92, 5
+"""Characters of a row of products, and those of what stands about a value."""
 
 
 @record
@@ -98,7 +98,7 @@ def _in_rows(told: Sequence[Equation]) -> Iterator[Equation]:
 
 def _length(product: Equation) -> int:
     """About how many characters a product has by its value."""
-    return len(as_text(line(product.sides[0]))) + BESIDE
+    return len(as_text(line(product.sides[0], product.sides[-1]))) + BETWEEN
 
 
 def _by_values(row: Sequence[Equation]) -> Equation:
