@@ -83,3 +83,8 @@ def test_moments_of_inertia_by_one_formula() -> None:
 def test_a_further_component_of_a_shared_vector_stands_behind_its_words() -> None:
     page = page_of_file("six-bar-class-3")
     assert "(3) v_C along x: 0.4 ω_PC - 0.2 ω_AB - 0.2 ω_slab = 0.2 · 4 = 0.8 in m/s (4) v_D along x:" in page
+
+
+def test_a_second_moment_of_inertia_of_a_body_names_its_axis_alone() -> None:
+    page = page_of_file("four-bar-driven")
+    assert "I_CB = 1/12 m_CB c² = 1/12 · 2 · 0.4² = 0.02667 kg·m² about C, parallel axes: I_C = 1/4 m_CB c²" in page

@@ -20,6 +20,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.results import numbered
 from planar_cli.report.said import letter_of
+from planar_cli.report.same_body import with_axes_alone
 from planar_cli.report.sizes_listed import with_sizes_listed
 
 LEAST, LONGEST, SAVED, OF_POINTS = 3, 4, 3, 1
@@ -35,7 +36,7 @@ ARM = "r_"
 
 def told_likewise(blocks: Sequence[Block], problem: Problem) -> list[Block]:
     """The blocks of a page; bodies that are alike only of a problem with three at least."""
-    blocks = with_sizes_listed(blocks)
+    blocks = with_axes_alone(with_sizes_listed(blocks))
     if len(problem.bodies) < LEAST:
         return blocks
     names = _Names.of(problem)
