@@ -21,7 +21,7 @@ def test_of_three_equations_two_are_put_into_the_third() -> None:
 
 def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
     page = page_of_file("ball-on-a-cord-that-goes-slack")
-    assert "(5) in numbers: 2.771 = 0.8 r_3² φ̇_3" in page
+    assert "(5) ↺ H_O: 2.771 = 0.8 r_3² φ̇_3 in kg·m²/s" in page
     assert "(4), (5) together: r_3 = 0.5108 m" in page
 
 
