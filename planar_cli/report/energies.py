@@ -371,7 +371,8 @@ def _collected(omega: sp.Expr) -> sp.Expr:
 
 def _is_times_a_sum(speed: sp.Expr) -> bool:
     """Is it r ω (tan β cos θ - sin θ)?"""
-    return bool(speed.is_Mul) and speed.has(sp.Add) and all(p.exp.is_Integer for p in speed.atoms(sp.Pow))
+    waves = any(total.has(sp.sin, sp.cos, sp.tan) for total in speed.atoms(sp.Add))
+    return bool(speed.is_Mul) and waves and all(p.exp.is_Integer for p in speed.atoms(sp.Pow))
 
 
 def _chained(sides: Sequence[Any]) -> list[Any]:
