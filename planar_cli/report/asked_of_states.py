@@ -238,9 +238,8 @@ class AskedTelling:
             shown = shown[1:]  # the file calls it as the page does
         before = at_its_state(asked.find.name, formula, self.found) if span is None and not part.axis else None
         sides: list[Any] = [name, *([] if before is None else [phrases.math(before)]), *shown, *values]
-        bare = all(math.values for math in shown)
         ends = () if span is None or not values else by_ends(span, self.found, phrases, values[0])
-        if ends or (span is not None and values and (ends := by_force(span, self.found, phrases, bare))):
+        if ends or (span is not None and values and (ends := by_force(span, self.found, phrases))):
             yield Equation((name, *ends, *values))
         elif span is not None and (quoted := self._told_before(span)):
             yield Equation((name, *quoted, *(shown if len(quoted[-1]) < 3 else ()), *values))

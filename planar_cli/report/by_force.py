@@ -16,13 +16,11 @@ SAME = Decimal("1e-12")
 """What a force times the time may differ from its integral, relative to it."""
 
 
-def by_force(span: SpanIntegral, found: MotionTrace, phrases: Phrases, bare: bool) -> tuple[Any, ...]:
-    """The sides between the name of such a find and its value; empty of another one. `bare`: it has no other formula
-    in letters, which would tell more than the force does.
-    """
+def by_force(span: SpanIntegral, found: MotionTrace, phrases: Phrases) -> tuple[Any, ...]:
+    """The sides between the name of such a find and its value; empty of another one."""
     (piece, *more) = span.pieces or (None,)
     mean = span.quantity.word == "mean"
-    if phrases.symbolic or more or piece is None or piece.letter is None or not (mean or bare):
+    if phrases.symbolic or more or piece is None or piece.letter is None:
         return ()
     number = _told_force(piece, found)
     since, until = (found.value.known(t) for t in piece.limits)
