@@ -22,7 +22,10 @@ TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1
     (SLIDER_CRANK, "T_3 of crank = 0.0045 ω_crank,3² in J v_G,AB,3"),
     (SLIDER_CRANK, "y_G,crank,1 = y_G,AB,1 = √3 r_c/4 = √3 · 0.15 / 4 = 0.06495 m"),
     (SLIDER_CRANK, "y_G,crank,3 = y_G,AB,3 = 0 m, s_3 = 0.05 m U"),
-    (SLIDER_CRANK, "T_1 + U = T_2: 0.3232 + 0.5386 + 2.989 = 3.851 = 0.02461 ω_crank,2² in J"),
+    (SLIDER_CRANK, "T_1 + U = T_2: 0.8618 + 2.989 = 3.851 = 0.02461 ω_crank,2² in J"),
+    (SLIDER_CRANK, "y_G,crank,2 = y_G,AB,2 = 1/2 r_c sin θ_crank,2 = 1/2 · 0.15 sin 30° = 0.0375 m"),
+    (SLIDER_CRANK, "U of the weights of crank, AB = (m_c + m_r) g (y_G,crank,1 - y_G,crank,2) = (1.2 + 2) · 9.81"),
+    (SLIDER_CRANK, "T_1 + U = T_4: 2.354 (0.8660 - sin θ_crank,4) + 4.156 - 200 ("),
     ("crate-winched-up-a-slope", "U of the weight of crate = m g (y_1 - y_mid) = -m g s_mid sin β = "),
     ("crate-winched-up-a-slope", "energy, T_3 = 0; N_P does no work: U of the weight of crate = -m g s_3 sin β U"),
     ("satellite-launched-at-a-slant", "(-m g R²/r²) dr = m g R² (1/r_apogee - 1/r_burnout) = "),
@@ -36,6 +39,7 @@ def test_what_is_said(stem: str, told: str) -> None:
     (SLIDER_CRANK, "v_G,crank,3"),
     (SLIDER_CRANK, "stretch of the spring coil, s_3"),
     (SLIDER_CRANK, "T_2 = 0.02461"),
+    ("block-between-two-springs", "(2) in numbers"),
     ("crate-winched-up-a-slope", "y_3"),
 ])  # fmt: skip
 def test_what_is_not_told_again(stem: str, again: str) -> None:

@@ -166,6 +166,8 @@ class Storage:
     """1: factor · (first - last); 2: factor · (first² - last²)/2."""
     letter: str
     """The name of height or stretch, without the state."""
+    alike: tuple[str, ...] = ()
+    """The names of other heights that are the same at both states, without these."""
 
     @property
     def brought(self) -> sp.Expr:

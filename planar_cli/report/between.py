@@ -22,6 +22,7 @@ from planar_cli.report.earlier_balances import EarlierBalances
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.energy_lines import comes_at_once
 from planar_cli.report.energy_of_groups import balance_in_letters, by_turning_and_sliding
+from planar_cli.report.energy_pieces import EnergyPieces
 from planar_cli.report.forces import force_rows
 from planar_cli.report.given_momenta import by_given_letters
 from planar_cli.report.heads_of_blows import is_conserved, no_rebound, passing, together, unchanged
@@ -34,6 +35,7 @@ from planar_cli.report.nil_impulses import nil_beside
 from planar_cli.report.one_body import struck_together
 from planar_cli.report.put_in import put_in
 from planar_cli.report.reciprocals import with_reciprocals
+from planar_cli.report.same_heights import with_same_heights
 from planar_cli.report.sides import said
 from planar_cli.report.spread import each_half
 from planar_cli.report.standing import standing, standing_lines
@@ -161,6 +163,8 @@ class BetweenTelling:
         """Energies one by one with their numbers, then their balance."""
         first, last = f"{b.law.letter}__{b.since}", f"{b.law.letter}__{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
+        pieces = EnergyPieces(b, self.unknowns, self.numeric, self.plain, set(), self.geometry, drawn=self.drawn)
+        b = with_same_heights(pieces)
         gains = [by_geometry(self._put(e), self.geometry, self.unknowns) for _, e in b.brought]
         parts = [put for put in (self._put(b.before), *gains) if put != 0]
         gain = self._put(b.gain)
@@ -177,6 +181,7 @@ class BetweenTelling:
         at_end = self._put(b.after), self.unknowns, moving
         listed = list(by_turning_and_sliding(lines, (first, last), at_end, self.groups.get(b.stop), self.numeric))
         sides = balance_in_letters(telling, LONGEST) if number in self.counted else ()
+        sides = () if self.earlier.have_works(listed, b) else sides
         at_once = comes_at_once(listed, () if self._put(b.before) else sides, told)
         yield from self.earlier.lines(listed, b, at_once, told)
         if sides:

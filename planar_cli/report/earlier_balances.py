@@ -73,6 +73,15 @@ class EarlierBalances:
                 self.forms[left] = tuple(others)
         return in_few_lines(own, told)
 
+    def have_works(self, blocks: Sequence[Block], balance: BalanceTrace) -> bool:
+        """Had earlier balances the formulas of all works of this one, which come with numbers beside what is sought, so
+        that it is their sum at sight?
+        """
+        works = [b for b in blocks if isinstance(b, Equation) and _is_work(b, balance)]
+        known = {left.partition(OF)[2] for left in self.forms if left.startswith(balance.law.bring)}
+        beside = (isinstance(b.sides[-1], Math) and bool(b.sides[-1].values) for b in works)
+        return bool(works) and all(beside) and all(written(b.sides[0]).partition(OF)[2] in known for b in works)
+
     def _without_terms(self, blocks: list[Block], balance: BalanceTrace, told: Equation) -> list[Block]:
         """Without the works that are the terms of a balance in letters, where all are, and others have told of which
         forces these are.

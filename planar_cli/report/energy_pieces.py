@@ -78,6 +78,10 @@ class EnergyPieces:
         short = by_geometry(put, self.geometry, self.unknowns)
         return short if longer(short, SHORT * 4) else with_reciprocals(simplified(short))
 
+    def height(self, expr: sp.Expr) -> sp.Expr:
+        """A height as it is told: in the given position by the data."""
+        return self._as_drawn(self._put(expr))
+
     def centre(self, made: Moving) -> str:
         """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
         if made.center != made.body or made.inertia == 0:

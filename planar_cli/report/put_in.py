@@ -257,7 +257,7 @@ class Writer:
         terms = [t for part in parts for t in sp.Add.make_args(part)]
         numbers = [t for t in terms if t.is_number or t.as_coeff_Mul()[1] in self.sizes]
         if len(numbers) < 2:
-            return list(parts)
+            return terms
         whole = sum((self._size(t) for t in numbers), Decimal(0))
         rest = [t for t in terms if t not in numbers]
         if abs(whole) <= SMALL * max(abs(self._size(t)) for t in numbers):

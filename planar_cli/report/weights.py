@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
@@ -50,9 +50,9 @@ class WeightTelling(EnergyPieces):
         numbers = self._with(told, heights, sizes)
         sides = self._fitting(self._lettered(told, sizes), put, numbers)
         if numbers and numbers[0] in sides:
-            yield from self._heights(heights)
+            yield from self._heights(heights, made.alike)
         elif len(sides) > 1 and not any(longer(e, SHORT) for e in ends):
-            yield from self._difference(heights) or self._heights(heights)
+            yield from self._difference(heights) or self._heights(heights, made.alike)
         if numbers and numbers[0] in sides:
             self.letters[f"U of {made.words}"] = None if sizes else told
         yield self._line(lead, *sides)
@@ -80,8 +80,10 @@ class WeightTelling(EnergyPieces):
                 return made.factor * letter * rest
         return None
 
-    def _heights(self, ends: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
-        """y_1 = formula = number, and y_2: each once, but again where it has a number that was still to be found."""
+    def _heights(self, ends: Mapping[sp.Symbol, sp.Expr], alike: Sequence[str]) -> Iterator[Block]:
+        """y_1 = formula = number, and y_2: each once, but again where it has a number that was still to be found.
+        `alike`: the names of others that are the same.
+        """
         for own, general in ends.items():
             expr = self._as_drawn(general)
             known = self.phrases.value.known(own) is not None
@@ -91,7 +93,9 @@ class WeightTelling(EnergyPieces):
                 sides = self._length(expr)
                 # Where the other height is still to be found, the work goes on in letters.
                 lettered = self.bare and isinstance(sides[0], Math) and any(map(self._is_sought, ends.values()))
-                yield self._line(Math(own), *(sides[:1] if lettered else sides), dimension=LENGTH)
+                state = own.name.rpartition(STATE)[2]
+                others = (Math(sp.Symbol(f"{name}{STATE}{state}", real=True)) for name in alike)
+                yield self._line(Math(own), *others, *(sides[:1] if lettered else sides), dimension=LENGTH)
 
     def _difference(self, ends: Mapping[sp.Symbol, sp.Expr]) -> list[Block]:
         """y_1, and y_1 - y_2 where it is a multiple of what is sought, as both heights are of one that is asked for."""
