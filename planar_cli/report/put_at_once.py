@@ -9,12 +9,13 @@ from collections.abc import Callable, Sequence
 import sympy as sp
 
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Block, Equation, Math
+from planar_cli.report.blocks import Block, Equation, Math, Text
 from planar_cli.report.notation import plain
 from planar_cli.report.solved_already import is_written
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line, SolvedBlock
 
+IN_NUMBERS = " in numbers"
 MOST, LONGEST = 3, 14
 """No more lines are left out, and none before a result of more operations: there a reader would lose the way."""
 
@@ -67,9 +68,29 @@ def _told_again(
 
 
 def without_repeated(blocks: Sequence[Block], later: Sequence[Block]) -> list[Block]:
-    """Equations in numbers without those of which a later line tells the same: F_C = -416 α."""
-    said = {_spelled(b) for b in later if isinstance(b, Equation)}
-    return [b for b in blocks if not isinstance(b, Equation) or _spelled(b) not in said]
+    """Equations in numbers without those of which a later line tells the same: F_C = -416 α; or which that solves
+    for one of its unknowns by the others: (11) in numbers: a - 0.2 α = 0 beside (11): a = 0.2 α.
+    """
+    told = [b for b in later if isinstance(b, Equation)]
+    said = {_spelled(b) for b in told}
+    solved = {(_numbered(b), _unknowns(b)) for b in told}
+    return [
+        b
+        for b in blocks
+        if not isinstance(b, Equation) or (_spelled(b) not in said and (_numbered(b), _unknowns(b)) not in solved)
+    ]
+
+
+def _numbered(equation: Equation) -> str:
+    """(7) of `(7) in numbers:`, or of `(7):`."""
+    lead = equation.lead[0] if len(equation.lead) == 1 else None
+    return lead.text.removesuffix(":").removesuffix(IN_NUMBERS) if isinstance(lead, Text) else ""
+
+
+def _unknowns(equation: Equation) -> frozenset[sp.Symbol]:
+    """The letters for which no numbers stand."""
+    told = [side for side in equation.sides if isinstance(side, Math)]
+    return frozenset(s for side in told for s in side.expr.free_symbols - set(side.values or ()))
 
 
 def _spelled(equation: Equation) -> str:

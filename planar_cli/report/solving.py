@@ -269,8 +269,10 @@ class SolvingTelling:
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
             told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
-        value = self.phrases.shown(x.symbol, x.value)
-        return [*told, Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
+        result: tuple[Any, ...] = (self.phrases.math(x.symbol), *solved, self.phrases.shown(x.symbol, x.value))
+        if _is_quotient(solved):
+            return [*told, Equation(result, None, lead)]
+        return [*told, Equation(sides, None, lead, note), Equation(result)]
 
     def _in_storeys(self, block: SolvedBlock, stage: Stage) -> bool:
         """Would letters make fractions of fractions of what is carried, where numbers make it a few short lines?"""
@@ -372,3 +374,10 @@ class SolvingTelling:
         long = own is not None and len(chain) > 3 and longer(own.expression, SHORT)
         stands = long and own is not None and chain[1] == self.phrases.math(own.expression)
         return (chain[0], *chain[2:]) if stands else chain
+
+
+def _is_quotient(numbers: Sequence[Math]) -> bool:
+    """Is it one number by another, which tells their equation as well: 52.86/0.5742 of 0.5742 α = 52.86?"""
+    (one, *more) = numbers
+    above, below = one.expr.as_numer_denom()
+    return not more and below != 1 and not (above.is_Add or below.is_Add)
