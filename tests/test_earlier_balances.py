@@ -39,6 +39,7 @@ def test_what_is_said(stem: str, told: str) -> None:
     (SLIDER_CRANK, "v_G,crank,3"),
     (SLIDER_CRANK, "stretch of the spring coil, s_3"),
     (SLIDER_CRANK, "T_2 = 0.02461"),
+    (SLIDER_CRANK, "θ_crank,1 = 60°"),
     ("block-between-two-springs", "(2) in numbers"),
     ("crate-winched-up-a-slope", "y_3"),
 ])  # fmt: skip

@@ -6,16 +6,19 @@ own for the reason of a root.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import TypeGuard
 
+from planar_cli.problem.expression import Number
+from planar_cli.problem.scene import Polar, Problem
 from planar_cli.report.blocks import Block, Equation, Forces, Inline, Math, Name, Paragraph, Text, Value
 from planar_cli.report.heads_of_states import with_states_headed_once
 from planar_cli.report.idle_contacts import without_idle_contacts
 from planar_cli.report.idle_symmetry import without_idle_symmetry
 from planar_cli.report.left_out import tells_a_state, tells_of_others, tells_the_root
-from planar_cli.report.mentioned import names_in
+from planar_cli.report.mentioned import names_in, pieces_of
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
 from planar_cli.report.said import said as worded
@@ -34,18 +37,21 @@ STILL = "nothing moves during a blow"
 """The remark on a place just after a blow."""
 STATE = "__"
 """Stands before the state in the name of a letter."""
+FIGURES = 12
 QUARTER = 90
 """Of angles that are so many degrees, or a multiple of it, the sine and cosine are put in."""
 DEFINED = ("mass of ", "moment of inertia of ")
 """Begins the line of a mass or a moment of inertia."""
 
 
-def without_idle_lines(blocks: Sequence[Block], said: set[str] | None = None) -> list[Block]:
+def without_idle_lines(
+    blocks: Sequence[Block], said: set[str] | None = None, problem: Problem | None = None
+) -> list[Block]:
     """The blocks of a part. `said`: what letters mean, as far as that stands on the page; changed, where it is left
-    out.
+    out. `problem`: the file, of which angles of the given position stand under Given.
     """
     told = with_times_of_blows(list(said_above(without_unused_masses(without_idle_contacts(blocks)))))
-    needed = list(without_unused_places(told))
+    needed = list(without_unused_places(told, angles_given(problem) if problem is not None else ()))
     if said is not None:
         said -= {str(b.line) for b in told if isinstance(b, Paragraph) and b not in needed}
     told = without_idle_symmetry(with_roots_beside(needed))
@@ -140,15 +146,19 @@ def _carried(block: Block, remark: str) -> list[str]:
     return [s.expr.name for s in block.sides if isinstance(s, Math) and s.expr.is_Symbol]
 
 
-def without_unused_places(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Blocks without a place that a blow does not change, or that is drawn, where nothing else speaks of it."""
+def without_unused_places(blocks: Sequence[Block], given: Collection[Fraction] = ()) -> Iterator[Block]:
+    """Blocks without a place that a blow does not change, or that is drawn, where nothing else speaks of it; of an
+    angle that is `given`, in degrees, formulas may have the number: 0.15 cos 60°.
+    """
     spoken = Counter(name for block in blocks for name in _letters(block))
     kept: list[Block] = []
     for block in blocks:
         names = _carried(block, STILL)
         if len(names) == 2 and spoken[names[0]] == 1:
             continue
-        if (own := _drawn(block)) is not None and spoken[own] == 1 and not _is_put_in(block, own, spoken):
+        own = _drawn(block)
+        idle = own is not None and (spoken[own] == 1 or (_is_given(block, given) and _in_numbers_alone(own, blocks)))
+        if own is not None and idle and not _is_put_in(block, own, spoken):
             continue
         if not _is_unused_meaning(block, spoken):
             kept.append(block)
@@ -229,6 +239,25 @@ def _drawn(block: Block) -> str | None:
         return None
     placed = first.expr.name.startswith(PLACES) and lead.startswith("At ") and lead.endswith(":")
     return first.expr.name if placed or lead.endswith(DRAWN) else None
+
+
+def angles_given(problem: Problem) -> set[Fraction]:
+    """The angles in degrees at which points of the file are placed: OA = r at 60°."""
+    angles = [p.place.angle for p in problem.points if isinstance(p.place, Polar)]
+    return {a.value for a in angles if isinstance(a, Number) and a.unit == "deg" and a.sense > 0}
+
+
+def _is_given(block: Block, given: Collection[Fraction]) -> bool:
+    """Is it a letter and such an angle?"""
+    last = block.sides[-1] if isinstance(block, Equation) and len(block.sides) == 2 else None
+    return isinstance(last, Value) and last.unit == "deg" and Fraction(round(last.number, FIGURES)) in given
+
+
+def _in_numbers_alone(own: str, blocks: Sequence[Block]) -> bool:
+    """Does a letter stand as itself in one line only?"""
+    pieces = [p for block in blocks for p in pieces_of(block)]
+    letters = (s.name for p in pieces if isinstance(p, Math) for s in p.expr.free_symbols - set(p.values or ()))
+    return [*letters, *(p.name for p in pieces if isinstance(p, Name))].count(own) == 1
 
 
 def _is_put_in(block: Block, own: str, spoken: Mapping[str, int]) -> bool:

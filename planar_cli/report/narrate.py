@@ -137,7 +137,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             if why is None and not (headed and all(g in problem.given for g in case.given)):
                 blocks += changed_notes(problem, case, own, (first, mine), voice.figures)
         own = with_roots_of_cases(list(defined_once(own)), part, solution.parts)
-        own = without_idle_lines(carried_out(in_one_line(own)), meanings)
+        own = without_idle_lines(carried_out(in_one_line(own)), meanings, problem)
         own = with_weights_by_letter(by_its_line(without_primes(list(without_ritual(own)))))
         if voice.audience == "exam":
             blocks += key_blocks(own, blocks)
