@@ -1,6 +1,6 @@
 """The place at a given time on an ellipse, or the time at a given direction, by Kepler's equation.
 
-From the end of the orbit that is nearer to the centre, with the larger half axis a, the eccentricity e and the
+From the end of the orbit that is nearer to the centre, with the semi-major axis a, the eccentricity e and the
 eccentric anomaly E:
 
     v²/2 - μ/r = -μ/(2 a)     r_1 = a (1 - e)     E - e sin E = t √(μ/a³)
@@ -25,9 +25,10 @@ from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.timeline import Stop
 
 OWN = "anomaly of an ellipse"
-AXIS = "energy v²/2 - {K}/r = -{K}/(2 {a}) with the larger half axis {a} of the orbit and the attraction {K} m/r²"
+AXIS = "energy v²/2 - {K}/r = -{K}/(2 {a}) with the semi-major axis {a} of the orbit and the attraction {K} m/r²"
 ECCENTRICITY = "the orbit is nearest to the centre, r = {a} (1 - {e}) with the eccentricity {e}"
 EQUATION = "Kepler's equation for the eccentric anomaly E"
+DEFINED = ", by which r = {a} (1 - {e} cos E)"
 DISTANCE = "r = {a} (1 - {e} cos E)"
 DIRECTION = "tan({turned}/2) = √((1 + {e})/(1 - {e})) tan(E/2)"
 BY_ANGLE = "the eccentric anomaly E, tan(E/2) = √((1 - {e})/(1 + {e})) tan({turned}/2)"
@@ -127,7 +128,7 @@ def _equations(
         (
             later,
             big - epsilon * sp.sin(big) - sp.sqrt(mu / a**3) * passed,
-            EQUATION,
+            EQUATION + DEFINED if dated else EQUATION,
             big.name if dated else stop.t.name,
         ),
         *([(later, place[0] - a * (1 - epsilon * sp.cos(big)), DISTANCE, place[0].name)] if dated else []),

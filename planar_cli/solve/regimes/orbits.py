@@ -1,5 +1,5 @@
 """What moves about a fixed point under an attraction μ/r² per mass moves along a conic section, and its time of
-revolution is told by the larger half axis of that.
+revolution is told by the semi-major axis of that.
 
     1/r = μ/h² + (1/r_1 - μ/h²) cos(φ - φ_1) - (ṙ_1/h) sin(φ - φ_1),  h = r² φ̇        T = 2 π √(a³/μ)
 
