@@ -55,13 +55,13 @@ def apart(residual: sp.Expr, unknowns: set[sp.Symbol]) -> tuple[list[sp.Expr], s
     return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
 
 
-def as_counted(left: list[sp.Expr], right: sp.Expr, given: bool, system: System) -> tuple[list[sp.Expr], sp.Expr]:
+def as_counted(left: list[sp.Expr], right: sp.Expr, known: bool, system: System) -> tuple[list[sp.Expr], sp.Expr]:
     """Both sides, turned round where the left one is a rotation counterclockwise of a body that counts clockwise, or
-    what is `given` against the way in which its letter counts: a_B = 1.2 m/s² downward.
+    what is given with a value `known` against the way in which its letter counts: a_B = 1.2 m/s² downward.
     """
     if len(left) != 1:
         return left, right
-    against = given and (-left[0]).is_Symbol and right.could_extract_minus_sign()
+    against = known and (-left[0]).is_Symbol and right.could_extract_minus_sign()
     turns = any(e.turn < 0 and -left[0] in (e.spin, e.spin_rate) for e in system.tree.edges)
     return ([-left[0]], -right) if against or turns else (left, right)
 

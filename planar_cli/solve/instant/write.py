@@ -392,7 +392,8 @@ class Writer:
             left, right = as_told(*left)
         left, right = (left, right) if left else apart(self.shortened(residual), set(self.numbers.unknowns))
         given = condition.kind == "given" and len(form.terms) == 1
-        left, right = as_counted(left, right, given, self.system)
+        found = given and not right.free_symbols & set(self.numbers.unknowns)
+        left, right = as_counted(left, right, found, self.system)
         datum = given and sp.Add(*left).is_Symbol
         written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
