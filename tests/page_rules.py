@@ -121,7 +121,17 @@ def _body(lines: list[str], part: int) -> Iterator[Row]:
         joined.append([line])
         hangs = _hangs(line, indent)
     for rows in joined:
-        yield _row(" ".join([rows[0].rstrip(), *rows[1:]]), part)
+        yield from _one_by_one(_row(" ".join([rows[0].rstrip(), *rows[1:]]), part))
+
+
+def _one_by_one(row: Row) -> Iterator[Row]:
+    """The equations of a row that says several values: x_2 = 1 m,  v_2 = 3 m/s."""
+    pieces = re.split(r",  ", row.text) if row.kind == "equation" else []
+    if len(pieces) < 2 or not all(re.match(r"[^=]*\S = \S[^=]*$", p) for p in pieces):
+        yield row
+        return
+    for piece in pieces:
+        yield _row(f"     {piece}", row.part)
 
 
 def _hangs(line: str, indent: int) -> tuple[int, ...]:
