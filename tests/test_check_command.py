@@ -130,6 +130,12 @@ def test_a_message_says_how_far_off() -> None:
     assert found.message == "alpha: the file states -5 rad/s^2, the solution gives -4.905 rad/s^2 (1.9 % off)"
 
 
+def test_a_message_says_that_only_the_sense_is_another() -> None:
+    solved = "alpha: the file states 4.905 rad/s^2, the solution gives -4.905 rad/s^2"
+    assert verdict(ROD, "alpha: 4.905 rad/s^2").message == f"{solved} (the same size, the opposite sense)"
+    assert verdict(ROD, "alpha: 5.3 rad/s^2").message.endswith(" % off)")
+
+
 def test_a_verdict_tells_for_which_values_of_ranges_it_is() -> None:
     stone = """
 plane: vertical

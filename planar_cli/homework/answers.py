@@ -30,6 +30,8 @@ EXACT = Decimal("1e-20")
 
 MOST_TOLD = 6
 """Names with the values for which a solution was made."""
+ONE_WAY_OR_THE_OTHER = frozenset(("v", "a", "omega", "alpha", "friction", "reaction", "impulse", "momentum", "H"))
+"""Quantities whose sign is a sense; that of a coordinate, of a work or of a force that presses is a sign."""
 LONGEST = 160
 TOO_LONG = f"a formula of more than {PRINTABLE} operations"
 """Longer formulas are cut in messages."""
@@ -93,9 +95,12 @@ class _Comparison:
         solved = self.found.word or "no verdict"
         return self._told(stated, solved, stated == solved, None)
 
-    def _told(self, stated: str, solved: str, agrees: bool, error: Decimal | None) -> Verdict:
+    def _told(self, stated: str, solved: str, agrees: bool, error: Decimal | None, reversed_: bool = False) -> Verdict:
+        """`error`: relative; `reversed_`: what is stated is the opposite of what is right."""
         message = "" if agrees else f"{self.answer.name}: the file states {stated}, the solution gives {solved}"
-        if message and error is not None:
+        if message and reversed_:
+            message += f" (the same size, the opposite {'sense' if self._has_sense() else 'sign'})"
+        elif message and error is not None:
             message += f" ({_percent(error)} off)"
         first = [f"{s.name} = {s.written}" for s in self.problem.given if s.varies]
         if message and first:
@@ -116,7 +121,13 @@ class _Comparison:
         off = _size(tuple(self._difference(a, b) for a, b in zip(solved, stated, strict=True)))
         tolerance = self.tolerance()
         agrees = off <= tolerance * size + FLOOR * tolerance * self._scale()
-        return self._told(*texts, agrees, off / size if size else None)
+        opposite = _size(tuple(a + b for a, b in zip(solved, stated, strict=True))) <= tolerance * size != 0
+        return self._told(*texts, agrees, off / size if size else None, opposite)
+
+    def _has_sense(self) -> bool:
+        """Does what is asked point, or turn, one way or the other?"""
+        what = self.found.find.found.what if self.found.find is not None else None
+        return self._count() > 1 or (isinstance(what, Quantity) and what.word in ONE_WAY_OR_THE_OTHER)
 
     def _is_list(self) -> bool:
         return self.found.kind == "list"

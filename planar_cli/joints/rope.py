@@ -35,10 +35,11 @@ class Rope(Joint):
 
     Meaning
         `path` lists the stops in order. A name alone is a point: at the ends where the rope is fastened, in the middle
-        a small pulley of no size. `over D` and `under E` pass above or below the disk D, E (the body or its centre).
-        `T on drum`: wound on the body `drum`, leaving it at the rim point T; it stands at an end. `along: 90 deg`: all
-        parts run parallel to that direction, and the sizes of pulleys are left out. One rope has one tension; over a
-        heavy pulley that turns with it write two ropes, each wound on the pulley.
+        a small pulley or smooth peg of no size. `over D` and `under E` pass above or below the disk D, E (the body or
+        its centre); where D is a mere point, no disk's centre, `over D` is D alone: a peg without a radius, fixed
+        where D is. `T on drum`: wound on the body `drum`, leaving it at the rim point T; it stands at an end.
+        `along: 90 deg`: all parts run parallel to that direction, and the sizes of pulleys are left out. One rope has
+        one tension; over a heavy pulley that turns with it write two ropes, each wound on the pulley.
 
     YAML
         title: Two blocks and a light pulley

@@ -31,6 +31,8 @@ def check_answers(problem: Problem) -> Iterator[Diagnostic]:
                 )
             finds[find.name] = (find, scope)
     for answer in problem.answers:
+        if answer.name in finds and not finds[answer.name][0].found.text:
+            continue  # what it asks cannot be read
         if answer.name in finds:
             yield from _answer(answer, *finds[answer.name])
         else:

@@ -20,7 +20,7 @@ from planar_cli.registry import member, members
 COMMON = ("name", "during")
 NAMED_BY = ("at", "point", "wound_at")
 SLIPS = {
-    "on": "write both in `between`: `between: [spool, floor], at: C`",
+    "on": "write both in `between: [spool, floor], at: C`",
     "bodies": "write `between: [ground, AB]`",
     "points": "write `between: [A, B]`",
     "from": "write `between: [A, B]`",
@@ -42,6 +42,13 @@ SLIPS = {
     "moment": "write `magnitude: 50 N` for a force; a moment is a `torque`",
     "magnitude": "write `moment: 40 N*m`",
 }
+"""A key that newcomers try, and what is written instead, where the member has a key of which the hint speaks."""
+OTHERWISE = (
+    *((key, "write `point: P, along: …`") for key in ("on", "in", "surface", "track", "path", "direction", "angle")),
+    *((key, "write `path: [A, over D, B]`") for key in ("between", "bodies", "points", "from", "to", "over")),
+)
+"""The same of members that have none of the keys of which `SLIPS` speaks: a guide, a rope."""
+KEY_IN_HINT = re.compile(r"`([a-z_]+):")
 MISTAKEN = {
     "weight": "weight acts by itself on every body with mass, when `plane: vertical`",
     "gravity": "weight acts by itself on every body with mass, when `plane: vertical`",
@@ -141,7 +148,10 @@ class _Entry:
 
     def _fields(self, specs: tuple[KeySpec, ...]) -> Fields:
         allowed = (*(spec.name for spec in specs), *COMMON)
-        slips = {key: hint for key, hint in SLIPS.items() if key not in allowed}
+        slips = {}
+        for key, hint in (*SLIPS.items(), *OTHERWISE):
+            if key not in allowed and any(named in allowed for named in KEY_IN_HINT.findall(hint)):
+                slips.setdefault(key, hint)
         example = f"{self.kind.text}: {{{', '.join(f'{spec.name}: …' for spec in specs if spec.required)}}}"
         return Fields(self._as_meant(allowed), allowed, f"the {self.kind.text}", self.report, slips, example)
 
@@ -170,10 +180,11 @@ class _Entry:
         for choice in self.member.__dict__.get("choices", ()):
             written = fields.present() & choice.names()
             if all(written != frozenset(group) for group in choice.groups):
-                said = " and ".join(sorted(written)) if written else "nothing"
+                none = "neither is given" if len(choice.groups) == 2 else "none of these is given"
+                said = f"here is {' and '.join(sorted(written))}" if written else none
                 place = fields.place(min(written)) if written else self.kind.mark
                 about = listed_groups(choice.groups)
-                message = f"the {self.kind.text} takes {about}; here is {said}"
+                message = f"the {self.kind.text} takes {about}; {said}"
                 self.report.add(place, "PL314", message, f"write {self._hint(choice, fields)}")
 
     @staticmethod

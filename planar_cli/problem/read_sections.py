@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from planar_cli.problem import reading
-from planar_cli.problem.expression import Law, Relation, Side, Statement
+from planar_cli.problem.expression import Found, Law, Relation, Side, Statement
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.said_here import said_here
@@ -149,8 +149,8 @@ def finds(whole: Fields) -> tuple[Find, ...]:
         if not _is_name(key, whole):
             continue
         what = reading.found(value, whole.report)
-        if what is not None:
-            read.append(Find(key.text, what, key.mark))
+        # One that cannot be read is there all the same: an answer to it is no mistake too.
+        read.append(Find(key.text, what or Found(reading.unreadable(key.mark), None, "", key.mark), key.mark))
     return tuple(read)
 
 
@@ -164,9 +164,9 @@ def _refuse_list(node: Sequence, whole: Fields) -> None:
 
 def answers(whole: Fields) -> tuple[Answer, ...]:
     """`answers`: what a key says of each find."""
-    node = whole.node("answers")
-    if node is None:
-        return ()
+    node, asked = whole.node("answers"), whole.node("find")
+    if node is None or not (asked is None or isinstance(asked, Mapping)):
+        return ()  # nothing can be read of what they answer
     return tuple(
         _answer(key, value, whole)
         for key, value in reading.pairs(node, "answers", whole.report, "answers: {alpha: 6.186 rad/s^2 cw}")
