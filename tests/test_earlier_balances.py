@@ -25,6 +25,7 @@ TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1
     (SLIDER_CRANK, "T_1 + U = T_2: 0.8618 + 2.989 = 3.851 = 0.02461 ω_crank,2² in J"),
     (SLIDER_CRANK, "y_G,crank,2 = y_G,AB,2 = 1/2 r_c sin θ_crank,2 = 1/2 · 0.15 sin 30° = 0.0375 m"),
     (SLIDER_CRANK, "U of the weights of crank, AB = (m_c + m_r) g (y_G,crank,1 - y_G,crank,2) = (1.2 + 2) · 9.81"),
+    (SLIDER_CRANK, "(5), (6) together: θ_AB,4 = 19.31°, θ_crank,4 = -82.80° solved numerically"),
     (SLIDER_CRANK, "T_1 + U = T_4: 2.354 (0.8660 - sin θ_crank,4) + 4.156 - 200 ("),
     ("crate-winched-up-a-slope", "U of the weight of crate = m g (y_1 - y_mid) = -m g s_mid sin β = "),
     ("crate-winched-up-a-slope", "energy, T_3 = 0; N_P does no work: U of the weight of crate = -m g s_3 sin β U"),

@@ -1,7 +1,8 @@
 """What a page tells in several lines though one holds it: both components of a vector that are letters of the solution,
 a place that stays what it is from state to state, what is assumed of motions of which nothing else is told, and the
-heading over equations of one stretch.
+heading over equations of one stretch; and two roots that are found together by trial.
 
+(5), (6) together: θ_AB = 19.31°,  θ_crank = -82.80°
 F_O = [O_x, O_y] = [-61.72, -5.900] N
 At 3, 4:   φ_4 = φ_3 = φ_2 = -90°     nothing moves during a blow
 """
@@ -36,6 +37,7 @@ from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity
 from planar_cli.report.words import components
 
+TOGETHER, BY_TRIAL = "together:", line("solved numerically")
 MOTION, ASSUME = "MOTION", "Assume"
 STRETCH = re.compile(r"(From|At) ")
 STEADY = re.compile(r"From .*, constant (angular )?velocity")
@@ -49,7 +51,7 @@ def in_one_line(blocks: Sequence[Block]) -> list[Block]:
     """The blocks of a part."""
     own = with_both_ways(with_velocities_in_heads(with_drives_told(with_couples_among_forces(blocks))))
     own = with_accelerations_in_heads(list(under_one_heading(own)))
-    return with_vectors(with_places_carried_on(own))
+    return with_vectors(with_roots_together(with_places_carried_on(own)))
 
 
 def with_velocities_in_heads(blocks: Sequence[Block]) -> list[Block]:
@@ -222,6 +224,22 @@ def with_places_carried_on(blocks: Sequence[Block]) -> list[Block]:
             found.append(block)
         else:
             found[-1] = carried
+    return found
+
+
+def with_roots_together(blocks: Sequence[Block]) -> list[Block]:
+    """Two roots of two equations, each told by its value alone, the second behind the first."""
+    found: list[Block] = []
+    for block in blocks:
+        one = found[-1] if found else None
+        match one, block:
+            case (
+                Equation(number=None, lead=(Text(words),), note=(Text(),), sides=(Math(), Value() as first)),
+                Equation(number=None, lead=(), note=(), sides=(Math() as letter, Value() as second)),
+            ) if isinstance(one, Equation) and one.note == BY_TRIAL and words.endswith(TOGETHER):
+                found[-1] = replace(one, sides=(one.sides[0], line(first, ",  ", letter), second))
+            case _:
+                found.append(block)
     return found
 
 
