@@ -188,8 +188,8 @@ class TreeBuilder:
         )
 
     def spin_of(self, body: str) -> tuple[sp.Symbol, sp.Symbol]:
-        """ω and α of a body; without an index where only one body turns."""
-        alone = sum(self.rigid(b) for b in self.bodies) == 1
+        """ω and α of a body; without an index where only one body turns, and the file calls nothing else so."""
+        alone = sum(self.rigid(b) for b in self.bodies) == 1 and self.ledger.reserved.isdisjoint(("omega", "alpha"))
         words = f"angular velocity of {body}", f"angular acceleration of {body}"
         return self._pair("" if alone else body, *words, turns=True)
 
