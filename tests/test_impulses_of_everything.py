@@ -39,7 +39,7 @@ def test_of_a_bob_in_letters() -> None:
     assert problem is not None, wrong
     page = Terminal(120).render(narrate(solve_problem(problem)))
     assert "Impulse and momentum." in page
-    assert "J, x = m v_B = -m √(2 g l)" in page
+    assert "J_x = m v_B = -m √(2 g l)" in page
     assert "H = m v_B l = -m √(2 g l³)" in page
     assert "H_back = m v_back l = m √(2 g l³)" in page
     assert "∫" not in page

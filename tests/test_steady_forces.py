@@ -27,7 +27,7 @@ def test_a_force_that_grows_has_its_integral() -> None:
 
 
 @pytest.mark.parametrize("told", [
-    "J_axle, y = A_y t_2 = 12.5 · 1.309 = 16.36 N·s",
+    "J_axle,y = A_y t_2 = 12.5 · 1.309 = 16.36 N·s",
     "(14) ↺ ΣM_A: F_C R = I_large α_large",
     "From 2 to 3, no angular acceleration of the large: (16) ω_large,3 = ω_large,2 = 43.64 rad/s",
 ])  # fmt: skip

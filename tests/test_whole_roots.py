@@ -25,6 +25,6 @@ def test_a_root_of_no_square_stays() -> None:
 
 def test_the_components_of_a_vector_are_told_once() -> None:
     page = page_of_file("wheel-over-a-kerb")
-    assert "J, x" not in page
+    assert "J_x" not in page
     assert "J = [J_Kx, J_Ky] = [-4.6, 7.8] N·s" in page
-    assert "J, x = -J_F = -3.485 N·s" in page_of_file("tilted-block-that-falls-back")
+    assert "J_x = -J_F = -3.485 N·s" in page_of_file("tilted-block-that-falls-back")
