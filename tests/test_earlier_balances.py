@@ -18,8 +18,8 @@ TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1
 @pytest.mark.parametrize(("stem", "told"), [
     (SLIDER_CRANK, "N_rail (normal to the motion) do no work, the internal forces between the bodies no net work:"),
     (SLIDER_CRANK, "From 1 to 3, work and kinetic energy; the same forces do no work:"),
-    (SLIDER_CRANK, "T_2 of crank = 1/2 m_c v_G,crank,2² + 1/2 I_crank ω_crank,2² = 0.0045 ω_crank,2² in J"),
-    (SLIDER_CRANK, "T_3 of crank = 0.0045 ω_crank,3² in J v_G,AB,3"),
+    (SLIDER_CRANK, "T_2 of crank = 1/2 (1/4 m_c r_c² + I_crank) ω_crank,2² = 0.0045 ω_crank,2² in J; crank turns"),
+    (SLIDER_CRANK, "T_3 of crank = 1/6 m_c r_c² ω_crank,3² = 0.0045 ω_crank,3² in J; crank turns about O v_G,AB,3"),
     (SLIDER_CRANK, "y_G,crank,1 = y_G,AB,1 = √3 r_c/4 = √3 · 0.15 / 4 = 0.06495 m"),
     (SLIDER_CRANK, "y_G,crank,3 = y_G,AB,3 = 0 m, s_3 = 0.05 m U"),
     (SLIDER_CRANK, "T_1 + U = T_2: 0.8618 + 2.989 = 3.851 = 0.02461 ω_crank,2² in J"),

@@ -28,6 +28,7 @@ from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.inertias import inertia_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
+from planar_cli.report.parallel_axes import by_parallel_axes
 from planar_cli.report.standing import standing_lines
 from planar_cli.report.weights import WeightTelling
 from planar_cli.report.works import work_integral
@@ -120,6 +121,11 @@ class EnergyTelling(WeightTelling):
         # The size of a letter may be told by that letter.
         told = [(own, *others) for own, *others in told if others != [own]]
         why = reason_of(made, self.phrases) if speeds[0][0] == "v" else ()
+        if len(self.balance.amounts) > 1 and (axis := by_parallel_axes(self, made, speeds)) is not None:
+            self.letters[f"T of {body}"] = put if self._short(put) else axis
+            told_at_once = self._line(lead, *self._fitting(Math(axis), put))
+            yield replace(told_at_once, note=line(*told_at_once.note, "; ", *why) if told_at_once.note else why)
+            return
         # A ball's mass centre goes round a trough whether it rolls or not; that it rolls says how it turns.
         reason = 1 if len(told) > 1 and made.rolls else 0
         yield from self._centre_lines(made)

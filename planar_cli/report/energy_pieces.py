@@ -82,6 +82,10 @@ class EnergyPieces:
         """A height as it is told: in the given position by the data."""
         return self._as_drawn(self._put(expr))
 
+    def is_short(self, put: sp.Expr, dimension: Dimension) -> bool:
+        """Is it a short formula of letters alone?"""
+        return self._short(put, dimension)
+
     def centre(self, made: Moving) -> str:
         """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
         if made.center != made.body or made.inertia == 0:
