@@ -11,8 +11,9 @@ from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Block, Equation, Line, Math, line
 from planar_cli.report.lasting_presses import lasting_presses
 from planar_cli.report.presses import bounded_in, sum_of_forces
+from planar_cli.report.slack_in_blows import slackened
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
+from planar_cli.solve.between.trace import Impact, ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import IMPULSE
 
@@ -29,22 +30,32 @@ def limits_of_motion(
 
 def blow_limits(motion: MotionTrace, phrases: Phrases) -> Iterator[Line]:
     """One line for each contact that sticks in a blow, where both of its impulses have values."""
-    sources = [e.source for leg in motion.route.steps for e in leg.relations]
-    impacts = {s.impact.since: s.impact for s in sources if isinstance(s, ImpactEquation)}
-    for impact in impacts.values() if not phrases.symbolic else ():
+    for impact in _impacts(motion) if not phrases.symbolic else ():
         if impact.solution is not None:
             for mode in impact.solution.trial.system.modes.values():
                 tests = [t for t in mode.tests if bounded_in(impact.solution.trial.system, t) and not t.strict]
                 yield from _against(impact.solution, tests[:1], phrases)
 
 
+def ends_of_blows(motion: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """What shows that the modes of blows hold, behind their results."""
+    yield from grips_in_letters(motion, phrases)
+    for impact in _impacts(motion) if not phrases.symbolic else ():
+        if impact.solution is not None:
+            yield from slackened(impact.solution, phrases)
+
+
+def _impacts(motion: MotionTrace) -> tuple[Impact, ...]:
+    """The blows on which the results rest, each once."""
+    sources = [e.source for leg in motion.route.steps for e in leg.relations]
+    return tuple({s.impact.since: s.impact for s in sources if isinstance(s, ImpactEquation)}.values())
+
+
 def grips_in_letters(motion: MotionTrace, phrases: Phrases) -> Iterator[Block]:
     """Both impulses of each contact that sticks in a blow, and when the one of friction is within its limit, where
     everything is a letter: J_F = 2/7 m v_x, J_N = (1 + e) m v_y; no sliding if J_F < μ J_N.
     """
-    sources = [e.source for leg in motion.route.steps for e in leg.relations]
-    impacts = {s.impact.since: s.impact for s in sources if isinstance(s, ImpactEquation)}
-    for impact in impacts.values() if phrases.symbolic else ():
+    for impact in _impacts(motion) if phrases.symbolic else ():
         blow = impact.solution
         tests = [] if blow is None else [t for m in blow.trial.system.modes.values() for t in m.tests if not t.strict]
         names: set[str] = set()

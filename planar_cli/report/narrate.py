@@ -20,7 +20,7 @@ from planar_cli.report.axes_of_frames import with_axes_of_frames
 from planar_cli.report.bars import with_bars
 from planar_cli.report.beside_headings import beside_headings
 from planar_cli.report.blocks import Block, Check, Document, Equation, Heading, Note
-from planar_cli.report.blow_limits import grips_in_letters, limits_of_motion
+from planar_cli.report.blow_limits import ends_of_blows, limits_of_motion
 from planar_cli.report.by_formula_above import by_formula_above, stood_above, without_foretold
 from planar_cli.report.by_its_line import by_its_line
 from planar_cli.report.carried_out import carried_out
@@ -189,7 +189,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             scene = part.instants[-1].instant.scene
             moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), [*before.data, *blocks])
             blocks, moving = with_laws_solved(blocks, moving, part.instants[-1].value, part.motion.varying)
-        moving += grips_in_letters(part.motion, phrases) if why is None else ()
+        moving += ends_of_blows(part.motion, phrases) if why is None else ()
         moving = moving if part.tale is None or not part.tale.valued else []
         blocks = placed(moving, blocks, place, part.motion)
     blocks += _tale(part, phrases, 0, whole=False)

@@ -39,7 +39,7 @@ from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.instant.unreached import not_reached
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.limits_at_start import with_limits_at_start
-from planar_cli.solve.orders import in_each_order
+from planar_cli.solve.modes_after_blows import with_modes_followed
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.principled import instant_words, principle_of, usual
 from planar_cli.solve.regimes.mode_dates import told_by_modes
@@ -202,7 +202,7 @@ def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, Earli
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part. Undecided: a numerical method stops before its goal, or a formula has no value."""
     try:
-        return in_each_order(problem, earlier, lambda p: solve_part(p, case, units, earlier))
+        return with_modes_followed(solve_part, problem, case, units, earlier)
     except (NoValue, DecimalException) as error:
         raise without_value(problem, error) from error
 
