@@ -143,6 +143,31 @@ find: {R: reaction(hold).mag}
     assert re.search(r"^Not used +the mass of block, 4 kg:", page(tmp_path, text), re.MULTILINE)
 
 
+FLUNG = """
+title: Ball that slides out along a turning rod
+plane: {plane}
+given: {{I_O: 0.45 kg*m^2, r_1: 0.2 m, r_2: 0.5 m}}
+points: {{O: [0, 0], A: [0.55 m, 0], S: [r_1, 0]}}
+bodies:
+  rod: {{points: [O, A], center: O, mass: 3 kg, inertia: I_O}}
+  ball: {{particle: S, mass: 1.5 kg}}
+joints:
+  - pin: {{at: O, between: [ground, rod]}}
+  - guide: {{body: ball, along: rod, name: slide}}
+states: {{1: [omega(rod) = 12 rad/s, v(S/rod).mag = 0], 2: [r(S/O).mag = r_2]}}
+find: {{{find}}}
+"""
+
+
+@pytest.mark.parametrize("asked", ["omega: omega(rod) @ 2", "lost: KE(rod) @ 1 - KE(rod) @ 2", "R: reaction(O).y @ 1"])
+def test_a_mass_of_a_body_that_turns_by_its_given_inertia_is_not_needed(tmp_path: Path, asked: str) -> None:
+    """Its mass centre is on the axle: only what the axle bears of its weight needs the mass."""
+    needed = "reaction" in asked
+    told = page(tmp_path, FLUNG.format(plane="vertical" if needed else "horizontal", find=asked))
+    assert ("m_rod = 3 kg" in told) is needed
+    assert bool(re.search(r"^Not used +the mass of rod, 3 kg:", told, re.MULTILINE)) is not needed
+
+
 SLOPE = """
 title: Crate on a slope, in letters
 plane: vertical

@@ -148,7 +148,7 @@ class _Entry:
 
     def _fields(self, specs: tuple[KeySpec, ...]) -> Fields:
         allowed = (*(spec.name for spec in specs), *COMMON)
-        slips = {}
+        slips: dict[str, str] = {}
         for key, hint in (*SLIPS.items(), *OTHERWISE):
             if key not in allowed and any(named in allowed for named in KEY_IN_HINT.findall(hint)):
                 slips.setdefault(key, hint)

@@ -5,7 +5,7 @@ Each datum is told in the words of the page, and only where something of the pag
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from planar_cli.problem.expression import Binary, Name, Number, Quantity, Side
 from planar_cli.problem.impulse_letters import impulse_letters
@@ -14,6 +14,7 @@ from planar_cli.problem.lettered import LETTERS
 from planar_cli.problem.part_names import part_letter, part_names
 from planar_cli.problem.scene import (
     ALL,
+    GROUND,
     Body,
     Circle,
     Composite,
@@ -102,12 +103,33 @@ def _oblique(side: Side) -> bool:
 
 def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
     """Masses and weights that the file gives as numbers, on a page that tells of no force that would need them."""
-    for body in () if page.kinetic or _forces_by_mass(problem) else problem.bodies:
-        if _mass_letter(body, _heavy(problem)) in page.letters or body.name in _asked_of(problem):
+    for body in () if _forces_by_mass(problem) else problem.bodies:
+        turns = _turns_by_its_inertia(body, problem, page)
+        named = _mass_letter(body, _heavy(problem)) in page.letters
+        if named or not (turns or (not page.kinetic and body.name not in _asked_of(problem))):
             continue
         for what, side in (("mass", body.mass), ("weight", body.weight)):
             if side is not None and number_of(side) is not None and (value := said(side, figures)):
                 yield line(f"the {what} of {body.name}, ", value)
+
+
+def _turns_by_its_inertia(body: Body, problem: Problem, page: Mentioned) -> bool:
+    """Does a body turn about a fixed pin about which the file gives its moment of inertia, and has the page no letter
+    of its mass? Its energy and its angular momentum are then I ω²/2 and I ω. One with a weight that may do work, or
+    with a mass that is asked, needs more.
+    """
+    center = getattr(body.shape, "center", None)
+    about = body.about or center
+    if body.inertia is None or about is None or page.integrated or _mass_letter(body, _heavy(problem)) in page.letters:
+        return False
+    if body.name in _asked_of(problem, OF_MASS - {"KE"}) or not (problem.plane == "horizontal" or about == center):
+        return False
+    return any(j.kind == "pin" and j.during is None and _is_between(j, body, about) for j in problem.joints)
+
+
+def _is_between(joint: Member, body: Body, point: str) -> bool:
+    """Does a joint hold the body to the ground at that point?"""
+    return getattr(joint, "at", None) == point and {GROUND, body.name} <= {*getattr(joint, "between", ())}
 
 
 def _forces_by_mass(problem: Problem) -> bool:
@@ -128,10 +150,11 @@ def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[L
                 yield line(f"the {what} of {body.name}, ", value)
 
 
-def _asked_of(problem: Problem) -> set[str]:
-    """The bodies of which something is asked that their mass and its distribution make."""
+def _asked_of(problem: Problem, words: Collection[str] = OF_MASS) -> set[str]:
+    """The bodies of which something is asked that their mass and its distribution make: one of these quantities."""
     quantities = (q for f in problem.find for q in walk(f.found.what) if isinstance(q, Quantity))
-    named = {thing for q in quantities for thing in q.things[:1] if q.word in OF_MASS or thing == ALL}
+    things = ((q.word, thing) for q in quantities for thing in q.things[:1])
+    named = {thing for word, thing in things if word in words or (thing == ALL and word not in OF_MASS)}
     return {b.name for b in problem.bodies} if ALL in named else named
 
 
@@ -156,9 +179,10 @@ def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Ite
     heavy = _heavy(problem)
     letter = _mass_letter(body, heavy)
     formula = body.mass is not None and any(n.name == "t" for n in walk(body.mass) if isinstance(n, Name))
-    if page.kinetic or letter in page.letters or formula:
+    moved = page.kinetic and not _turns_by_its_inertia(body, problem, page)
+    if moved or letter in page.letters or formula:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
-    if page.kinetic or letter in page.letters:
+    if moved or letter in page.letters:
         yield from _datum(f"weight of {body.name}", body.weight, figures)
     named = _tells_inertia(body, problem, page)
     if page.energies or (page.kinetic and named):
