@@ -11,6 +11,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Name, Text, Value, line
+from planar_cli.report.guide_senses import guide_sense_words
 from planar_cli.report.letter_vectors import letter_vector_words
 from planar_cli.report.mode_words import mode_words
 from planar_cli.report.names import plain_name
@@ -23,7 +24,8 @@ from planar_cli.solve.solved_problem import PartSolution
 
 def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Answer:
     """The answer to a find. `told`: the blocks before it, whose letters it may name."""
-    said = line(*answer_line(found, phrases, decimals=True), *letter_vector_words(found, part, phrases))
+    behind = letter_vector_words(found, part, phrases) or guide_sense_words(found, part, phrases)
+    said = line(*answer_line(found, phrases, decimals=True), *behind)
     if words := mode_words(found, part):
         return Answer(found.name, line(words), ":")
     relation = ":" if found.word or found.curve is not None else "="
