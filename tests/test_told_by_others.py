@@ -42,7 +42,7 @@ def test_moments_of_groups_that_grow(stem: str, others: str, components: str) ->
 def test_what_is_told_so_stood_in_an_earlier_case(stem: str) -> None:
     inner = page_of_file(stem).partition("CASE inner")[2]
     assert "as before: (1) to (10)" in inner
-    assert "As before: the diagram, (11) to (15)." in inner
+    assert "as before: the diagram, (11) to (15)" in inner
     assert "Likewise the components" not in inner
 
 

@@ -390,10 +390,10 @@ class Writer:
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = as_told(*left)
-        left, right = (left, right) if left else apart(self.shortened(residual), set(self.numbers.unknowns))
+        unknowns = set(self.numbers.unknowns)
+        left, right = (left, right) if left else apart(self.shortened(residual), unknowns)
         given = condition.kind == "given" and len(form.terms) == 1
-        found = given and not right.free_symbols & set(self.numbers.unknowns)
-        left, right = as_counted(left, right, found, self.system)
+        left, right = as_counted(left, right, given and not right.free_symbols & unknowns, self.system)
         datum = given and sp.Add(*left).is_Symbol
         written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
