@@ -22,6 +22,7 @@ from planar_cli.report.mentioned import names_in, pieces_of
 from planar_cli.report.numbers import quantity
 from planar_cli.report.one_name import renamed
 from planar_cli.report.said import said as worded
+from planar_cli.report.states_put_in import without_unused_times
 
 BLOW = "a blow takes no time"
 """The remark on the time of a state just after a blow."""
@@ -55,7 +56,7 @@ def without_idle_lines(
     if said is not None:
         said -= {str(b.line) for b in told if isinstance(b, Paragraph) and b not in needed}
     told = without_idle_symmetry(with_roots_beside(needed))
-    return with_states_headed_once(without_told_values(told))
+    return with_states_headed_once(without_told_values(without_unused_times(told)))
 
 
 def without_unused_masses(blocks: Sequence[Block]) -> list[Block]:

@@ -56,7 +56,6 @@ from planar_cli.report.origins import (
     needed_steps,
     says_zero,
     sides_of,
-    turning_blocks,
 )
 from planar_cli.report.own_ways import told_by_itself, told_elsewhere
 from planar_cli.report.passing import passing_blocks
@@ -71,6 +70,7 @@ from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.speed_by_balance import speed_by_balance
 from planar_cli.report.speed_laws import integrals_told
 from planar_cli.report.state_words import at
+from planar_cli.report.states_put_in import turning_blocks
 from planar_cli.report.steady import in_order, with_law
 from planar_cli.report.telling_between import telling_between
 from planar_cli.report.terminal_speeds import terminal_first

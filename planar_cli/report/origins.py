@@ -15,16 +15,14 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import by_name, simplified
 from planar_cli.problem.scene import with_article
-from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Text, line
+from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Result, Text, line
 from planar_cli.report.changes import changes
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.clean import is_clean
-from planar_cli.report.half_swings import ends_a_swing, goes_on
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
-from planar_cli.report.state_words import HAPPENS, at, turning
+from planar_cli.report.state_words import at, turning
 from planar_cli.report.turning_values import over_time, why_there
-from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -91,28 +89,6 @@ def components_of(words: str) -> str:
     if angle % 90 == 0:
         return f", so that its {'y' if angle % 180 == 0 else 'x'} component is zero"
     return f", so that its y component is tan({found[1]}°) times its x component"
-
-
-def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
-    """States that were put in: until when an assumption holds, or what happens there."""
-    for turning_point in found.turnings:
-        t, expr = turning_point.time, turning_point.expr
-        if all(term.could_extract_minus_sign() for term in sp.Add.make_args(expr)):
-            expr = -expr
-        words = turning_point.words.replace(" within its", " is within its")
-        if words in HAPPENS and goes_on(found, turning_point.state, expr):
-            words = "it turns round"
-        # Of half swings each takes the same time, which is told with them.
-        t = None if ends_a_swing(found, turning_point.state) else t
-        when = line(f"state {turning_point.state}")
-        if t is not None:
-            when = line(Math(t), " = ", phrases.shown(t), f" (state {turning_point.state})")
-        if words in HAPPENS:
-            later = "" if turning_point.before.endswith("infinity") else turning_point.before
-            said = line(f"{words[:1].upper()}{words[1:]} at ", *when, f", before {later}: " if later else ": ")
-        else:
-            said = line("Up to ", *when, " ", *spoken(words, found.ledger.symbols), "; there ")
-        yield Paragraph(line(*said, Math(expr), " = 0."))
 
 
 def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 from itertools import islice
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NotReached, NoValue
 from planar_cli.problem.expression import Relation
+from planar_cli.problem.parser import parse_side
+from planar_cli.problem.scene import Problem
+from planar_cli.simulate.measures import START
+from planar_cli.simulate.run import Run
 from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
@@ -53,8 +57,18 @@ def how_near(course: MotionEquations, followed: Followed, stop: Stop, value: Val
             return ""
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
     if outcome is not None and outcome.kind == "repeats":
-        found.append(outcome.words)
+        assert followed.run is not None
+        found += [outcome.words, *_that_pull_back(course.problem, followed.run)]
     return "; ".join(dict.fromkeys(found))
+
+
+def _that_pull_back(problem: Problem, run: Run) -> Iterator[str]:
+    """What the file may have meant otherwise: springs that are compressed at first, and are fastened."""
+    for load in problem.loads:
+        if load.kind == "spring" and getattr(load, "acts", None) is None and START in run.measures.moments:
+            tension = parse_side(f"tension({load.name})", load.mark)
+            if run.measures.number(tension, run.measures.moments[START]) < 0:
+                yield f"{load.called} also pulls, where it is stretched; with `acts: push` it only pushes"
 
 
 def _on_the_way(course: MotionEquations, followed: Followed) -> list[FollowedSegment]:
