@@ -21,7 +21,7 @@ from planar_cli.report.linear_system import Row
 from planar_cli.report.opened_sums import opened_number, opened_sides, opened_solution
 from planar_cli.report.order_of_unknowns import places_of
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.projected import difference_of
+from planar_cli.report.projected import as_components, difference_of
 from planar_cli.report.put_in import put_in
 from planar_cli.report.spelled import UNITS, spelled
 from planar_cli.report.told import Across
@@ -302,6 +302,9 @@ class NumericTelling:
         note = () if bare else unit_note(found.dimension, self.phrases)
         if apart and found.right.expr != 0:
             whole = self._number_of(w, stage, left - right, unknowns, found.right.expr.could_extract_minus_sign())
+            across = self.components.get((id(stage.algebra), w.number))
+            if told := as_components(across, (found.left, whole, found.right)):
+                return told, note
             if whole is None and not found.left.expr.is_Symbol and against(w, found.right.expr):
                 return tuple(Math(-side.expr, side.values) for side in (found.left, found.right)), note
             return (found.left, *([] if whole is None else [whole]), found.right), note

@@ -31,6 +31,7 @@ from planar_cli.report.component_sums import components_told, turned_with
 from planar_cli.report.counted import as_vector
 from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.given_vectors import size_of
+from planar_cli.report.known_vectors import is_known, unit_along
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
@@ -41,14 +42,6 @@ from planar_cli.units import LENGTH, PURE, Dimension
 
 Known = tuple[str, Vec]
 """The name of a vector whose components are numbers, and these."""
-
-
-def is_known(told: Told, vector: Vec, level: str) -> bool:
-    """Is it made of what the file gives, and of velocities that were found before?"""
-    tree, inside = told.system.tree, vector.x.free_symbols | vector.y.free_symbols
-    open_yet = set(tree.velocity_unknowns()) if level == "velocity" else set(tree.acceleration_unknowns())
-    sure = not told.phrases.symbolic and told.phrases.has_numbers(vector.x + vector.y)
-    return bool(told.given) and sure and not inside & ((open_yet | told.late) - told.given - told.zero)
 
 
 def vector_at(told: Told, body: str, at: Vec, level: str) -> Vec:
@@ -81,7 +74,13 @@ def _about_pivot(told: Told, body: str, at: Vec, level: str) -> tuple[Line, ...]
 
 
 def projected(told: Told, j: Joining, w: Written, level: str) -> Iterator[Block]:
-    """The components of what is known of a point that slides along a straight line of a body, across that line."""
+    """The components of what is known of a point that slides along a straight line of a body, across that line; of one
+    that slides on a fixed circle too, towards its centre.
+    """
+    if j.base == GROUND and j.path is not None and j.path.curvature != 0:
+        from planar_cli.report.on_circles import towards_centre
+
+        yield from towards_centre(told, j, w, level)
     if j.base == GROUND or j.path is None or j.path.curvature != 0 or w.along is None or j.rolling is not None:
         return
     own = vector_at(told, j.mover, j.point, level)
@@ -220,6 +219,20 @@ def _by_speed(lines: Iterable[Block], told: Told, j: Joining, unit: Sequence[Dec
         yield replace(b, sides=(*coriolis_across(told, slot, unit, result.figures), result))
 
 
+def as_components(across: Across | None, sides: tuple[Math, Math | None, Math]) -> tuple[Math, ...]:
+    """The sides of a relation, its letters, the components that stand above it, and its number, so that these count as
+    they are told there; empty where that is no matter, or they do not make its number.
+    """
+    left, whole, right = sides
+    if across is None or not across.as_told or whole is None:
+        return ()
+    number = across.sizes[0] - sum(across.sizes[1:], Decimal(0))
+    if (number < 0) == right.expr.could_extract_minus_sign():
+        return left, whole, right
+    own = sp.Add(*(-t for t in sp.Add.make_args(whole.expr)), evaluate=False)
+    return Math(-left.expr, left.values), Math(own, whole.values), Math(-right.expr, right.values)
+
+
 def difference_of(sizes: Sequence[Decimal], number: Decimal, figures: int) -> Math | None:
     """-1.450 - (-1.393): the component of the first vector without those of the others; None: it is not `number`, but
     for its sense.
@@ -251,13 +264,6 @@ def unit_of(direction: Vec, phrases: Phrases) -> Line:
     if phrases.symbolic:
         return line("[", phrases.math(direction.x), ", ", phrases.math(direction.y), "]")
     return phrases.vector(phrases.certain(direction.x), phrases.certain(direction.y), PURE)
-
-
-def unit_along(normal: Vec, phrases: Phrases) -> list[Decimal]:
-    """The components of the unit vector along a vector that has numbers."""
-    x, y = phrases.certain(normal.x), phrases.certain(normal.y)
-    size = (x * x + y * y).sqrt()
-    return [x / size, y / size]
 
 
 def _carried(unit: Sequence[Decimal], vector: Vec, level: str, told: Told) -> tuple[sp.Symbol, Decimal] | None:

@@ -305,7 +305,7 @@ class Telling:
         words = words or [Paragraph(length or self._named(self._relation_words(w, stage)))]
         self.numeric.keep(w, stage, self.vectors.components)
         if self.vectors.components and w.place in self.scene.points:
-            above = list(self.asked.absolute(w.place, level[0]))
+            above = list(self.asked.absolute(w.place, "v" if self.vectors.components.as_told else level[0]))
             words = [*above, *without_repeats(words, above)]
         words = [*vector_before(w, self.vectors, level), *words]
         frame = self.vectors.frame_of(w) if level != "velocity" else None

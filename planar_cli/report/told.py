@@ -23,7 +23,8 @@ RATES = {"velocity": VELOCITY, "acceleration": ACCELERATION}
 class Across:
     """Components across a line of a body: their `sizes`, in the unit of the page, and what they give for the rate with
     which the body turns, (v_P · n)/AP; empty where its own part is no length times that. `product`, `known`: the sides
-    of that relation, ω AP and v_P · n, with its numbers in `put`; empty where they count the other way.
+    of that relation, ω AP and v_P · n, with its numbers in `put`; empty where they count the other way. `as_told`: the
+    relation counts as the components do, whatever the sign of its unknown.
     """
 
     sizes: tuple[Decimal, ...]
@@ -31,6 +32,7 @@ class Across:
     product: Line = ()
     known: Line = ()
     put: tuple[Any, ...] = ()
+    as_told: bool = False
 
 
 class Told(Protocol):

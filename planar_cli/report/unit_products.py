@@ -22,8 +22,9 @@ from planar_cli.records import record
 from planar_cli.report.along_slots import NEARLY
 from planar_cli.report.as_printed import as_text
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Name, Paragraph, Text, Value, line
+from planar_cli.report.known_vectors import unit_along
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.projected import sum_along, unit_along
+from planar_cli.report.projected import sum_along
 from planar_cli.report.told import Told
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH, PURE
