@@ -79,6 +79,14 @@ class Undecided(PlanarError):
     """Not decided within the limits; the message says what was tried."""
 
 
+class Unplanned(Undecided):
+    """What is determined, but by no equations that can be solved in turn; located diagnostics say what helps."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(diagnostics)
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
 class TimeIsUp(BaseException):
     """Like KeyboardInterrupt it is no Exception: no road that looks for another way out may take it for a failure of
     its own, or what is printed would depend on the clock.

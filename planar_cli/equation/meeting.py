@@ -76,6 +76,9 @@ def partners_of(scene: Scene, between: tuple[str, ...], at: str = "") -> tuple[P
 
 
 def _with_free_corners(scene: Scene, one: Partner, other: Partner, at: str) -> Partner:
+    if at and is_threaded(scene, other, one):
+        named = tuple(p for p in one.corners if _is_at(scene, p, at))
+        return replace(one, corners=named or one.corners)
     if len(one.corners) < 2 or other.line is None:
         return one
     if other.corners:
@@ -87,6 +90,14 @@ def _with_free_corners(scene: Scene, one: Partner, other: Partner, at: str) -> P
     said = [p for p in one.corners if at and _is_at(scene, p, at)]
     free = [p for p in one.corners if not any(_is_at(scene, p, name) for name in held if name)]
     return replace(one, corners=tuple(said or free or one.corners))
+
+
+def is_threaded(scene: Scene, round_one: Partner, rod: Partner) -> bool:
+    """Is the centre of a round body on the line of a rod, like a ball on a wire? Then its rim meets but the ends."""
+    if round_one.center is None or round_one.particle or rod.line is None or not rod.corners:
+        return False
+    start, along = rod.line
+    return scene.is_zero((round_one.center - start).cross(along))
 
 
 def _is_at(scene: Scene, corner: Vec, name: str) -> bool:
@@ -183,8 +194,8 @@ def _on_rim(scene: Scene, one: Partner, other: Partner) -> Vec | None:
         foot: Vec = start + along * way
         if not other.corners:
             return foot
-        reach = (other.corners[1] - other.corners[0]).dot(along)
-        if 0 <= value(way) <= value(reach):
+        reach = (other.corners[-1] - other.corners[0]).dot(along)
+        if 0 <= value(way) <= value(reach) and not is_threaded(scene, one, other):
             return foot
     if other.corners:
         center = one.center
@@ -295,8 +306,9 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec, named: 
             places = other.corners if named is None else (named,)
             signs = {sign((partner.center - place).dot(normal)) for place in places}
             return signs.pop() * sense if len(signs) == 1 else 0
-    # A surface may lie anywhere on the body that carries it: what strikes it tells first.
-    for partner, other, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):
+    # A surface may lie anywhere on the body that carries it: what strikes it tells first. So does what slides on a rod.
+    last = {p.name for p, other, _ in pairs if p.name in scene.surfaces or is_threaded(scene, other, p)}
+    for partner, other, sense in sorted(pairs, key=lambda pair: pair[0].name in last):
         if partner.body == GROUND:
             continue
         center = partner.center or scene.center(partner.body)

@@ -7,7 +7,7 @@ from decimal import Decimal
 from itertools import product
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.meeting import Partner, partner_of, partners_of
+from planar_cli.equation.meeting import Partner, is_threaded, partner_of, partners_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.geometry import Vec
 
@@ -20,6 +20,9 @@ def distance(scene: Scene, between: tuple[str, ...], value: Valuation, at: str =
     the point with which the file says that they meet.
     """
     a, b = partners_of(scene, between, at)
+    for one, other in ((a, b), (b, a)):
+        if is_threaded(scene, one, other):
+            return _from_ends(one, other, value)
     found = [d for one, other in ((a, b), (b, a)) for d in _from_edge(one, other, value)]
     if a.center is not None and b.center is not None:
         found.append(_between_rims(a, b, value))
@@ -89,6 +92,13 @@ def _from_edge(one: Partner, other: Partner, value: Valuation) -> list[Decimal]:
     start, along = other.line
     radius = value(one.radius) if one.radius is not None else Decimal(0)
     return [abs(abs(value((p - start).cross(along))) - radius) for p in _corners(one)]
+
+
+def _from_ends(threaded: Partner, rod: Partner, value: Valuation) -> Decimal:
+    """Of the rim of a body whose centre is on the line of a rod from the nearest of its ends, m."""
+    assert threaded.center is not None
+    radius = Decimal(0) if threaded.radius is None else value(threaded.radius)
+    return min(abs(_long(p - threaded.center, value) - radius) for p in rod.corners)
 
 
 def _corners(partner: Partner) -> tuple[Vec, ...]:

@@ -67,6 +67,11 @@ _STATES = {
         "straight line has no end, and may be crossed on the way: an `impact` that acts `during` one later blow alone "
         "strikes it from the side from which the bodies come."
     ),
+    "PL627": (
+        "What is asked is determined, but no order of equations leads to it. In a blow this happens where a joint "
+        "keeps the two bodies from approaching each other along the common normal, so that the impact does nothing: a "
+        "ball that slides along a rod does not strike the side of the rod, but its end. Check `at` and `normal`."
+    ),
 }
 
 _EQUILIBRIA = {

@@ -219,7 +219,7 @@ def _demand_told(course: StatedMotion) -> None:
     """FileProblem: the principle that was named does not tell a force that the file states or asks for."""
     for regime in course.distinct_regimes():
         said = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
-        missing = [s.name for s in regime.general.unreached if s in said]
+        missing = [s.name.replace("__", "_") for s in regime.general.unreached if s in said]
         if missing:
             raise not_reached(course.problem.method, missing, course.problem.find[0].mark)
 

@@ -32,6 +32,15 @@ def listed(words: Iterable[str], last: str = "and") -> str:
     return reading.listed(dict.fromkeys(words), last)
 
 
+def named(symbol: sp.Symbol, titles: Mapping[sp.Symbol, str]) -> str:
+    """An unknown in words, `the angular velocity of rod just after the blow`; else by its letter alone."""
+    title = titles.get(symbol, "")
+    if not title:
+        return f"`{symbol.name.partition('__')[0]}`"
+    blow = " just after"
+    return f"the {title} the blow" if title.endswith(blow) else f"the {title}"
+
+
 def one_of(words: Iterable[str]) -> str:
     """`give a`, or `give one of a, b`."""
     items = list(dict.fromkeys(words))

@@ -59,7 +59,7 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
         if found or symbolic:
             return _distinct(found, angle)
     if symbolic:
-        raise Undecided(f"no closed form was found for {x.name}")
+        raise Undecided(f"no closed form was found for {x.name.replace('__', '_')}")
     numbers = _with_numbers(numerator, x, value)
     if numbers.is_polynomial(x):
         return _distinct([Root(None, v) for v in _polynomial_roots(sp.Poly(numbers, x))], angle)

@@ -12,9 +12,8 @@ import sympy as sp
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form, mentions
-from planar_cli.equation.plain import by_name
 from planar_cli.equation.system import System
-from planar_cli.errors import Undecided, undecided_at
+from planar_cli.errors import undecided_at
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing, record
@@ -28,6 +27,7 @@ from planar_cli.solve.instant.partners import with_partners
 from planar_cli.solve.instant.plan import Plan, Planner
 from planar_cli.solve.instant.symmetric_pulls import with_symmetric_pulls
 from planar_cli.solve.instant.through_given import through_given
+from planar_cli.solve.instant.unplanned import unplanned
 from planar_cli.solve.instant.write import Writer
 from planar_cli.solve.instant.written import Explicit, each_once
 from planar_cli.solve.multibody.linear import rank, scaled
@@ -132,8 +132,7 @@ class StageMaker:
             candidates += power_candidates(offers, wanted_columns)
             plan = Planner(candidates, 0, (), fixed).plan(wanted)
         if plan is None:
-            names = ", ".join(t.name for t in by_name(targets) if t in index)
-            raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
+            raise unplanned(self.system, (t for t in targets if t in index))
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
         plan = with_symmetric_pulls(with_partners(plan, candidates, columns.unknowns, self.system), offers.along_axes)
         writer = Writer(self.system, columns, self.next_number + len(first), by_axes=bodies_by_axes(plan))
