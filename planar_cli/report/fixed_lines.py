@@ -20,13 +20,15 @@ def along_fixed(j: Joining, own: Name, level: str, system: System, phrases: Phra
     assert j.path is not None
     if j.path.curvature == 0:
         return _along_straight(j, own, system, phrases)
+    surface = _surface(j, system)
+    goes = f"{j.place} moves along {with_article(surface.replace('_', ' ')) if surface else 'its path'}"
     if level == "velocity":
-        return line(f"{j.place} moves along its path, so that ", own, " has no component across it")
+        return line(f"{goes}, so that ", own, " has no component across it")
     assert system.motion is not None
     v = system.motion.velocity(j.point, j.mover)
     if all(phrases.value.is_zero(p) for p in (v.x, v.y)):
-        return line(f"{j.place} moves along its path, from rest, so that ", own, " has no component across it")
-    return line(f"{j.place} moves along its path; across it ", own, " is its normal part")
+        return line(f"{goes}, from rest, so that ", own, " has no component across it")
+    return line(f"{goes}; across it ", own, " is its normal part")
 
 
 def _along_straight(j: Joining, own: Name, system: System, phrases: Phrases) -> Line:

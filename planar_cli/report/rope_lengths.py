@@ -138,3 +138,8 @@ def _places(system: System) -> dict[sp.Symbol, sp.Expr]:
             along = own["x"] * path.tangent.x + own["y"] * path.tangent.y
             found |= {s: along for s in (e.slide, e.slide_rate) if s is not None}
     return found
+
+
+def all_against(w: Written) -> bool:
+    """Do all terms of an equation `… = 0` have a minus sign, so that it reads better without?"""
+    return w.right == 0 and all(term.could_extract_minus_sign() for term in sp.Add.make_args(w.left))

@@ -40,7 +40,7 @@ from planar_cli.report.relative_motion import is_told
 from planar_cli.report.rolled_points import touching
 from planar_cli.report.rolled_speeds import about_centre
 from planar_cli.report.rope_ends import end_told, named_end
-from planar_cli.report.rope_lengths import length_told, wound
+from planar_cli.report.rope_lengths import all_against, length_told, wound
 from planar_cli.report.rope_rates import rope_told
 from planar_cli.report.sentences import sentences
 from planar_cli.report.sizes_given import as_sum, with_sum
@@ -321,6 +321,7 @@ class Telling:
         if w.source in ("row", "closure") and w.right.is_Symbol and not w.left.as_coeff_Mul()[1].is_Symbol:
             w = replace(w, left=w.right, right=w.left)
         opposite = (-w.left).is_Symbol or all(e.could_extract_minus_sign() for e in (w.left, w.right))
+        opposite |= w.source in ("row", "closure") and all_against(w)
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if opposite else (w.left, w.right))
         if result := self.numeric.result(line_of, sides):
             self.solving.merged.add((id(stage.algebra), w.number))
