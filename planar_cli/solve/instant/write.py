@@ -376,14 +376,13 @@ class Writer:
     # --- relations ---------------------------------------------------------------------------------------------------
 
     def _relation(self, condition: Condition, choice: Choice | None) -> Written:
-        along = None
         if isinstance(condition.residual, Vec):
             assert choice is not None
             residual = condition.residual.dot(choice.vector)
             along = (choice.vector.x, choice.vector.y)
             words = f"{condition.text}, {choice.words}" if condition.kind != "closure" else choice.words
         else:
-            residual, words = condition.residual, ""
+            residual, words, along = condition.residual, "", None
         form = self.numbers.form(residual := self.settled(residual))
         made = without_waves if choice is not None and choice.words == CONTACT else sp.sympify
         left = [self.short(made(c)) * x for x, c in form.terms.items()]
