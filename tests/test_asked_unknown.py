@@ -23,7 +23,7 @@ def page(stem: str) -> str:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-4-11", ["to be found: x_max = y_D,1 - y_D,2", "M g x_max + 2 m g x_max - 1/2 k x_max² = 0",
+    ("ex-4-11", ["to be found: x_max = y_D,1 - y_D,2", "(M + 2 m) g x_max - 1/2 k x_max² = 0",
                  "x_max = 2 (M + 2 m) g / k =", "x_max = 0 is state 1 itself"]),
     ("ex-4-13", ["to be found: φ_max = θ_3 - θ_1", "(cos φ_max - 1)", "cos φ_max = 54.4", "φ_max = 62.46°"]),
     ("block-runs-into-a-spring", ["to be found: s = x_deepest - d", "1/2 m v0² - 1/2 k s² = 0", "s = v0 √(m/k) ="]),

@@ -92,7 +92,7 @@ def test_the_law_before_the_balance_by_which_the_speed_was_found() -> None:
     assert "Check T_lowest" not in page
 
 
-@pytest.mark.parametrize("stem", ["body-arm-driven-by-its-angle", "block-coming-to-rest-by-dry-friction"])
+@pytest.mark.parametrize("stem", ["body-arm-driven-by-its-angle", "box-on-a-belt-tied-to-a-wall"])
 def test_the_printed_numbers_give_the_printed_result(stem: str) -> None:
     found = re.search(r"times the (?:angle|way), \((\S+) ([+-]) (\S+)\)/2 · \(?(\S+?)\)? = (\S+) ", page_of_file(stem))
     assert found is not None
