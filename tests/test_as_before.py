@@ -60,7 +60,7 @@ def test_a_moment_of_inertia_is_defined_once(stem: str) -> None:
 
 def test_what_has_no_number_is_told_once_in_a_step() -> None:
     """T_1 = 0 of the first balance is that of the second."""
-    assert page_of_file("slider-crank-with-a-spring").count(" T_1 = 0 ") == 1
+    assert page_of_file("slider-crank-with-a-spring").count(" T_1 = 0") == 1
 
 
 def test_what_stands_alone_under_its_heading_stays() -> None:

@@ -17,6 +17,7 @@ TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1
 
 @pytest.mark.parametrize(("stem", "told"), [
     (SLIDER_CRANK, "N_rail (normal to the motion) do no work, the internal forces between the bodies no net work:"),
+    (SLIDER_CRANK, "From 1 to 2, work and kinetic energy, T_1 = 0; O_x, O_y (O is fixed), N_rail (normal to the"),
     (SLIDER_CRANK, "From 1 to 3, work and kinetic energy; the same forces do no work:"),
     (SLIDER_CRANK, "T_2 of crank = 1/2 (1/4 m_c r_c² + I_crank) ω_crank,2² = 0.0045 ω_crank,2² in J; crank turns"),
     (SLIDER_CRANK, "T_3 of crank = 1/6 m_c r_c² ω_crank,3² = 0.0045 ω_crank,3² in J; crank turns about O v_G,AB,3"),

@@ -103,7 +103,7 @@ class BetweenTelling:
         self.named = None
         if isinstance(source, BalanceTrace):
             if source.law.letter and self._has_numbers(source):
-                yield from self.earlier.headed(self._heading(source), self._energies(source, number))
+                yield from self.earlier.headed(self._heading(source), self._energies(source, number), source.since)
             else:
                 yield from (Paragraph(self._heading(source)), *self._balance(source, number))
         else:

@@ -7,7 +7,7 @@ T_3 of crank = 0.0045 ω_crank,3²     after     T_2 of crank = 1/2 m_c v_G,cran
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from typing import Any
 
@@ -39,6 +39,8 @@ class EarlierBalances:
     idle: set[tuple[Any, ...]] = field(default_factory=set)
     forms: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """By the left sides of lines, what stood on the others; the states as the first and the last one of a balance."""
+    starts: Collection[str] = ()
+    """The states from which several balances go."""
 
     def said_idle(self, law: Balance) -> list[Any]:
         """Which reactions do no work; why, where the same were not told before."""
@@ -47,11 +49,11 @@ class EarlierBalances:
         self.idle.add(own)
         return idle_again(*own) if again else idle_reactions(*own)
 
-    def headed(self, heading: Line, blocks: Iterable[Block]) -> Iterator[Block]:
-        """A balance under its heading, in which a later one has that a kinetic energy is nought: `work and kinetic
-        energy, T_4 = 0; N does no work:`.
+    def headed(self, heading: Line, blocks: Iterable[Block], since: str = "") -> Iterator[Block]:
+        """A balance under its heading, in which a later one has that a kinetic energy is nought, and so has the first
+        of several from one state, `since`: `work and kinetic energy, T_4 = 0; N does no work:`.
         """
-        later = bool(self.forms)
+        later = bool(self.forms) or since in self.starts
         first, *others = blocks
         words, *rest = heading
         ends = later and rest and isinstance(words, Text) and isinstance(rest[0], Text) and rest[0].text[:1] in ";:"

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import sympy as sp
 
 from planar_cli.equation.plain import longer
 from planar_cli.report.between import BetweenTelling
+from planar_cli.report.earlier_balances import EarlierBalances
 from planar_cli.report.heads_of_blows import told_alone
 from planar_cli.report.idle_zeros import idle_zeros
 from planar_cli.report.negligible import FiniteForces
@@ -13,7 +16,7 @@ from planar_cli.report.nil_impulses import said_nil
 from planar_cli.report.origins import inertias_of_blows, letters_of_blows
 from planar_cli.report.spring_lengths import spring_lengths
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
 
 FEW = 12
 """An angle by a longer formula is not put into a height."""
@@ -33,7 +36,15 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         springs=spring_lengths(found),
         alone=told_alone(found),
         finite=FiniteForces(found.problem, found.states),
+        earlier=EarlierBalances(starts=_starts(found)),
     )
+
+
+def _starts(found: MotionTrace) -> set[str]:
+    """The states from which several balances of energy go."""
+    sources = (e.source for leg in found.route.steps for e in leg.relations)
+    balances = {id(b): b.since for b in sources if isinstance(b, BalanceTrace) and b.law.letter}
+    return {since for since, times in Counter(balances.values()).items() if times > 1}
 
 
 def _by_rule(found: MotionTrace) -> list[str]:
