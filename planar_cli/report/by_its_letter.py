@@ -45,6 +45,13 @@ def by_another(x: SolvedLine, block: SolvedBlock, stage: Stage, phrases: Phrases
     return [] if found is None or others <= set(block.letters) else [found.right]
 
 
+def put_in_before(x: SolvedLine, block: SolvedBlock, stage: Stage) -> list[int]:
+    """The equations of what an unknown is told by beside the letter, which is put into its own one: (7), (8) in (9)."""
+    own = next((y.formula for y in block.lines if y.symbol == x.symbol and not y.letters), sp.S.Zero)
+    others = own.xreplace(stage.algebra.explicit).free_symbols & set(block.unknowns) - set(block.letters)
+    return sorted({n for y in block.lines if y.letters and y.symbol in others for n in y.equations})
+
+
 def _by_terms(own: sp.Expr, block: SolvedBlock, stage: Stage, phrases: Phrases) -> list[Math]:
     """The terms of a formula, each in the one letter of the block; none where one of them has other letters."""
     if not own.is_Add or len(own.args) > FEW or len(block.letters) != 1:

@@ -4,6 +4,7 @@ one whose numbers a later line tells has no line of its own.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 import sympy as sp
@@ -15,7 +16,7 @@ from planar_cli.report.solved_already import is_written
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line, SolvedBlock
 
-IN_NUMBERS = " in numbers"
+IN_NUMBERS, PUT_INTO = " in numbers", re.compile(r" in (\(\d+\)):$")
 MOST, LONGEST = 3, 14
 """No more lines are left out, and none before a result of more operations: there a reader would lose the way."""
 
@@ -69,16 +70,27 @@ def _told_again(
 
 def without_repeated(blocks: Sequence[Block], later: Sequence[Block]) -> list[Block]:
     """Equations in numbers without those of which a later line tells the same: F_C = -416 α; or which that solves
-    for one of its unknowns by the others: (11) in numbers: a - 0.2 α = 0 beside (11): a = 0.2 α.
+    for one of its unknowns by the others: (11) in numbers: a - 0.2 α = 0 beside (11): a = 0.2 α; or into which all but
+    one of its unknowns are put at once, (7), (8) in (9): O_y = 0.6 α - 80.
     """
     told = [b for b in later if isinstance(b, Equation)]
     said = {_spelled(b) for b in told}
     solved = {(_numbered(b), _unknowns(b)) for b in told}
+    put = {number for b in told if (number := _put_into(b))}
     return [
         b
         for b in blocks
-        if not isinstance(b, Equation) or (_spelled(b) not in said and (_numbered(b), _unknowns(b)) not in solved)
+        if not isinstance(b, Equation)
+        or (_spelled(b) not in said and (_numbered(b), _unknowns(b)) not in solved and _numbered(b) not in put)
     ]
+
+
+def _put_into(equation: Equation) -> str:
+    """(9) of `(7), (8) in (9): O_y = 0.6 α - 80`; empty: nothing is put into it, or it gives no unknown by another."""
+    first, lead = equation.sides[0], equation.lead[0] if len(equation.lead) == 1 else None
+    found = PUT_INTO.search(lead.text) if isinstance(lead, Text) else None
+    by_another = isinstance(first, Math) and first.expr.is_Symbol and len(_unknowns(equation)) > 1
+    return found[1] if found is not None and by_another else ""
 
 
 def _numbered(equation: Equation) -> str:

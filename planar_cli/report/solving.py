@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
-from planar_cli.report.by_its_letter import makes_storeys
+from planar_cli.report.by_its_letter import makes_storeys, put_in_before
 from planar_cli.report.by_sine import by_sine
 from planar_cli.report.closed_letters import in_letters
 from planar_cli.report.isolated import at_sight
@@ -268,6 +268,8 @@ class SolvingTelling:
         for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
+            if len(chain) == len((one.symbol, one.formula)):
+                put_for = sorted({*put_for, *(self.number(stage, n) for n in put_in_before(one, block, stage))})
             told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
         result: tuple[Any, ...] = (self.phrases.math(x.symbol), *solved, self.phrases.shown(x.symbol, x.value))
         if _is_quotient(solved):
