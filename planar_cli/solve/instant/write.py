@@ -387,8 +387,7 @@ class Writer:
         made = without_waves if choice is not None and choice.words == CONTACT else sp.sympify
         left = [self.short(made(c)) * x for x, c in form.terms.items()]
         right = -self.shortened(form.constant)
-        if len(left) == 2 and right == 0:
-            left, right = as_told(*left)
+        left, right = as_told(*left) if len(left) == 2 and right == 0 else (left, right)
         unknowns = set(self.numbers.unknowns)
         left, right = (left, right) if left else apart(self.shortened(residual), unknowns)
         given = condition.kind == "given" and len(form.terms) == 1
