@@ -19,7 +19,8 @@ def with_sought_names(blocks: Sequence[Block], motion: MotionTrace | None) -> li
     """The blocks of a part of a page."""
     sought = [] if motion is None else [u.name for u in motion.problem.unknowns]
     stays = {letter_of_answer(b.line) for b in blocks if isinstance(b, Answer)} | set(_given(blocks))
-    names = {at: own for at, own in _said_the_same(blocks, sought) if at not in stays}
+    same = [*_said_the_same(blocks, sought), *_put_in(blocks, motion, sought)]
+    names = {at: own for at, own in same if at not in stays}
     if not names or len(set(names.values())) < len(names):
         return list(blocks)
     kept = [b for b in blocks if not any(pair in names.items() for pair in _said_the_same([b], sought))]
@@ -32,6 +33,14 @@ def _given(blocks: Sequence[Block]) -> Iterator[str]:
         match b:
             case Equation((Math(at), *_), None, (Text(lead), *_)) if at.is_Symbol and AS_GIVEN in lead:
                 yield at.name
+
+
+def _put_in(blocks: Sequence[Block], motion: MotionTrace | None, sought: Collection[str]) -> Iterator[tuple[str, str]]:
+    """The letters of states for which an unknown of the file was put in at once, where no line tells them."""
+    told = {b.sides[0].expr for b in blocks if isinstance(b, Equation) and isinstance(b.sides[0], Math)}
+    for at, own in motion.route.plain.items() if motion is not None and sought else ():
+        if own.is_Symbol and own.name in sought and STATE in at.name and at not in told:
+            yield at.name, own.name
 
 
 def _said_the_same(blocks: Sequence[Block], sought: Collection[str]) -> Iterator[tuple[str, str]]:
