@@ -7,7 +7,7 @@ from decimal import Decimal
 import pytest
 import sympy as sp
 from conftest import PROBLEMS
-from worked import worked
+from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Document, Equation, Math, Value
@@ -81,3 +81,9 @@ def test_a_rod_of_known_length_is_found_by_its_sine() -> None:
         "sin θ = -h/l = -1/2 = -0.5",
         "θ = arcsin(-0.5) = -30°",
     ]
+
+
+def test_the_sine_of_a_datum_stands_within_its_row() -> None:
+    """With words before it one row holds it: At 1, in the given position."""
+    page = page_of_file("slider-crank-with-a-spring")
+    assert "At 1, in the given position: θ_AB,1 = arcsin(-√3 r_c/(2 l)) = arcsin(-√3 · 0.15 / (2 · 0.45))" in page

@@ -14,6 +14,7 @@ from math import isclose, radians, sin, tan
 import sympy as sp
 
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Value, line
+from planar_cli.report.few_lines import breaks
 from planar_cli.report.numbers import significant
 
 STEEP = 1e4
@@ -45,6 +46,10 @@ def _told(equation: Equation) -> Iterator[Block]:
     elif (repeated := _repeated(formulas[-1], value)) is not None:
         yield replace(equation, sides=(*sides[:at], *repeated, value))
     elif sines := _sines(formulas, value):
+        arcs = (Math(sp.asin(f.expr, evaluate=False), f.values) for f in sines)
+        if equation.lead and not breaks(whole := replace(equation, sides=(sides[0], *arcs, value))):
+            yield whole
+            return
         told = Value(Decimal(sin(radians(value.number))), "1", value.figures)
         yield replace(equation, sides=(line("sin ", sides[0]), *sines, told), note=())
         arc = Math(sp.asin(RATIO), {RATIO: significant(told.number, told.figures)})
