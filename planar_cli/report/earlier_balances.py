@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.principles.base import Balance
 from planar_cli.records import changing
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
+from planar_cli.report.by_stretches import by_stretches
 from planar_cli.report.energy_lines import Told, needed_lines
 from planar_cli.report.few_lines import SPEEDS, breaks, ended, in_few_lines, written
 from planar_cli.report.idle_reactions import idle_again, idle_reactions
@@ -54,7 +55,7 @@ class EarlierBalances:
         of several from one state, `since`: `work and kinetic energy, T_4 = 0; N does no work:`.
         """
         later = bool(self.forms) or since in self.starts
-        first, *others = blocks
+        first, *others = by_stretches(list(blocks))
         words, *rest = heading
         ends = later and rest and isinstance(words, Text) and isinstance(rest[0], Text) and rest[0].text[:1] in ";:"
         if not ends or not isinstance(first, Equation) or first.lead or first.note or first.sides[-1] != NOUGHT:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from math import prod
 from typing import Any
 
 import sympy as sp
@@ -253,16 +254,39 @@ class Writer:
         return min(found, key=operations)
 
     def one_number(self, parts: Sequence[sp.Expr]) -> list[sp.Expr]:
-        """Written parts of a sum with one number for all that are numbers among its terms."""
+        """Written parts of a sum with one number for all that are numbers among its terms, or come from products of a
+        number and a difference: 6.195 - 2.354 sin θ for 2.354 (0.866 - sin θ) + 4.156.
+        """
         terms = [t for part in parts for t in sp.Add.make_args(part)]
-        numbers = [t for t in terms if t.is_number or t.as_coeff_Mul()[1] in self.sizes]
+        opened = [t for term in terms for t in self._opened(term)]
+        numbers = [t for t in opened if self._is_number(t)]
         if len(numbers) < 2:
             return terms
+        terms = opened
         whole = sum((self._size(t) for t in numbers), Decimal(0))
         rest = [t for t in terms if t not in numbers]
         if abs(whole) <= SMALL * max(abs(self._size(t)) for t in numbers):
             return rest or [sp.S.Zero]
         return [self._text(significant(abs(whole), self.phrases.figures), abs(whole), whole < 0), *rest]
+
+    def _opened(self, term: sp.Expr) -> list[sp.Expr]:
+        """number (number ± f) multiplied out; any other term as it is."""
+        known = [f for f in sp.Mul.make_args(term) if self._is_number(f)]
+        others = [f for f in sp.Mul.make_args(term) if f not in known]
+        inside = others[0].args if len(others) == 1 and others[0].is_Add else ()
+        if len(inside) != 2 or [self._is_number(t) for t in inside].count(True) != 1:
+            return [term]
+        factor = prod(map(self._size, known), start=Decimal(1))
+        found = []
+        for part in sorted(inside, key=self._is_number, reverse=True):
+            numbers = [f for f in sp.Mul.make_args(part) if self._is_number(f)]
+            size = factor * prod(map(self._size, numbers), start=Decimal(1))
+            shown = self._text(significant(abs(size), self.phrases.figures), abs(size), size < 0)
+            found.append(sp.Mul(shown, *(f for f in sp.Mul.make_args(part) if f not in numbers)))
+        return found
+
+    def _is_number(self, term: sp.Expr) -> bool:
+        return bool(term.is_Integer or term.as_coeff_Mul()[1] in self.sizes)
 
     def _size(self, term: sp.Expr) -> Decimal:
         factor, number = term.as_coeff_Mul()
