@@ -76,10 +76,10 @@ def _page(text: str) -> str:
     ("text", "masses", "told"),
     [
         # F x_B is the work of the force, of which friction takes μ m_A g x_B/2 and μ m_B g x_B.
-        (ROUND_A_PULLEY, "m_A: 1 kg, m_B: 2 kg", ["Assume 2 F > μ m_A g + 2 μ m_B g"]),
+        (ROUND_A_PULLEY, "m_A: 1 kg, m_B: 2 kg", ["Assume 2 F > μ (m_A + 2 m_B) g"]),
         (ON_A_TABLE, "M: 3 kg", ["Assume m > μ M"]),
         # It moves at all; that the friction which carries the upper block, m a, is within its limit is assumed.
-        (STACKED, "m: 2 kg, M: 5 kg, ", ["Assume F < 2 μ (M + m) g F > μ M g + μ m g"]),
+        (STACKED, "m: 2 kg, M: 5 kg, ", ["Assume F < 2 μ (M + m) g F > μ (M + m) g"]),
     ],
 )
 def test_that_it_moves_at_all(text: str, masses: str, told: list[str]) -> None:
@@ -99,7 +99,7 @@ def test_with_numbers_alone_nothing_is_assumed() -> None:
 
 def test_a_window_that_few_draws_meet() -> None:
     """The force lies between that at which the blocks move and that at which the upper one slides, twice as large."""
-    assert "v = v_A,2 = √(2 (F - μ M g - μ m g) d / (M + m))" in _page(STACKED)
+    assert "v = v_A,2 = √(2 (F - μ (M + m) g) d / (M + m))" in _page(STACKED)
 
 
 def test_no_drawn_number_leaves_the_program() -> None:

@@ -18,4 +18,4 @@ def test_lengths_to_the_first_order_come_before_the_linear_equation() -> None:
     assert places == sorted(places)
     assert page.count("AK ≈ h + l θ") == 1
     assert "As before: the linear equation, ω_0 = 14.14 rad/s." in page
-    assert "changes the time by at most 1 %, the angles by at most 1 % of θ_1 and the angular velocity by" in page
+    assert "changes each by at most 1 %, angles of θ_1, the angular velocity of ω_0 θ_1." in page

@@ -95,7 +95,8 @@ def _known(motion: MotionTrace, state: str) -> set[sp.Symbol]:
     """What is known before the motion from a state on: what is given, and what a blow just before makes."""
     blows = {id(leg): leg for leg in motion.route.steps for e in leg.relations if isinstance(e.source, ImpactEquation)}
     own = {s for leg in blows.values() for s in leg.unknowns if motion.ledger.roles[s].at == state}
-    return own | motion.ledger.known_letters()
+    sought = {u.name for u in motion.problem.unknowns}
+    return own | {s for s in motion.ledger.known_letters() if s.name not in sought}
 
 
 def _partners(instant: InstantSolution, key: str) -> Sequence[str]:
