@@ -64,15 +64,15 @@ def test_words_that_no_page_says(words: str) -> None:
 
 
 @pytest.mark.parametrize(("rule", "most"), [
-    pytest.param(without_source, 27.9, id="1: numbers without a line"),
-    pytest.param(unknowns_bare, 6.9, id="2: bare numbers"),
+    pytest.param(without_source, 26.3, id="1: numbers without a line"),
+    pytest.param(unknowns_bare, 5.8, id="2: bare numbers"),
     pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 9.7, id="3: words of kinematics"),
-    pytest.param(decimals, 27.4, id="4: decimals among letters"),
-    pytest.param(swallowed, 6.9, id="4: units swallowed"),
+    pytest.param(decimals, 24.2, id="4: decimals among letters"),
+    pytest.param(swallowed, 6.7, id="4: units swallowed"),
     pytest.param(diagrams, 0.8, id="5: force lists"),
     pytest.param(axes, 0.1, id="5: arrows of sums of forces"),
-    pytest.param(unused, 55.3, id="6: unused equations"),
-    pytest.param(repeated, 48.6, id="7: lines of an earlier case"),
+    pytest.param(unused, 51.4, id="6: unused equations"),
+    pytest.param(repeated, 45.2, id="7: lines of an earlier case"),
     pytest.param(renamed, 10.3, id="8: names and signs"),
 ])  # fmt: skip
 def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most: float) -> None:
@@ -92,7 +92,7 @@ def test_no_step_is_a_heading_alone() -> None:
 
 
 def test_longest() -> None:
-    assert sum(page.length > LONG for page in ALL) <= LONG_PAGES
+    assert [page.name for page in ALL if page.length > LONG] == []
 
 
 def test_every_page_is_checked() -> None:
@@ -102,5 +102,5 @@ def test_every_page_is_checked() -> None:
 
 
 FULL_ANSWERS = 0.792
-LONG, LONG_PAGES = 120, 13
+LONG = 120
 SILENT = 2
