@@ -30,7 +30,7 @@ def page(name: str) -> str:
         ("particles/skier-in-a-parabolic-dip", "y′ = 2 c x_1 = 2 · 0.00625 · 40 = 0.5", "ρ = (1 + 4 c²"),
         ("impact/where-a-bat-meets-the-ball", "= 2.083 ft = 25 in", "d = 25 in = "),
         ("momentum/rocket-up-and-along", "a = u q / (M - q t) - g", "sin φ"),
-        ("energy/slider-crank-with-a-spring", "U of the weight of AB", "U of the weight of slider"),
+        ("energy/slider-crank-with-a-spring", "U of the weights of crank, AB =", "U of the weight of slider"),
         ("systems/flat-faced-follower-about-to-lift", "is the same motion the opposite way", "the smaller one"),
         ("oscillations/connecting-rod-on-a-knife-edge", "T_B = 2 π/ω_0", "nothing moves"),
         ("kinematics/robot-arm-that-extends", "e_r + r ω_OA e_θ = 0.2 e_r + 1.2", "v_A = ω_OA × r_A/O"),
