@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.report.as_printed import as_text
 from planar_cli.report.blocks import Equation, Math, line
 from planar_cli.report.by_stretches import by_stretches
-from planar_cli.report.few_lines import written
 
 X, A, B, C, D = sp.symbols("x A B C D")
 STRETCH = Equation((Math(sp.Symbol("s__4")), Math(A - B * X, {A: "0.65", B: "0.45"})), None, note=line("in m"))
@@ -21,7 +21,7 @@ def balance(width: int) -> Equation:
 def test_a_wide_balance_has_the_letter() -> None:
     whole = by_stretches([STRETCH, balance(85)])[-1]
     assert isinstance(whole, Equation)
-    assert written(whole.sides[0]) == "100 s_4²"
+    assert as_text(whole.sides[0]) == "100 s_4²"
 
 
 def test_what_fits_in_a_row_stays() -> None:

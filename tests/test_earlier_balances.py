@@ -8,8 +8,9 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
+from planar_cli.report.as_printed import as_text
 from planar_cli.report.blocks import Block, Equation, Math, Name, Value, line
-from planar_cli.report.few_lines import breaks, in_few_lines, written
+from planar_cli.report.few_lines import breaks, in_few_lines
 
 SLIDER_CRANK = "slider-crank-with-a-spring"
 TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1"), " + U = ", Name("T__2"), ":"))
@@ -56,7 +57,7 @@ def height(name: str, *sides: Math | Value) -> Equation:
 
 
 def texts(blocks: list[Block]) -> list[str]:
-    return [" = ".join(map(written, b.sides)) for b in blocks if isinstance(b, Equation)]
+    return [" = ".join(map(as_text, b.sides)) for b in blocks if isinstance(b, Equation)]
 
 
 def test_heights_of_one_state_and_value_share_a_line() -> None:

@@ -23,13 +23,11 @@ def diagram(row: Forces) -> str:
     return f"{row.body}: {as_text(row.left)} = {as_text(row.right)} {row.heads}"
 
 
-def as_text(parts: Line) -> str:
-    """Pieces of a line as they are printed."""
-    return "".join(map(_printed, parts))
-
-
-def _printed(piece: Inline) -> str:
-    match piece:
+def as_text(side: Inline | Line) -> str:
+    """A piece, or the pieces of a line, as they are printed."""
+    match side:
+        case tuple():
+            return "".join(map(as_text, side))
         case Text(text):
             return text
         case Name(name):
@@ -38,4 +36,4 @@ def _printed(piece: Inline) -> str:
             return plain(expr, values)
         case Value(number, unit, figures):
             return quantity(number, unit, figures)
-    return read_alike(piece)
+    return read_alike(side)

@@ -12,11 +12,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 
-from planar_cli.report.blocks import Block, Equation, Forces, Line, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Forces, Line, Paragraph, line
+from planar_cli.report.entries import entries
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
 
-BETWEEN = Text(",  ")
 """Stands between the forces of a diagram."""
 SAVED = 3
 """So many rows of a page at least are saved; else it is plainer to see the step itself."""
@@ -68,15 +68,8 @@ def _difference(gone: Sequence[Line], new: Sequence[Line]) -> Line:
 
 def _without(acting: Line, other: Line) -> list[Line]:
     """The forces of a diagram that another does not have."""
-    there = [repr(e) for e in _entries(other)]
-    return [e for e in _entries(acting) if repr(e) not in there]
-
-
-def _entries(acting: Line) -> Iterator[Line]:
-    """The forces of a diagram, one by one."""
-    for between, entry in groupby(acting, lambda piece: piece == BETWEEN):
-        if not between:
-            yield tuple(entry)
+    there = [repr(e) for e in entries(other)]
+    return [e for e in entries(acting) if repr(e) not in there]
 
 
 # --- equations -------------------------------------------------------------------------------------------------------

@@ -15,10 +15,11 @@ import sympy as sp
 
 from planar_cli.principles.base import Balance
 from planar_cli.records import changing
+from planar_cli.report.as_printed import as_text
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.by_stretches import by_stretches
 from planar_cli.report.energy_lines import Told, needed_lines
-from planar_cli.report.few_lines import SPEEDS, breaks, ended, in_few_lines, written
+from planar_cli.report.few_lines import SPEEDS, breaks, ended, in_few_lines
 from planar_cli.report.idle_reactions import idle_again, idle_reactions
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.ordering import NUMBER
@@ -83,7 +84,7 @@ class EarlierBalances:
         works = [b for b in blocks if isinstance(b, Equation) and _is_work(b, balance)]
         known = {left.partition(OF)[2] for left in self.forms if left.startswith(balance.law.bring)}
         beside = (isinstance(b.sides[-1], Math) and bool(b.sides[-1].values) for b in works)
-        return bool(works) and all(beside) and all(written(b.sides[0]).partition(OF)[2] in known for b in works)
+        return bool(works) and all(beside) and all(as_text(b.sides[0]).partition(OF)[2] in known for b in works)
 
     def _without_terms(self, blocks: list[Block], balance: BalanceTrace, told: Equation) -> list[Block]:
         """Without the works that are the terms of a balance in letters, where all are, and others have told of which
@@ -91,11 +92,11 @@ class EarlierBalances:
         """
         works = [b for b in blocks if isinstance(b, Equation) and _is_work(b, balance)]
         known = {left.partition(OF)[2] for left in self.forms}
-        whole = written(told.sides[0])
+        whole = as_text(told.sides[0])
         for b in works:
             last = b.sides[-1]
-            lettered = isinstance(last, Math) and not last.values and written(last).removeprefix("-") in whole
-            if not lettered or written(b.sides[0]).partition(OF)[2] not in known:
+            lettered = isinstance(last, Math) and not last.values and as_text(last).removeprefix("-") in whole
+            if not lettered or as_text(b.sides[0]).partition(OF)[2] not in known:
                 return blocks
         others = {name for b in (*blocks, told) if b not in works and not ended(b) for name in names_in(b)}
         return [b for b in blocks if b not in works and (not ended(b) or ended(b) in others)]
@@ -185,5 +186,5 @@ def _form(side: Any, states: dict[str, str]) -> str:
             # The number of another state is not compared.
             return "value"
         case _:
-            said = written(side)
+            said = as_text(side)
     return OF_STATE.sub(lambda found: f"__{states.get(found[1], found[1])}", said)

@@ -9,11 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value, line
+from planar_cli.report.as_printed import as_text
+from planar_cli.report.blocks import Block, Equation, Math, Name, Value, line
 from planar_cli.report.energy_pieces import STATE
-from planar_cli.report.names import plain_name
-from planar_cli.report.notation import plain
-from planar_cli.report.numbers import quantity
 
 WIDTH, INDENT, GAP = 110, 4, 3
 """Columns of a page; what stands before an equation at least, and between it and what stands beside it."""
@@ -33,26 +31,10 @@ def in_few_lines(blocks: Sequence[Block], told: Equation) -> list[Block]:
 def breaks(equation: Equation, rows: int = 1) -> bool:
     """Is it wider than so many rows?"""
     number = len(f"({equation.number})  ") if equation.number is not None else 0
-    head = len(written(equation.lead)) + GAP if equation.lead else 0
-    note = len(written(equation.note)) + GAP if equation.note else 0
-    whole = " = ".join(written(side) for side in equation.sides)
+    head = len(as_text(equation.lead)) + GAP if equation.lead else 0
+    note = len(as_text(equation.note)) + GAP if equation.note else 0
+    whole = " = ".join(as_text(side) for side in equation.sides)
     return INDENT + number + head + len(whole) + note > WIDTH + (rows - 1) * (WIDTH - 2 * INDENT)
-
-
-def written(side: Inline | Line) -> str:
-    """A side, or what stands beside an equation, as it is printed."""
-    match side:
-        case tuple():
-            return "".join(map(written, side))
-        case Text(text):
-            return text
-        case Name(name):
-            return plain_name(name)
-        case Math(expr, values):
-            return plain(expr, values)
-        case Value(number, unit, figures):
-            return quantity(number, unit, figures)
-    return str(side)
 
 
 def ended(block: Block) -> str:
@@ -71,7 +53,7 @@ def _is_sum(block: Block, told: Equation) -> bool:
         return False
     (left, *more), right = block.sides[0], block.sides[1]
     summed = isinstance(left, Name) and not more and isinstance(right, Math) and bool(right.values)
-    return summed and written(right) == written(told.sides[-1]) and written(left) in written(told.lead)
+    return summed and as_text(right) == as_text(told.sides[-1]) and as_text(left) in as_text(told.lead)
 
 
 def _without_middle(block: Equation) -> Equation:
@@ -79,7 +61,7 @@ def _without_middle(block: Equation) -> Equation:
     own = block.sides
     twice = len(own) == WHOLE and all(isinstance(s, Math) for s in own[1:]) and isinstance(own[0], tuple)
     # The antiderivative of a work is what is learnt of it.
-    twice = twice and not written(own[0]).startswith(WORK)
+    twice = twice and not as_text(own[0]).startswith(WORK)
     if not twice or not isinstance(own[-1], Math) or not own[-1].values or not breaks(block):
         return block
     return replace(block, sides=(own[0], own[1], own[3]))
@@ -121,7 +103,7 @@ def _side_by_side(blocks: Sequence[Block]) -> list[Block]:
         if place is not None and isinstance(one, Equation):
             told = [p for i, side in enumerate(block.sides) for p in ((" = ",) if i else ()) + (side,)]
             both = replace(one, sides=(*one.sides[:-1], line(one.sides[-1], ",  ", *told)))
-            if len(" = ".join(map(written, both.sides))) <= NARROW:
+            if len(" = ".join(map(as_text, both.sides))) <= NARROW:
                 found[place] = both
                 continue
         place = len(found)

@@ -16,6 +16,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.report.blocks import Block, Forces, Line, Math, Paragraph, Text, Value, line
 from planar_cli.report.conditions_of_states import asked_here
+from planar_cli.report.entries import entries, listed
 from planar_cli.report.forces import force_rows
 from planar_cli.report.light_bodies import own_momenta, parts_of_mass
 from planar_cli.report.speeds_of_momenta import speeds_first
@@ -23,7 +24,6 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.solution import InstantSolution
 
-BETWEEN = ",  "
 """Stands between the impulses of a diagram."""
 ASSUMED = " (assumed)"
 OPPOSITE = str.maketrans("→←↑↓↗↙↖↘↺↻", "←→↓↑↙↗↘↖↻↺")
@@ -96,7 +96,7 @@ def _rows(regime: RegimeTrace, own: list[BalanceTrace], found: MotionTrace, phra
     kept = {s for row in level for s in _letters(row)}
     upright = {s.name for row in rows for s in _letters(row) - kept}
     left_out = rows != level and not used & upright
-    left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in _entries(row.right))
+    left_out = left_out and all(_is_level(e) or _turns(e) for row in rows for e in entries(row.right))
     across = "impulses along y" if found.problem.plane == "horizontal" else "vertical impulses"
     note = line("J: impulse of a reaction", *parts_of_mass(solution, shares))
     note = line(*note, f"; the {across} do not enter" if left_out else "")
@@ -125,13 +125,13 @@ def _of_group(
     """
     own = [row for row in rows if row.body in group]
     if len(own) < 2:
-        yield from (replace(row, right=_joined([*_share(row, shares), *_entries(row.right)])) for row in own)
+        yield from (replace(row, right=listed([*_share(row, shares), *entries(row.right)])) for row in own)
         return
-    acting = [entry for row in own for entry in _entries(row.left)]
+    acting = [entry for row in own for entry in entries(row.left)]
     outer = [entry for entry in acting if not any(isinstance(p, Math) and p.expr.free_symbols & inner for p in entry)]
     outer = [entry for entry in outer if not _turns(entry) or outer.count(_opposite(entry)) != outer.count(entry)]
-    left, right = outer or [line("0")], [entry for row in own for entry in _entries(row.right)]
-    yield replace(own[0], body=", ".join(row.body for row in own), left=_joined(left), right=_joined(right))
+    left, right = outer or [line("0")], [entry for row in own for entry in entries(row.right)]
+    yield replace(own[0], body=", ".join(row.body for row in own), left=listed(left), right=listed(right))
 
 
 def _opposite(entry: Line) -> Line:
@@ -142,26 +142,10 @@ def _share(row: Forces, shares: Mapping[str, Line]) -> list[Line]:
     return [shares[row.body]] if row.body in shares else []
 
 
-def _joined(entries: list[Line]) -> Line:
-    return line(*(p for i, e in enumerate(entries) for p in (BETWEEN, *e)[i == 0 :]))
-
-
 def _level(row: Forces) -> Forces:
     """A diagram without vertical impulses."""
-    kept = [e for e in _entries(row.left) if not _is_upright(e)] or [line("0")]
-    return replace(row, left=_joined(kept))
-
-
-def _entries(side: Line) -> Iterator[Line]:
-    """What acts, one by one."""
-    entry: list[Any] = []
-    for piece in side:
-        if piece == Text(BETWEEN):
-            yield tuple(entry)
-            entry = []
-        else:
-            entry.append(piece)
-    yield tuple(entry)
+    kept = [e for e in entries(row.left) if not _is_upright(e)] or [line("0")]
+    return replace(row, left=listed(kept))
 
 
 def _is_upright(entry: Line) -> bool:

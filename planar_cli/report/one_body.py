@@ -6,7 +6,7 @@ acts between them:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,13 +15,13 @@ import sympy as sp
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.one_body import inner_reactions
 from planar_cli.report.blocks import Forces, Line, Math, Text
+from planar_cli.report.entries import entries, listed
 from planar_cli.report.forces import force_rows
 from planar_cli.report.total_masses import with_totals
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
 
-BETWEEN = ",  "
 """Stands between two vectors of a list."""
 NOTHING = (Text("0"),)
 
@@ -81,9 +81,9 @@ def _are_particles(instant: InstantSolution, group: Iterable[str]) -> bool:
 
 
 def _joined(own: Sequence[Forces], inner: set[sp.Symbol], instant: InstantSolution) -> Forces:
-    acting = [e for row in own for e in _entries(row.left) if not _holds(e, inner)]
-    moving = [e for row in own for e in _entries(row.right)]
-    left, right = (_listed(_with_totals(side, instant)) for side in (acting, moving))
+    acting = [e for row in own for e in entries(row.left) if not _holds(e, inner)]
+    moving = [e for row in own for e in entries(row.right)]
+    left, right = (listed(_with_totals(side, instant)) for side in (acting, moving))
     return replace(own[0], body=", ".join(row.body for row in own), left=left, right=right)
 
 
@@ -114,19 +114,3 @@ def _total(one: Any, other: Any, ledger: Ledger) -> sp.Expr | None:
 
 def _told(arrow: Iterable[Any]) -> list[Any]:
     return [p.text if isinstance(p, Text) else p for p in arrow]
-
-
-def _entries(side: Line) -> Iterator[Line]:
-    """The vectors of a list, one by one."""
-    entry: list[Any] = []
-    for piece in side:
-        if piece == Text(BETWEEN):
-            yield tuple(entry)
-            entry = []
-        else:
-            entry.append(piece)
-    yield tuple(entry)
-
-
-def _listed(entries: Sequence[Line]) -> Line:
-    return tuple(p for i, e in enumerate(entries) for p in (Text(BETWEEN), *e)[i == 0 :])

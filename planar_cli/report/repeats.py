@@ -6,7 +6,7 @@ from which forces are gone, which they are.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.equation.plain import longer
@@ -17,7 +17,6 @@ from planar_cli.report.blocks import (
     Equation,
     Forces,
     Heading,
-    Inline,
     Line,
     Math,
     Name,
@@ -29,6 +28,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.entries import entries
 from planar_cli.report.results import told_by_others, value_told
 from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
@@ -41,7 +41,7 @@ LEAST = 3
 TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
-DEFINED, BETWEEN = ("moment of inertia of", "terminal speed", "half disk, from", "sector, from"), ",  "
+DEFINED = ("moment of inertia of", "terminal speed", "half disk, from", "sector, from")
 """Begins the line of a moment of inertia, of what a drag makes, and of the mass centre of a sector; stands between the
 forces of a diagram.
 """
@@ -202,9 +202,9 @@ class _Printed:
         other = self.diagrams.get(block.body) if isinstance(block, Forces) else None
         if not isinstance(block, Forces) or other is None or as_text(other.right) != as_text(block.right):
             return block
-        own, entries = [as_text(e) for e in _entries(block.left)], list(_entries(other.left))
-        gone = [e for e in entries if as_text(e) not in own]
-        if not gone or [as_text(e) for e in entries if e not in gone] != own:
+        own, acting = [as_text(e) for e in entries(block.left)], list(entries(other.left))
+        gone = [e for e in acting if as_text(e) not in own]
+        if not gone or [as_text(e) for e in acting if e not in gone] != own:
             return block
         names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
         return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
@@ -291,18 +291,6 @@ def _defines(block: Block) -> bool:
     if not isinstance(block, Equation) or block.number is not None or not block.lead:
         return False
     return isinstance(block.lead[0], Text) and block.lead[0].text.startswith(DEFINED)
-
-
-def _entries(acting: Line) -> Iterator[Line]:
-    """The forces of a diagram, one by one."""
-    entry: list[Inline] = []
-    for piece in acting:
-        if isinstance(piece, Text) and piece.text == BETWEEN:
-            yield tuple(entry)
-            entry = []
-        else:
-            entry.append(piece)
-    yield tuple(entry)
 
 
 def _leads(block: Block) -> bool:
