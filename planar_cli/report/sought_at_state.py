@@ -19,11 +19,13 @@ def with_sought_names(blocks: Sequence[Block], motion: MotionTrace | None) -> li
     """The blocks of a part of a page."""
     sought = [] if motion is None else [u.name for u in motion.problem.unknowns]
     stays = {letter_of_answer(b.line) for b in blocks if isinstance(b, Answer)} | set(_given(blocks))
-    same = [*_said_the_same(blocks, sought), *_put_in(blocks, motion, sought)]
-    names = {at: own for at, own in same if at not in stays}
-    if not names or len(set(names.values())) < len(names):
+    said = {at: own for at, own in _said_the_same(blocks, sought) if at not in stays}
+    if len(set(said.values())) < len(said):
+        said = {}
+    names = said | {at: own for at, own in _put_in(blocks, motion, sought) if at not in stays}
+    if not names:
         return list(blocks)
-    kept = [b for b in blocks if not any(pair in names.items() for pair in _said_the_same([b], sought))]
+    kept = [b for b in blocks if not any(pair in said.items() for pair in _said_the_same([b], sought))]
     return renamed(kept, names)
 
 
