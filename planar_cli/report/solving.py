@@ -268,7 +268,7 @@ class SolvingTelling:
         for one, (chain, beside) in by_letter if 1 < len(by_letter) <= FEW else ():
             self._by_letter[one.symbol] = self.numeric.at_letter(one, block, stage)
             own, put_for = numbered([self.number(stage, n) for n in one.equations]), self._put_for(one, stage)
-            if len(chain) == len((one.symbol, one.formula)):
+            if len(chain) == 2:
                 put_for = sorted({*put_for, *(self.number(stage, n) for n in put_in_before(one, block, stage))})
             told.append(Equation(chain, None, line(f"{numbered(put_for)} in {own}:" if put_for else f"{own}:"), beside))
         result: tuple[Any, ...] = (self.phrases.math(x.symbol), *solved, self.phrases.shown(x.symbol, x.value))
