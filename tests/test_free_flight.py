@@ -78,3 +78,30 @@ def test_bodies_without_forces_have_no_diagram() -> None:
     page = page_of_file("rope-that-jerks-taut")
     assert "STEP 1 Motion without forces From 1 to 2 no force acts on A and B: A stays at rest and B keeps" in page
     assert "so that a_" not in page
+
+
+TURNING = """\
+title: Disk that is pushed for a while
+plane: horizontal
+given: {m: 3 kg, F: 3 N}
+points: {G: [0, 0]}
+bodies: {wheel: {disk: G, radius: 0.5 m, mass: m}}
+loads:
+  - force: {body: wheel, at: G, magnitude: F, angle: 30 deg, during: 2->3}
+states:
+  1: [v(wheel) = 0, omega(wheel) = 4 rad/s]
+  2: [t = 0.5 s]
+  3: [t = 2 s]
+  4: [t = 3 s]
+find: {theta: theta(wheel) @ 4, x: x(wheel) @ 4, a: a(wheel).mag @ 1, b: a(wheel).mag @ 4}
+"""
+
+
+def test_a_body_that_turns_is_not_at_rest(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, TURNING)
+    assert "rest" not in page.partition("MOTION")[2].partition("MOTION")[0]
+    assert "no force acts on the wheel: the wheel keeps its velocity and its angular velocity." in page
+
+
+def test_all_stretches_without_forces_are_named(tmp_path: Path) -> None:
+    assert "From 1 to 2 and from 3 to 4 no force acts on the wheel" in page_of_text(tmp_path, TURNING)

@@ -16,8 +16,10 @@ from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
 from planar_cli.report.steps import KINETICS, is_ritual
+from planar_cli.report.stretches import stretches
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 FREE, ALONE = "Free flight", "Motion without forces"
 SO_THAT = ", so that "
@@ -28,7 +30,7 @@ WEIGHT = line("only the weight acts:")
 """Stands before what it says of the acceleration; a page has it behind."""
 
 
-def in_free_flight(blocks: Sequence[Block], motion: MotionTrace, instant: InstantSolution) -> list[Block]:
+def in_free_flight(blocks: Sequence[Block], part: PartSolution, instant: InstantSolution) -> list[Block]:
     """The blocks of a general position; its step of forces as the accelerations of a flight, where it is one."""
     problem = instant.instant.scene.problem
     start = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == KINETICS), None)
@@ -39,7 +41,7 @@ def in_free_flight(blocks: Sequence[Block], motion: MotionTrace, instant: Instan
     assert isinstance(heading, Heading)
     if drawn and all(b.left == (NOTHING,) and b.right != (NOTHING,) for b in drawn):
         at_once = all(_is_of_form(b) for b in step) and all(_acceleration(b) for b in step if isinstance(b, Equation))
-        said = without_forces([b.body for b in drawn], motion, instant)
+        said = without_forces([b.body for b in drawn], part, instant)
         return [*blocks[:start], replace(heading, text=ALONE, aside=""), said] if at_once else list(blocks)
     open_masses = {b.name for b in problem.bodies if b.any_mass}
     if problem.plane != "vertical" or len(drawn) != 1 or drawn[0].body not in open_masses:
@@ -54,19 +56,30 @@ def in_free_flight(blocks: Sequence[Block], motion: MotionTrace, instant: Instan
     return [*blocks[:start], replace(heading, text=FREE, aside=""), *told]
 
 
-def without_forces(bodies: Sequence[str], motion: MotionTrace, instant: InstantSolution) -> Paragraph:
+def without_forces(bodies: Sequence[str], part: PartSolution, instant: InstantSolution) -> Paragraph:
     """What bodies do on which no force acts: A stays at rest, B keeps its velocity."""
-    start, stop = motion.regime(instant).stretches[0]
+    motion = part.motion
+    assert motion is not None
+    own = motion.regime(instant).stretches
+    resting = [b for b in bodies if all(_rests(b, start, motion, instant) for start, _ in own)]
+    turning = [b.name for b in motion.problem.bodies if b.name in bodies and not b.is_particle]
+    whole = own[0][0] == motion.states[0] and own[-1][1] in ("", motion.states[-1])
+    during = listed(stretches(part, instant).split(", "), "and")
+    span = "No force" if whole and len(own) == 1 else f"{during[0].upper()}{during[1:]} no force"
+    words = f"{span} acts on {listed(map(with_article, bodies), 'and')}: "
+    if len(bodies) > 1 and not resting and not turning:
+        return Paragraph(line(f"{words}{'both keep' if len(bodies) == PAIR else 'all keep'} their velocity."))
+    keeps = {b: f"keeps its velocity{' and its angular velocity' if b in turning else ''}" for b in bodies}
+    does = (f"{with_article(b)} {'stays at rest' if b in resting else keeps[b]}" for b in bodies)
+    return Paragraph(line(f"{words}{listed(does, 'and')}."))
+
+
+def _rests(body: str, start: str, motion: MotionTrace, instant: InstantSolution) -> bool:
+    """Does a free body neither move nor turn from a state on?"""
     here = {g: own for own, g in motion.general.items() if motion.ledger.roles[own].at == start}
     still = {s for s, own in here.items() if motion.route.plain.get(own) == 0}
-    edges = {e.body: {e.slide, e.rise} for e in instant.trial.system.tree.edges}
-    resting = [b for b in bodies if edges.get(b) and edges[b] <= still]
-    span = "No force" if stop in ("", motion.states[-1]) else f"From {start} to {stop} no force"
-    words = f"{span} acts on {listed(map(with_article, bodies), 'and')}: "
-    if len(bodies) > 1 and not resting:
-        return Paragraph(line(f"{words}{'both keep' if len(bodies) == PAIR else 'all keep'} their velocity."))
-    does = (f"{with_article(b)} {'stays at rest' if b in resting else 'keeps its velocity'}" for b in bodies)
-    return Paragraph(line(f"{words}{listed(does, 'and')}."))
+    edge = next((e for e in instant.trial.system.tree.edges if e.body == body), None)
+    return edge is not None and {edge.slide, edge.rise} | ({edge.spin} - {None}) <= still
 
 
 def is_flight(page: Sequence[Block]) -> bool:

@@ -313,7 +313,7 @@ def _instant_blocks(
     blocks = where_asked(blocks, part.motion, instant, telling, phrases)
     blocks = with_slips_told(blocks, part.motion, instant, voice.figures)
     if why is None:
-        blocks = in_free_flight(with_asked(blocks, telling, part.motion), part.motion, instant)
+        blocks = in_free_flight(with_asked(blocks, telling, part.motion), part, instant)
     acting = stretches(part, instant)
     if is_restated(blocks):
         before.data += blocks
