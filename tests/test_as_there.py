@@ -40,6 +40,16 @@ def test_diagrams_by_the_loads_that_change() -> None:
     )
 
 
+def test_of_two_equal_forces_one_may_be_missing() -> None:
+    before, now = _rows({"frame": "S", "rear": "M_c"}), _rows({"frame": "S", "rear": "M_b"})
+    frame = before[0]
+    assert isinstance(frame, Forces)
+    before[0] = Forces("frame", (*frame.left, Text(",  "), *_drawn("frame", "S").left[3:]), frame.right)
+    (told,) = as_there(now, before, "from 1 to 2")
+    assert isinstance(told, Paragraph)
+    assert _text(told.line) == "Diagrams as from 1 to 2, but on frame no S ↺; on rear M_b ↺ in place of M_c ↺."
+
+
 def test_a_few_diagrams_are_drawn_again() -> None:
     before, now = [_drawn("frame", "M_c"), _drawn("rear")], [_drawn("frame", "M_b"), _drawn("rear")]
     assert list(as_there(now, before, "from 1 to 2")) == now

@@ -12,12 +12,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 
-from planar_cli.report.blocks import Block, Equation, Forces, Line, Paragraph, line
+from planar_cli.report.as_printed import as_text
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Paragraph, line
 from planar_cli.report.entries import entries
-from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.results import numbered
 
-"""Stands between the forces of a diagram."""
 SAVED = 3
 """So many rows of a page at least are saved; else it is plainer to see the step itself."""
 ROW = 95
@@ -69,7 +68,14 @@ def _difference(gone: Sequence[Line], new: Sequence[Line]) -> Line:
 def _without(acting: Line, other: Line) -> list[Line]:
     """The forces of a diagram that another does not have."""
     there = [repr(e) for e in entries(other)]
-    return [e for e in entries(acting) if repr(e) not in there]
+    found = []
+    for entry in entries(acting):
+        # Two equal springs pull with two equal forces.
+        if (own := repr(entry)) in there:
+            there.remove(own)
+        else:
+            found.append(entry)
+    return found
 
 
 # --- equations -------------------------------------------------------------------------------------------------------
@@ -125,13 +131,9 @@ def _rows(block: Block) -> int:
     """About how many rows of a page it fills."""
     match block:
         case Forces(_, left, right):
-            parts: tuple[object, ...] = (left, right)
+            parts: tuple[Inline | Line, ...] = (left, right)
         case Equation(sides, _, lead, note):
             parts = (*sides, lead, note)
         case _:
             parts = (getattr(block, "line", ()),)
-    return 1 + len("".join(_piece(p) for p in pieces_of(parts))) // ROW
-
-
-def _piece(piece: object) -> str:
-    return str(getattr(piece, "text", None) or getattr(piece, "expr", None) or getattr(piece, "name", "") or piece)
+    return 1 + len("".join(map(as_text, parts))) // ROW

@@ -6,7 +6,7 @@ constant friction by that length.
 from __future__ import annotations
 
 from decimal import Decimal
-from itertools import groupby
+from itertools import groupby, takewhile
 from typing import Any
 
 import sympy as sp
@@ -96,9 +96,9 @@ def _along_the_way(span: SpanIntegral, found: MotionTrace, phrases: Phrases) -> 
     if span.quantity.word != "heat" or span.formula is None or len(span.pieces) < 2:
         return ()
     ways = {w.symbol: w for w in found.spans if w.quantity.word == "path_length" and w.quantity.at == span.quantity.at}
-    for asked in found.requests:
+    for asked in takewhile(lambda r: r.find.found.what != span.quantity, found.requests):
         way = next((w for part in asked.parts for s, w in ways.items() if part in (s, w.formula)), None)
-        if way is None or way.formula is None or asked.find.found.what == span.quantity:
+        if way is None or way.formula is None:
             continue
         force, known = simplified(span.formula / way.formula), found.value.known(way.formula)
         if known is None or longer(force, 4) or force.free_symbols & set(found.general):
