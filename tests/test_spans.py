@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 from answered import BRAKED, solved
 from answered import first as number
+from worked import page_of_text
 
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
@@ -241,3 +242,23 @@ def test_a_half_swing_to_the_left_is_a_positive_way(tmp_path: Path) -> None:
     assert problem is not None
     page = Terminal().render(narrate(solve_problem(problem)))
     assert "way = (x_1 - x_2) + (x_3 - x_2) = 0.2106 + 0.1517 = 0.3623 m" in page
+
+
+def test_heat_goes_on_from_a_length_of_path_that_stands_above_it(tmp_path: Path) -> None:
+    text = """\
+title: Block that slides up and back
+plane: vertical
+given: {m: 2 kg, b: 20 deg, mu: 0.1, v: 4 m/s}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: b}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu}
+states:
+  1: [v(block).along(b) = v]
+  2: [v(block) = 0]
+  3: [y(block) = -0.1 m]
+"""
+    heat, way = "Q: heat(A) @ 1->3", "s: path_length(block) @ 1->3"
+    assert "Q = μ m g cos(b) s = " in page_of_text(tmp_path, f"{text}find: {{{way}, {heat}}}")
+    assert "cos(b) s" not in page_of_text(tmp_path, f"{text}find: {{{heat}, {way}}}")
