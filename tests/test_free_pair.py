@@ -60,3 +60,21 @@ def test_a_force_from_outside_leaves_no_free_pair(tmp_path: Path) -> None:
     page = page_of_text(tmp_path, DRAGGED)
     assert "STATE 3" in page
     assert "mass centre of P and Q:" not in page
+
+
+def test_a_length_of_the_cord_that_nothing_needs_is_not_told(tmp_path: Path) -> None:
+    moving = "v(P).mag = 0 m/s, v(Q).x = -6 m/s, v(Q).y = 2 m/s"
+    text = FALLING.replace("v(P).x = 0, v(P).y = 6 m/s, v(Q).mag = 9 m/s, v(Q).angle = 60 deg", moving)
+    text = text.replace("[1 m, 0]", "[-1 m, 0.5 m]").replace("vertical", "horizontal").replace("0.8 s", "1.2 s")
+    page = page_of_text(tmp_path, text.replace("v: v(Q) @ 4", "v: v(Q) @ 4, x: x(P) @ 4"))
+    assert "x_P,4 = " in page
+    assert "x_Q,4" not in page
+    assert "keeps its length" not in page
+
+
+def test_the_mass_centre_of_equal_ones_is_midway(tmp_path: Path) -> None:
+    moving = "v(P).x = 0, v(P).y = -3 m/s, v(Q).x = -3 m/s, v(Q).y = 0"
+    text = FALLING.replace("mass: m_Q", "mass: m_P").replace(", m_Q: 2.5 kg", "").replace("[1 m, 0]", "[1 m, 0.5 m]")
+    text = text.replace("v(P).x = 0, v(P).y = 6 m/s, v(Q).mag = 9 m/s, v(Q).angle = 60 deg", moving)
+    page = page_of_text(tmp_path, text.replace("vertical", "horizontal").replace("v: v(Q)", "y: y(P)"))
+    assert "y_G,2 = y_P,2/2 + y_Q,2/2 = " in page

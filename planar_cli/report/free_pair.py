@@ -11,7 +11,7 @@ numbers; the numbers of that integration are compared.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -124,7 +124,7 @@ def _told(motion: MotionTrace, pair: FreePair) -> MotionTrace | None:
     if not (asked or any(leg.relations[0].kind == FOLLOWED for leg in own)) or not telling.begin(bool(asked)):
         return None
     requests = tuple(_request(r, asked, pair, telling) for r in motion.requests)
-    given = [leg for leg in motion.route.steps if leg not in own]
+    given = _needed([leg for leg in motion.route.steps if leg not in own], later.keys() - times, requests, motion.spans)
     wanted = _letters(requests, given, motion.spans) & later.keys() - times
     order = sorted(wanted, key=lambda s: (motion.states.index(str(later[s])), s.name))
     mixed = any(times & set(leg.unknowns) for leg in own)
@@ -132,9 +132,11 @@ def _told(motion: MotionTrace, pair: FreePair) -> MotionTrace | None:
         return None
     finds = tuple(r for r in requests if r is not None)
     made = telling.told([*order, *(p for r in finds for p in r.parts)])
+    resting = [leg for leg in given if leg.needs & wanted]
+    before = (leg for leg in given if leg not in resting)
     route = replace(
         motion.route,
-        steps=tuple(without_idle_places((*given, *made), finds)),
+        steps=tuple(without_idle_places((*before, *made, *resting), finds)),
         formulas={**motion.route.formulas, **telling.formulas},
         settled=motion.route.settled | telling.formulas.keys(),
     )
@@ -147,6 +149,24 @@ def _told(motion: MotionTrace, pair: FreePair) -> MotionTrace | None:
         guessed=motion.guessed - wanted,
         regimes=tuple(r for r in motion.regimes if r is not pair.regime),
     )
+
+
+def _needed(
+    steps: Sequence[RouteStep],
+    later: Collection[sp.Symbol],
+    requests: Iterable[Request | None],
+    spans: Iterable[SpanIntegral],
+) -> list[RouteStep]:
+    """The steps but for those that rest on places and velocities of the pair, as the length of the tie at a later state
+    does, and that nothing else needs. `later`: these letters.
+    """
+    used, kept = _letters(requests, (), spans), list[RouteStep]()
+    for leg in reversed(steps):
+        if not leg.needs.isdisjoint(later) and used.isdisjoint(leg.unknowns):
+            continue
+        kept.append(leg)
+        used |= leg.needs
+    return kept[::-1]
 
 
 def _letters(

@@ -139,7 +139,7 @@ class PairTelling:
 
     def _mean(self, parts: list[sp.Expr]) -> sp.Expr:
         """Of a component of both that of their mass centre."""
-        return sp.Add(*(p.mass * e for p, e in zip(self.course.pair, parts, strict=True))) / self._whole
+        return sp.cancel(sp.Add(*(p.mass * e for p, e in zip(self.course.pair, parts, strict=True))) / self._whole)
 
     def _why(self, falls: bool, pull: bool) -> str:
         """Why they move so. `falls`: they have weights; `pull`: and the acceleration by which the pull is told."""
