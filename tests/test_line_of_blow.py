@@ -48,3 +48,14 @@ def test_another_letter_where_the_file_has_this_one(tmp_path: Path) -> None:
         "J = 7.260 N·s",
     ]
     assert [told for told in lines if told not in page] == []
+
+
+def test_a_find_of_that_name_leaves_the_letter_to_it(tmp_path: Path) -> None:
+    asked = "find: {psi: v(B).angle @ 3 in deg, gamma: v(A).angle @ 3 in deg, lost: KE(all) @ 2 - KE(all) @ 3}"
+    page = page_of_text(tmp_path, f"{BOTH_MOVE.partition('find:')[0]}{asked}\n")
+    assert "φ = arctan((y_B,2 - y_A,2)/(x_B,2 - x_A,2))" in page
+    assert "tan γ = v_Ay,3/v_Ax,3" in page
+    # The velocities that the cord gives are by the angle as well.
+    assert "v_Bx,3 = " in page
+    assert "√((x_B" not in page
+    assert "nothing moves during a blow" not in page

@@ -89,6 +89,11 @@ def _line(e: Relation, motion: MotionTrace) -> LineOfBlow | None:
     return None
 
 
+def _taken(motion: MotionTrace) -> set[str]:
+    """The names that the file has, those of its finds among them: tan β of a β that is asked is another one."""
+    return {*motion.ledger.reserved, *motion.ledger.symbols, *(f.name for f in motion.problem.find)}
+
+
 def direction_of(motion: MotionTrace, x: sp.Expr, y: sp.Expr) -> tuple[sp.Symbol, sp.Expr]:
     """The angle of a line by its parts along x, to the right, and along y, with its formula: the one that was told, or
     another.
@@ -97,7 +102,7 @@ def direction_of(motion: MotionTrace, x: sp.Expr, y: sp.Expr) -> tuple[sp.Symbol
     told = next((s for s, f in formulas.items() if s.name in NAMES and motion.value.is_zero(f - formula)), None)
     if told is not None:
         return told, formulas[told]
-    taken = {*motion.ledger.reserved, *motion.ledger.symbols, *(s.name for s in formulas)}
+    taken = {*_taken(motion), *(s.name for s in formulas)}
     angle = sp.Symbol(next(n for n in (*NAMES, "direction") if n not in taken), real=True)
     motion.ledger.units[angle] = parse_unit("deg")
     motion.ledger.roles[angle] = NAMED
@@ -112,7 +117,8 @@ def _of(words: str, reach: Vec, e: Relation, motion: MotionTrace) -> LineOfBlow 
     if across is None or up is None or value.is_zero(x) or value.is_zero(y):
         return None
     sense = 1 if across > 0 else -1
-    name = next((n for n in NAMES if n not in motion.ledger.reserved and n not in motion.ledger.symbols), None)
+    taken = _taken(motion)
+    name = next((n for n in NAMES if n not in taken), None)
     if name is None:
         return None
     angle, length = sp.Symbol(name, real=True), sp.Dummy("length", positive=True)
@@ -220,6 +226,9 @@ def _step(leg: RouteStep, line: LineOfBlow, put: Put) -> RouteStep:
 
 def _relation(e: Relation, line: LineOfBlow, put: Put) -> Relation:
     source = e.source
+    if source is None and e.kind == "blow" and e.stop == line.stop:
+        residual = put(e.residual)
+        return e if residual == e.residual else replace(e, residual=residual)
     if not isinstance(source, ImpactEquation) or e.stop != line.stop:
         return e
     left, right = put(source.left), put(source.right)
