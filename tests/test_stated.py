@@ -168,6 +168,14 @@ def test_a_mass_of_a_body_that_turns_by_its_given_inertia_is_not_needed(tmp_path
     assert bool(re.search(r"^Not used +the mass of rod, 3 kg:", told, re.MULTILINE)) is not needed
 
 
+def test_a_moment_of_inertia_about_another_point_needs_the_mass(tmp_path: Path) -> None:
+    text = FLUNG.replace("center: O, mass: 3 kg, inertia: I_O", "center: C, mass: 3 kg, inertia: 0.45 kg*m^2, about: O")
+    text = text.replace("A: [0.55 m, 0],", "A: [0.55 m, 0], C: [0.25 m, 0],").replace("I_O: 0.45 kg*m^2, ", "")
+    told = page(tmp_path, text.format(plane="horizontal", find="omega: omega(rod) @ 2"))
+    assert "m_rod = 3 kg, moment of inertia of rod about O = 0.45 kg·m²" in told
+    assert "not needed" not in told
+
+
 SLOPE = """
 title: Crate on a slope, in letters
 plane: vertical

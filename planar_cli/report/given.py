@@ -114,17 +114,16 @@ def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Lin
 
 
 def _turns_by_its_inertia(body: Body, problem: Problem, page: Mentioned) -> bool:
-    """Does a body turn about a fixed pin about which the file gives its moment of inertia, and has the page no letter
-    of its mass? Its energy and its angular momentum are then I ω²/2 and I ω. One with a weight that may do work, or
-    with a mass that is asked, needs more.
+    """Does a body turn about a fixed pin at its mass centre, with a moment of inertia that the file gives, and has the
+    page no letter of its mass? Its energy and its angular momentum are then I ω²/2 and I ω, and nothing lifts its
+    weight. One with a mass that is asked needs more.
     """
     center = getattr(body.shape, "center", None)
-    about = body.about or center
-    if body.inertia is None or about is None or page.integrated or _mass_letter(body, _heavy(problem)) in page.letters:
+    if body.inertia is None or center is None or page.integrated or _mass_letter(body, _heavy(problem)) in page.letters:
         return False
-    if body.name in _asked_of(problem, OF_MASS - {"KE"}) or not (problem.plane == "horizontal" or about == center):
+    if body.name in _asked_of(problem, OF_MASS - {"KE"}) or body.about not in (None, center):
         return False
-    return any(j.kind == "pin" and j.during is None and _is_between(j, body, about) for j in problem.joints)
+    return any(j.kind == "pin" and j.during is None and _is_between(j, body, center) for j in problem.joints)
 
 
 def _is_between(joint: Member, body: Body, point: str) -> bool:
@@ -144,10 +143,18 @@ def idle_inertias(problem: Problem, page: Mentioned, figures: int) -> Iterator[L
     for body in () if page.energies else problem.bodies:
         if body.name in _asked_of(problem) or (page.kinetic and _tells_inertia(body, problem, page)):
             continue
-        for what, side in (("moment of inertia", body.inertia), ("radius of gyration", body.gyration)):
+        for what, side in (
+            (f"moment of inertia{_of(body)}", body.inertia),
+            (f"radius of gyration{_of(body)}", body.gyration),
+        ):
             told = None if side is None else number_of(side)
             if side is not None and told is not None and told[0] and (value := said(side, figures)):
-                yield line(f"the {what} of {body.name}, ", value)
+                yield line(f"the {what}, ", value)
+
+
+def _of(body: Body) -> str:
+    """Of which body a moment of inertia is, and about which point if not its mass centre."""
+    return f" of {body.name}" + (f" about {body.about}" if body.about is not None else "")
 
 
 def _asked_of(problem: Problem, words: Collection[str] = OF_MASS) -> set[str]:
@@ -186,8 +193,8 @@ def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Ite
         yield from _datum(f"weight of {body.name}", body.weight, figures)
     named = _tells_inertia(body, problem, page)
     if page.energies or (page.kinetic and named):
-        yield from _datum(f"moment of inertia of {body.name}", body.inertia, figures)
-        yield from _datum(f"radius of gyration of {body.name}", body.gyration, figures)
+        yield from _datum(f"moment of inertia{_of(body)}", body.inertia, figures)
+        yield from _datum(f"radius of gyration{_of(body)}", body.gyration, figures)
     inert = page.kinetic and named and body.inertia is None and body.gyration is None
     if isinstance(body.shape, Composite):
         yield from _of_parts(body, body.shape, problem, inert, figures)
