@@ -127,7 +127,7 @@ def _body(lines: list[str], part: int) -> Iterator[Row]:
 def _one_by_one(row: Row) -> Iterator[Row]:
     """The equations of a row that says several values: x_2 = 1 m,  v_2 = 3 m/s."""
     pieces = re.split(r",  ", row.text) if row.kind == "equation" else []
-    if len(pieces) < 2 or not all(re.match(r"[^=]*\S = \S[^=]*$", p) for p in pieces):
+    if len(pieces) < 2 or not all(re.search(r"\S = \S", p) for p in pieces):
         yield row
         return
     for piece in pieces:

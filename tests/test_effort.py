@@ -55,7 +55,7 @@ def test_a_velocity_that_stays_has_its_reason() -> None:
     assert carriages.count("no resultant force acts on") == 5
 
 
-def test_a_height_that_was_sought_has_its_number() -> None:
+def test_the_work_by_a_height_that_was_sought_has_its_number() -> None:
     page = page_of_file("ladder-leaving-the-wall")
     assert "y_G,2 = 1/2 l sin θ_2 U of the weight" in page
     assert "U of the weight of ladder = 1/2 m g l sin θ_2 = 1/2 · 15 · 9.81 · 4 sin 141.2° = 184.4 J" in page

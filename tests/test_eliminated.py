@@ -28,7 +28,10 @@ def test_what_only_numbers_give_keeps_its_equations_in_numbers() -> None:
 def test_unknowns_that_are_put_into_an_equation_in_numbers_are_told_by_its_letter() -> None:
     page = page_of_file("slider-crank-free")
     assert "(2): α_OA = 377.9 - 5.745 α_AB in rad/s² (6): A_t = 197.5 - 0.03333 α_OA = 185.0 + 0.1915 α_AB in N" in page
-    assert "A_t = 197.5 - 0.03333 α_OA = 185.0 + 0.1915 α_AB in N (2), (6) in (7): α_AB = -14.07/1.273 = " in page
+    assert (
+        "A_t = 197.5 - 0.03333 α_OA = 185.0 + 0.1915 α_AB in N (2), (6) in (7): α_AB = -14.07/1.273 = -11.05 rad/s²"
+        in page
+    )
 
 
 def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> None:

@@ -210,8 +210,18 @@ def test_a_vibration_is_told_up_to_the_end_of_its_regime(stem: str, line: str) -
 
 def test_no_heading_of_a_rest_that_is_not_integrated() -> None:
     told = page_of_file("block-coming-to-rest-by-dry-friction")
-    assert "from stops_2 to end, from end to stop: a" not in told
-    assert "From stops_2 to end P stays where it is" in told
+    assert "From stops_2 to end P stays where it is: (10) x_end = x_stops_2 = 0.00228 m" in told
+    # A spring that grows stiffer has no half swings of equal times.
+    text = FILES["block-coming-to-rest-by-dry-friction"].read_text(encoding="utf-8").partition("find:")[0]
+    text = text.replace("k: 200 N/m,", "k: 200 N/m, c: 900 N/m^3,")
+    force = "  - force: {body: block, magnitude: -c*x(block)^3, angle: 0 deg}\nstates:"
+    find = "  stop: [mode(P) = stick]\nfind: {t_stop: t @ stop}\n"
+    problem, wrong = load_text(text.replace("states:", force) + find)
+    assert problem is not None, wrong
+    told = " ".join(Terminal(400).render(narrate(solve_problem(problem))).split())
+    one_way = "from start to fast, from fast to turn_1, from turn_2 to stops: a = (μ m g - c x³ - k x)/m"
+    other = "from turn_1 to turn_2, from stops to stops_2: a = -(μ m g + c x³ + k x)/m"
+    assert f"{one_way} {other} At stop: t_stop = 1.245 s" in told
 
 
 def test_what_the_next_part_starts_from_is_told_at_its_state() -> None:

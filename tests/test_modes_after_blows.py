@@ -53,3 +53,26 @@ def test_a_line_shows_why_a_cord_is_slack() -> None:
     page = _page(HANGING_PLATE)
     assert "After the blow the ends of the cord B approach each other, so that it stays slack, at:" in page
     assert "b ω_2 = 0.4 · 0.4862 = 0.1945 m/s" in page
+
+
+OVER_A_PULLEY = """
+title: Bar on two cords, one over a pulley, struck
+plane: vertical
+given: {m: 2 kg, b: 1 m, J: 4 N*s}
+points: {A: [0, 0], B: [b, 0], C: [0, 1 m], D: [b, 1 m], E: [3 m, 0]}
+bodies: {bar: {rod: [A, B], mass: m}}
+joints:
+  - rope: {path: [A, C], name: left}
+  - rope: {path: [B, over D, E], name: right}
+loads:
+  - impulse: {body: bar, at: B, magnitude: J, angle: 90 deg, during: 1->2}
+states: {1: [at rest], 2: [just after 1]}
+find: {w: omega(bar) @ 2}
+"""
+
+
+def test_over_a_pulley_ends_come_nearer_along_the_rope() -> None:
+    """B goes up, past E and no nearer to it."""
+    page = _page(OVER_A_PULLEY)
+    assert "After the blow the ends of the rope right approach each other along it, so that it stays slack, at:" in page
+    assert "b ω_2 = 1 · 6 = 6 m/s" in page

@@ -158,6 +158,36 @@ def test_nobody_asks_after_the_same_root_on_the_other_side(path: str) -> None:
     assert "reached first" not in page
 
 
+WHEELS = """
+title: Wheel that drives one in a guide
+plane: horizontal
+given: {R: 0.25 m, r: 0.15 m, M: 2 N*m, F: 50 N, m_A: 8 kg, m_B: 3 kg}
+points: {A: [0, 0], C: [R, 0], B: [R + r, 0]}
+bodies:
+  large: {disk: A, radius: R, mass: m_A}
+  small: {disk: B, radius: r, mass: m_B}
+joints:
+  - pin: {at: A, between: [ground, large]}
+  - guide: {point: B, along: 0 deg, name: slide}
+  - contact: {between: [large, small], at: C, mu: 0.5}
+loads:
+  - force: {body: small, at: B, magnitude: F, angle: 180 deg}
+  - torque: {body: large, moment: M}
+states:
+  1: [at rest]
+  2: [theta(large) - theta(large) @ 1 = 2 rev]
+find: {w: omega(large) @ 2}
+"""
+
+
+def test_a_centre_that_rests_in_its_guide_is_why_its_reaction_does_no_work() -> None:
+    problem, wrong = load_text(WHEELS)
+    assert problem is not None, wrong
+    page = " ".join(Terminal(width=110).render(narrate(solve_problem(problem))).split())
+    idle = "A_x, A_y (A is fixed), N_slide (B is at rest) do no work, the internal forces N_C, F_C no net work: T_1 = 0"
+    assert f"work and kinetic energy; {idle}" in page
+
+
 @pytest.mark.parametrize(
     ("stem", "told"),
     [
