@@ -32,5 +32,7 @@ def slackened(blow: InstantSolution, phrases: Phrases) -> Iterator[Block]:
             shown = phrases.of_dimension(speed, VELOCITY)
             formula = [] if longer(expr, SHORT) else [phrases.math(expr), *phrases.substituted(expr, shown)]
             called = mode.words.removesuffix(" is slack")
-            lead = line(f"After the blow the ends of {called} approach each other, so that it stays slack, at:")
+            # Over a pulley the parts between them are what becomes shorter.
+            along = " along it" if len(row.segments) > 1 else ""
+            lead = line(f"After the blow the ends of {called} approach each other{along}, so that it stays slack, at:")
             yield Equation((*formula, shown), None, lead)
