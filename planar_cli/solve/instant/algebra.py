@@ -94,7 +94,12 @@ class Algebra:
             if told is not None:
                 lines, letters = self._outright(told, residuals, written), ()
             else:
-                lines = self._together(residuals, written, order, letters)
+                try:
+                    lines = self._together(residuals, written, order, letters)
+                except Unvalued:
+                    # An unknown stands in an equation in which it cancels, as the α of another body may about a pin.
+                    residuals = [self._without_cancelled(r, order) for r in residuals]
+                    lines = self._together(residuals, written, order, letters)
         for line in lines:
             if not line.letters:
                 self.value = (
@@ -146,6 +151,11 @@ class Algebra:
             except Nonlinear:
                 continue
         return residual
+
+    def _without_cancelled(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Unknowns of the block whose coefficients vanish are left out."""
+        form = linear_form(residual, set(unknowns))
+        return sp.Add(form.constant, *(c * x for x, c in form.terms.items() if self._counts(c)))
 
     def _opened(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
         """Named intermediates that hold an unknown of the block are put in."""
