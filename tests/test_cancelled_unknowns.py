@@ -35,5 +35,5 @@ find: {alpha: alpha(OA)}
 
 def test_bars_at_right_angles(tmp_path: Path) -> None:
     page = page_of_text(tmp_path, CHAIN)
-    assert "alpha = α_OA = -11.47 rad/s², that is 11.47 rad/s² clockwise" in page
+    assert "Answer α = α_OA = -11.47 rad/s², that is 11.47 rad/s² clockwise" in page
     assert "checked by an independent multibody solution" in page
