@@ -80,3 +80,21 @@ def test_what_a_mode_alone_dates_is_derived() -> None:
     assert "as before: the diagram, (1) and (2)" in page
     assert page.count("; there, between both midpoints, friction holds it: (9) x_stops_2 = ") == 1
     assert page.count("friction holds it") == 1
+
+
+def test_an_angle_is_worked_out_in_radians(tmp_path: Path) -> None:
+    text = """
+title: Rod on a torsion spring with friction in its axle
+plane: horizontal
+given: {I: 0.5 kg*m^2, c: 8 N*m, M: 0.4 N*m}
+coordinates: {phi: deg}
+points: {O: [0, 0], A: {from: O, distance: 0.3 m, angle: phi}}
+bodies: {rod: {rod: [O, A], mass: 5 kg, inertia: I, about: O}}
+joints: [pin: {at: O, between: [ground, rod], friction_torque: M}]
+loads: [torque: {body: rod, moment: -c*phi}]
+states: {1: [phi = 60 deg, at rest], 2: [omega(rod) = 0], 3: [omega(rod) = 0]}
+find: {phi_2: phi @ 2 in deg, t_3: t @ 3}
+"""
+    page, _ = _read(tmp_path, text)
+    assert "φ_2 = 2 φ_eq - φ_1 = 2 · 0.05 - 1.0472 = -0.9472 rad = -54.27°" in page
+    assert "For the coordinate φ:" in page

@@ -38,7 +38,8 @@ class HalfSwingTelling:
             return []
         value = self.phrases.shown(r.unknown, r.value)
         put = self.phrases.substituted(r.formula, value)
-        chain: tuple[Any, ...] = (self.phrases.math(r.unknown), self.phrases.math(r.formula), *put, value)
+        turned = self.phrases.in_radians(r.unknown, r.formula, r.value)
+        chain: tuple[Any, ...] = (self.phrases.math(r.unknown), self.phrases.math(r.formula), *put, *turned, value)
         return [*self._words(e), Equation(chain, number)]
 
     def _words(self, e: Relation) -> Iterator[Block]:

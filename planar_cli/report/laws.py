@@ -15,6 +15,7 @@ from planar_cli.problem.scene import with_article
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.free_motions import motion_blocks
+from planar_cli.report.names import plain_name
 from planar_cli.report.notation import plain
 from planar_cli.report.origins import is_vibration
 from planar_cli.report.put_in import partly
@@ -40,7 +41,7 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     name = f"{q.name}_{'ddot' if law.order == 2 else 'dot'}"
     # Where there are several laws the rate is another quantity in each.
     rate = sp.Dummy(name, real=True) if since else sp.Symbol(name, real=True)
-    of = counted(law.coordinate.words) if law.coordinate.words != q.name else f"the coordinate {q.name}"
+    of = counted(law.coordinate.words) if law.coordinate.words != q.name else f"the coordinate {plain_name(q.name)}"
     yield Paragraph(line(f"{FOR}{of}{f' from {since} on' if since else ''}:"))
     if law.constant is not None:
         value = _constant_value(law, law.constant[0], phrases)
@@ -64,8 +65,10 @@ def counted(words: str) -> str:
     """
     what, _, thing = words.partition(" of ")
     thing, _, rest = thing.partition(" ")
-    told = f"{what} of {with_article(thing)}{' ' if rest else ''}{rest}" if thing else what
-    return told if what in ("x", "y") or (not thing and (len(what) == 1 or "_" in what)) else f"the {told}"
+    if not thing:
+        return plain_name(what)
+    told = f"{what} of {with_article(thing)}{' ' if rest else ''}{rest}"
+    return told if what in ("x", "y") else f"the {told}"
 
 
 class LawTelling:

@@ -157,8 +157,10 @@ def _of_what(words: str) -> str:
     what, of, thing = words.partition(" of ")
     if what in ("x", "y") and of:
         return f" of {with_article(thing)} along {what}"
+    if not of:
+        return f", {plain_name(words)}"
     name, _, way = thing.partition(" ")
-    return f" of {with_article(name)} {way}".rstrip() if what in ("angle", "way") and of else f", {words}"
+    return f" of {with_article(name)} {way}".rstrip() if what in ("angle", "way") else f", {words}"
 
 
 def _steady_words(law: Law, kind: str) -> str:
