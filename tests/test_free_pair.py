@@ -78,3 +78,10 @@ def test_the_mass_centre_of_equal_ones_is_midway(tmp_path: Path) -> None:
     text = text.replace("v(P).x = 0, v(P).y = 6 m/s, v(Q).mag = 9 m/s, v(Q).angle = 60 deg", moving)
     page = page_of_text(tmp_path, text.replace("vertical", "horizontal").replace("v: v(Q)", "y: y(P)"))
     assert "y_G,2 = y_P,2/2 + y_Q,2/2 = " in page
+
+
+def test_what_goes_on_when_the_cord_has_let_go_leaves_no_free_pair(tmp_path: Path) -> None:
+    text = FALLING.replace("find: {", "  5: [t = 1.2 s]\nfind: {y: y(Q) @ 5, ")
+    page = page_of_text(tmp_path, text)
+    assert "G is in free flight" not in page
+    assert "MOTION from 3 to 4" in page

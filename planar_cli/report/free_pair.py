@@ -127,7 +127,8 @@ def _told(motion: MotionTrace, pair: FreePair) -> MotionTrace | None:
     given = _needed([leg for leg in motion.route.steps if leg not in own], later.keys() - times, requests, motion.spans)
     wanted = _letters(requests, given, motion.spans) & later.keys() - times
     order = sorted(wanted, key=lambda s: (motion.states.index(str(later[s])), s.name))
-    mixed = any(times & set(leg.unknowns) for leg in own)
+    # What is followed on from the pair, when the tie has let go, is integrated through its motion.
+    mixed = any(times & set(leg.unknowns) for leg in own) or any(leg.relations[0].kind == FOLLOWED for leg in given)
     if mixed or None in requests or not all(telling.step(s, str(later[s])) for s in order):
         return None
     finds = tuple(r for r in requests if r is not None)
