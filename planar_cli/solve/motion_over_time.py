@@ -16,6 +16,7 @@ from planar_cli.solve.between.agreement import compared, integrated
 from planar_cli.solve.between.answers import AnsweredFind, Answering, closed_formula
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.assumptions import presumed
+from planar_cli.solve.between.by_given import with_constants
 from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.between.complete import completed
 from planar_cli.solve.between.derivation import Route
@@ -206,8 +207,8 @@ def _route_with(found: SolvedMotion, parts: PartEquations) -> tuple[Router, Rout
     by_steps = followed if follows else None
     natural = course.natural(unknowns)
     router = Router(allowed, unknowns, value, course.symbolic, steps, by_steps, natural)
-    wanted = [*in_order(course, found.finds, asked_letters(found.finds) & unknowns), *parts.numbers]
-    route = router.route(wanted)
+    asked = [*in_order(course, found.finds, asked_letters(found.finds) & unknowns), *parts.numbers]
+    route = router.route(wanted := with_constants(asked, router.plain, unknowns))
     if method is not None:
         free = Router(equations, unknowns, value, course.symbolic, found.branch.steps, followed, natural)
         if missing := not_reached_by(follows, route, wanted, lambda: free.route(wanted)):

@@ -4,13 +4,13 @@ for T R θ_2.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.counting import operations
-from planar_cli.equation.plain import derivative, letters, longer, simplified
+from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.substitution import STATE, TIME
 from planar_cli.solve.regimes.equations import Equation
@@ -49,6 +49,11 @@ def by_its_name(
     said = e.words.partition("=")[2].strip(" -")
     named = len(own) == 1 and residual.is_Add and len(residual.args) == 2 and said in {s.name for s in inside}
     return frozenset(own) if named and all(a.is_Symbol or (-a).is_Symbol for a in residual.args) else inside
+
+
+def with_constants(targets: Iterable[sp.Symbol], plain: Formulas, unknowns: Collection[sp.Symbol]) -> list[sp.Symbol]:
+    """The targets; after one that is called by the name of a constant that is sought, this constant."""
+    return list(dict.fromkeys(s for t in targets for s in (t, *by_name(letters(plain.get(t, t)) & set(unknowns)))))
 
 
 def _formulas(

@@ -22,7 +22,7 @@ from planar_cli.equation.plain import by_name, derivative, letters, longer, simp
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.angles_between import by_angles, by_the_angle_between
 from planar_cli.solve.between.at_hand import at_hand
-from planar_cli.solve.between.by_given import beginnings, by_given, by_its_name
+from planar_cli.solve.between.by_given import beginnings, by_given, by_its_name, with_constants
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
@@ -124,7 +124,7 @@ class Router:
 
     def route(self, targets: Iterable[sp.Symbol]) -> Route:
         """The way to all targets that can be derived."""
-        targets = list(targets)
+        targets = with_constants(targets, self.plain, self.unknowns)
         best = self._cheapest(edges := self._edges())
         for more in (self._rings, self._large, self._of_integrals):
             if any(t not in best and t not in self.plain for t in targets):
