@@ -45,6 +45,7 @@ def test_a_mode_after_a_blow_leaves_the_page_of_the_blow() -> None:
     assert "integrated numerically" not in asked
     assert "slack: slack" in asked
     assert "taut: yes" in asked
+    assert "slack, taut read off the motion that is followed in numbers · all else checked" in asked
     told = {line for line in plain.splitlines() if "=" in line}
     assert told <= set(asked.splitlines())
 

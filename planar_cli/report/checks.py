@@ -11,7 +11,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Test
 from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
-from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
+from planar_cli.report.blocks import Check, Inline, Line, Math, Name, Relation, line
 from planar_cli.report.choice_of_checks import OF_INSTANTS, chosen_check
 from planar_cli.report.decisions import at_limit, decision_lines, limits_of, needed
 from planar_cli.report.letter_check import letter_check
@@ -76,6 +76,9 @@ def road_blocks(part: PartSolution) -> list[Check]:
     caveats = part.motion.checks if part.motion is not None else ()
     # That the last state is just reached is said where the page first speaks of it.
     found = [Check(line(t)) for t in caveats if t.startswith(CAVEATS) and t != AT_A_TOP]
+    read = [f.name for f in part.found if part.motion is not None and f.name in part.motion.read_off]
+    if read:
+        found.append(Check(line(*_listed(read), " read off the motion that is followed in numbers")))
     apart = [f.name for f in part.found if unconfirmed(f, part)]
     if not _has_equations(part):
         # A place or a moment of inertia rests on no equation of motion that another solution could check.
@@ -83,17 +86,22 @@ def road_blocks(part: PartSolution) -> list[Check]:
     if not apart:
         return [*found, Check(line(INDEPENDENT))]
     if len(apart) < len(part.found):
-        names = [piece for name in apart for piece in (", ", Name(name))]
+        names = _listed(apart)
         if _follow_from_motion(apart, part):
-            follow = line(*names[1:], " follow" if len(apart) > 1 else " follows")
+            follow = line(*names, " follow" if len(apart) > 1 else " follows")
             return [
                 *found,
                 Check(line("the equation of motion, from which ", *follow, f", and all else {INDEPENDENT}")),
             ]
-        return [*found, Check(line("all but ", *names[1:], f" {INDEPENDENT}"))]
+        others = ("all else",) if apart == read else ("all but ", *names)
+        return [*found, Check(line(*others, f" {INDEPENDENT}"))]
     if part.instants and part.instants[-1].checks.get("digits") is not None:
         found.append(Check(line(f"equations of motion {INDEPENDENT}")))
     return found
+
+
+def _listed(names: list[str]) -> tuple[Inline | str, ...]:
+    return tuple(piece for name in names for piece in (", ", Name(name)))[1:]
 
 
 def _has_equations(part: PartSolution) -> bool:

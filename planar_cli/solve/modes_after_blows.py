@@ -50,7 +50,8 @@ def with_modes_followed(
         if rest is None or told is None:
             raise
     found = {f.name: f for f in (*rest.found, *told.found)}
-    return replace(rest, found=tuple(found[f.name] for f in problem.find))
+    motion = rest.motion and replace(rest.motion, read_off=frozenset(f.name for f in apart))
+    return replace(rest, found=tuple(found[f.name] for f in problem.find), motion=motion)
 
 
 def _otherwise_solved(solve: Callable[[Problem], PartSolution], problem: Problem) -> PartSolution | None:

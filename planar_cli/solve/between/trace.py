@@ -380,6 +380,8 @@ class MotionTrace:
     """What the letters must be for the motion to take this course."""
     named: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Finds that are unknowns of the route, by letters of the states."""
+    read_off: frozenset[str] = frozenset()
+    """The names of finds that no equation tells, but the motion that was followed."""
 
     def regime(self, solution: InstantSolution) -> RegimeTrace:
         """The regime of a general position."""
@@ -390,4 +392,5 @@ class MotionTrace:
         rests = {s for r in self.requests if r.find is find for e in r.parts for s in e.free_symbols}
         for step in reversed(self.route.steps):
             rests |= step.needs if rests & set(step.unknowns) else frozenset()
-        return not self.integrated and bool(rests & self.guessed)
+        told = find is not None and find.name in self.read_off
+        return told or (not self.integrated and bool(rests & self.guessed))
