@@ -26,3 +26,23 @@ def test_what_is_asked_along_the_axis_keeps_it(tmp_path: Path) -> None:
 def test_what_is_said_to_go_up_counts_upward(tmp_path: Path) -> None:
     page = page_of_text(tmp_path, TEXT.replace("= -1.2 m/s^2", "= 1.2 m/s^2"))
     assert "T ↑ = m_B a_By ↑" in page
+
+
+CAGE = """
+title: Cage let down
+plane: vertical
+given: {m: 100 kg}
+unknowns: {F: N}
+bodies:
+  cage: {particle: [0, 0], mass: m}
+loads:
+  - force: {body: cage, magnitude: F, angle: 90 deg}
+instant: [at rest, a(cage).y = -2 m/s^2]
+find: {F: F}
+"""
+
+
+def test_the_only_body_is_said_to_count_downward(tmp_path: Path) -> None:
+    page = page_of_text(tmp_path, CAGE)
+    assert "at rest, a = -2 m/s²" in page
+    assert "a = 2 m/s² a counts downward; given" in page

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.errors import Unplanned
+from planar_cli.errors import FileProblem, Unplanned
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 
@@ -59,3 +59,13 @@ def test_a_blow_that_no_equations_tell_is_told_in_words() -> None:
     assert (told.code, told.mark.line) == ("PL627", 12)
     assert "the angular velocity of rod just after the blow" in told.message
     assert "__" not in told.message + told.hint
+
+
+def test_which_end_it_strikes_is_not_guessed() -> None:
+    problem, wrong = load_text(ON_A_TURNING_ROD.replace("BETWEEN", "[sphere, rod]").replace("at: A, ", ""))
+    assert problem is not None, wrong
+    with pytest.raises(FileProblem) as caught:
+        solve_problem(problem)
+    (told,) = caught.value.diagnostics
+    assert (told.code, told.mark.line) == ("PL528", 12)
+    assert "named by `at`" in told.hint

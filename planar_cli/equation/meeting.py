@@ -55,7 +55,9 @@ def meeting_of(
         point = a.center or b.center
     if point is None:
         text = f"where {a.name} and {b.name} touch is open"
-        raise refuse(mark, "PL528", text, "let a particle, a round rim or the end of a rod touch the other")
+        raise refuse(
+            mark, "PL528", text, "let a particle, a round rim or the end of a rod, named by `at`, touch the other"
+        )
     across = normal or _normal(scene, a, b, point, mark)
     if across is None:
         text = f"the direction in which {a.name} and {b.name} strike each other is open"
@@ -195,8 +197,9 @@ def _on_rim(scene: Scene, one: Partner, other: Partner) -> Vec | None:
         if not other.corners:
             return foot
         reach = (other.corners[-1] - other.corners[0]).dot(along)
-        if 0 <= value(way) <= value(reach) and not is_threaded(scene, one, other):
-            return foot
+        if 0 <= value(way) <= value(reach):
+            # Between both ends of a rod on which it slides nothing tells which of them it strikes.
+            return foot if not is_threaded(scene, one, other) else None
     if other.corners:
         center = one.center
         return _nearest(scene, other.corners, lambda p: (p - center).dot(p - center))

@@ -36,8 +36,10 @@ class DataTelling:
     phrases: Phrases
     told: set[str] = field(default_factory=set)
 
-    def blocks(self, w: Written, number: int) -> list[Block]:
-        """letter = value, with the reason where the file says it otherwise."""
+    def blocks(self, w: Written, number: int, behind: str) -> list[Block]:
+        """letter = value, with the reason where the file says it otherwise. `behind`: that it counts the other way,
+        said of the only body, whose letter has no index that tells it from the component under Given.
+        """
         stated = stated_in(self.scene.problem, self.state, w.lead)
         letter, value = self.phrases.math(w.left), self._value(w)
         if w.times and w.right == 0 and (lower := lower_name(w.left.name)):
@@ -52,6 +54,7 @@ class DataTelling:
         value_of = self.phrases.value(w.right)
         middle = between(stated, w.left, value_of, self.phrases) or self._formula(stated, value_of)
         lead = () if middle and not isinstance(middle[0], Value) else GIVEN
+        lead = line(f"{behind.removeprefix('; ')}; ", *GIVEN) if behind and len(self.scene.bodies) == 1 else lead
         return [Equation((letter, *([middle] if middle else []), value), number, lead)]
 
     def _counted_in(self, w: Written) -> Line:

@@ -48,7 +48,7 @@ def _unnumbered(blocks: Sequence[Block]) -> Sequence[Block]:
 
 def is_datum(equation: Equation) -> bool:
     """Does it only say what the file gives, that what it gives stays constant, or that a body falls?"""
-    return equation.lead in (GIVEN, DIFFERENTIATED, WEIGHT, *SPEEDS) or equation.lead[-1:] == (CONSTANT,)
+    return equation.lead in (GIVEN, DIFFERENTIATED, WEIGHT, *SPEEDS) or equation.lead[-1:] in (GIVEN, (CONSTANT,))
 
 
 def _called(blocks: Sequence[Block]) -> Iterator[int]:

@@ -242,7 +242,7 @@ class Telling:
             sides = (self.phrases.math(w.left), self.phrases.math(w.right))
             return [Paragraph(self._named(words)), Equation(sides, number)]
         if w.given:
-            return self.data.blocks(w, number)
+            return self.data.blocks(w, number, turned(w))
         if w.law == "relation":
             return self._relation(w, stage, number)
         if w.law == "single":
