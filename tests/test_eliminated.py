@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+from worked import page_of_file, page_of_text
 
 
 def test_restitution_is_put_into_the_momentum() -> None:
@@ -38,3 +40,31 @@ def test_a_closed_form_at_a_state_comes_from_the_solution_of_the_equations() -> 
     page = page_of_file("two-rods-falling-flat")
     assert "(5): N_C = 1/2 m g + 1/6 m l α_AB" in page
     assert "(5): N_C = 1/4 m g" in page
+
+
+NOTHING = """
+title: A bar that hangs from another and does not pull at it
+plane: vertical
+given: {a: 2 ft, W: 30 lbf, M: 12 lbf*ft}
+points: {A: [0, 0], B: [a, 1 ft], C: [2*a, 0], E: [2*a, 2 ft]}
+bodies:
+  AB: {rod: [A, B], weight: W}
+  BE: {rod: [B, E], weight: 10 lbf}
+  EC: {rod: [E, C], weight: 10 lbf}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+  - pin: {at: B, between: [AB, BE]}
+  - pin: {at: E, between: [BE, EC]}
+  - pin: {at: C, between: [ground, EC]}
+loads: [torque: {body: EC, moment: M}]
+instant: [at rest]
+find: {A: reaction(A), B: reaction(B/AB), alpha: alpha(AB)}
+"""
+
+
+def test_what_is_left_of_terms_that_cancel_is_zero(tmp_path: Path) -> None:
+    """Of masses that are weights by g nothing cancels exactly."""
+    page = page_of_text(tmp_path, NOTHING)
+    assert "B_t = 0 lbf" in page
+    assert "α_AB = (-30 - 2.236 · 0)/1.554 = -19.31 rad/s²" in page
+    assert "10⁻" not in page

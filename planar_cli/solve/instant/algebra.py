@@ -31,6 +31,8 @@ MOST_FORMULAS = 3
 """So many numeric equations at most are solved together in formulas; more of them in numbers."""
 SHORT, LONGER = 6, 14
 """A coefficient of at most so many operations stays a formula while a block is solved; where there is one letter."""
+FAINT = Decimal("1e-30")
+"""A smaller result may be what is left of terms that cancel."""
 
 
 @record
@@ -113,7 +115,7 @@ class Algebra:
     def _outright(self, told: Outright, residuals: list[sp.Expr], written: tuple[Written, ...]) -> list[Line]:
         """The line of what some equations tell together, and those of what follows from it."""
         numbers = tuple(written[p].number for p in told.places)
-        found = [Line(told.unknown, told.formula, self.value(told.formula), numbers)]
+        found = [Line(told.unknown, told.formula, self._number(told.formula), numbers)]
         known = self.value.extended({told.unknown: found[0].value or Decimal(0)})
         for x, place in told.others:
             formula = self._solve_for(residuals[place], x)
@@ -177,15 +179,20 @@ class Algebra:
         except Unvalued:
             return True
 
+    def _number(self, formula: sp.Expr) -> Decimal:
+        """The value of a result, zero where it is that to all certain digits."""
+        value = self.value(formula)
+        return Decimal(0) if value and abs(value) < FAINT and self.value.is_zero(formula) else value
+
     def _single(self, equation: Written, x: sp.Symbol) -> Line:
         formula = self._solve_for(self.in_unknowns(equation, (x,)), x)
         try:
-            return Line(x, formula, self.value(formula), (equation.number,))
+            return Line(x, formula, self._number(formula), (equation.number,))
         except Unvalued:
             # What is told later stands in it, and drops out: the masses of two parts may, of which the sum does not
             # change with where they are parted.
             formula = cancelled(self._opened(formula, tuple(self.unknowns - self.value.values.keys())))
-            return Line(x, formula, self.value(formula), (equation.number,))
+            return Line(x, formula, self._number(formula), (equation.number,))
 
     def _collected(self, residual: sp.Expr, order: tuple[sp.Symbol, ...]) -> sp.Expr:
         """The residual with moments of inertia and other named intermediates put in, collected in unknowns."""
@@ -230,11 +237,11 @@ class Algebra:
         rest = [self._in_letters(r.xreplace(inside), letters) for r in residuals[len(chained) :]]
         solved = self._letters(rest, letters)
         numbers = tuple(e.number for e in written[len(chained) :])
-        found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
+        found = [Line(s, solved[s], self._number(solved[s]), numbers) for s in letters]
         self.value = self.value.extended({x.symbol: x.value for x in found if x.value is not None})
         back = []
         for x in lines:
-            number = self.value(x.formula)
+            number = self._number(x.formula)
             self.value = self.value.extended({x.symbol: number})
             back.append(Line(x.symbol, own[x.symbol], number, x.equations))
         return [*[x for x in lines if x.letters], *found, *back]
