@@ -21,6 +21,7 @@ from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import DIGITS, PI, Valuation
 from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.powers_of import powers_of
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.scan import scanned
@@ -180,7 +181,7 @@ def _of_power(base: sp.Expr, degree: int, value: Valuation) -> list[sp.Expr]:
 @lru_cache(maxsize=KEPT)
 def _powers(expr: sp.Expr, x: sp.Symbol) -> tuple[tuple[int, sp.Expr], ...]:
     """The powers of a letter in a polynomial with what stands before them, the highest first."""
-    return tuple((m[0], c) for m, c in sp.Poly(expr, x).terms())
+    return powers_of(expr, x)
 
 
 @lru_cache(maxsize=KEPT)
