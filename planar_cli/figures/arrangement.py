@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
-
-import sympy as sp
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
@@ -34,20 +31,12 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None) -> 
     drawn = Drawn.as_in_the_file(instant)
     problem = drawn.scene.problem
     if motion is not None and problem.states:
-        first = Drawn.in_state(drawn.scene, motion, problem.states[0].name)
-        told = all(first.value.known(sp.sympify(c).xreplace(dict(first.here))) is not None for c in _placed(drawn))
-        drawn = first if told else drawn
+        drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
     marks = list(_marks(drawn, problem))
     if motion is not None:
         places = [s for m in marks for s in spots_of(m)]
         marks += position_marks(drawn, motion, [s.name for s in problem.states], extent(places) or ALONE)
     return Panel(tuple(marks))
-
-
-def _placed(drawn: Drawn) -> Iterator[Any]:
-    """What tells where bodies are."""
-    for body in drawn.scene.bodies.values():
-        yield from (body.center.x, body.center.y, body.theta)
 
 
 def _marks(drawn: Drawn, problem: Problem) -> Iterator[Mark]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -39,10 +39,18 @@ class Drawn:
         return cls(scene, instant.value, {c.symbol: c.drawn for c in moves if c.drawn is not None})
 
     @classmethod
-    def in_state(cls, scene: Scene, motion: MotionTrace, state: str) -> Drawn:
-        """The position of a motion in one of its states."""
+    def in_state(cls, motion: MotionTrace, state: str) -> Drawn | None:
+        """The position of a motion in one of its states, by what holds as it comes there; of the first state by what
+        holds from there on. None: no motion comes there, or what holds does not tell where all bodies are.
+        """
         here = {general: x for x, general in motion.general.items() if motion.ledger.roles[x].at == state}
-        return cls(scene, motion.value, here)
+        return next((d for s in _scenes(motion, state) if (d := cls(s, motion.value, here)).is_placed), None)
+
+    @property
+    def is_placed(self) -> bool:
+        """Is it told where all bodies are, and how they are turned?"""
+        told = (part for body in self.scene.bodies.values() for part in (body.center.x, body.center.y, body.theta))
+        return all(self.value.known(sp.sympify(part).xreplace(dict(self.here))) is not None for part in told)
 
     def number(self, expr: Any) -> float | None:
         """An expression as a number; None: nothing tells it."""
@@ -69,6 +77,14 @@ class Drawn:
     def carried(self, body: str | None, point: str) -> Spot | None:
         """A named point that goes with a body, or stays with the ground."""
         return self.spot(self.scene.carried(body or GROUND, point))
+
+
+def _scenes(motion: MotionTrace, state: str) -> Iterator[Scene]:
+    """The scenes of what ends in a state, then of what begins there."""
+    for end in (1, 0):
+        for regime in motion.regimes:
+            if any(stretch[end] == state for stretch in regime.stretches):
+                yield regime.solution.instant.scene
 
 
 TINY = 1e-12

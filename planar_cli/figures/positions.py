@@ -25,9 +25,11 @@ def position_marks(drawn: Drawn, motion: MotionTrace, states: Sequence[str], siz
     turned = [{name: drawn.number(body.theta) for name, body in scene.bodies.items()}]
     count = 0
     for state in states:
-        there = Drawn.in_state(scene, motion, state)
-        spots = {name: there.spot(scene.bodies[name].center) for name in before[0]}
-        angles = {name: there.number(scene.bodies[name].theta) for name in before[0]}
+        there = Drawn.in_state(motion, state)
+        if there is None:
+            continue
+        spots = {name: there.spot(there.scene.bodies[name].center) for name in before[0]}
+        angles = {name: there.number(there.scene.bodies[name].theta) for name in before[0]}
         if any(s is None for s in spots.values()) or count == MOST:
             continue
         found = {name: s for name, s in spots.items() if s is not None}
