@@ -1,4 +1,6 @@
-"""HTML pages in a browser: they open without a word on its console, with their formulas and figures."""
+"""HTML pages as the command writes them: they open in a browser without a word on its console, with their formulas and
+figures.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +10,10 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import PROBLEMS
+from conftest import PROBLEMS, ROOT
 from worked import name_of, worked
 
+from planar_cli import cli
 from planar_cli.figures.illustrated import illustrated
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Equation, Paragraph, line
@@ -35,10 +38,26 @@ def opened(page: str, folder: Path) -> tuple[str, list[str]]:
     return ran.stdout, [row for row in ran.stderr.splitlines() if "CONSOLE" in row]
 
 
-def demand_shown(path: Path, folder: Path) -> None:
+def written(path: Path, folder: Path) -> tuple[str, Document]:
+    """The page of a file as the command writes it, and what it is made from."""
     solution = worked(path)[0]
-    document = illustrated(narrate(solution), solution)
-    shown, said = opened(Html().render(document), folder)
+    page = folder / "written.html"
+    assert cli.run(["solve", str(path.relative_to(ROOT)), "--format", "html", "-o", str(page)]) == cli.SOLVED
+    return page.read_text(encoding="utf-8"), illustrated(narrate(solution), solution)
+
+
+@pytest.mark.parametrize("path", PROBLEMS[1::EVERY], ids=name_of)
+def test_nothing_is_escaped_on_the_way(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither the spaces of formulas, nor what a file says."""
+    monkeypatch.chdir(ROOT)
+    page, document = written(path, tmp_path)
+    assert page == Html().render(document)
+    assert not re.search(r"\\[xuU][0-9a-f]{2}", page)
+
+
+def demand_shown(path: Path, folder: Path) -> None:
+    page, document = written(path, folder)
+    shown, said = opened(page, folder)
     assert said == []
     assert "<script" not in shown
     assert shown.count("<svg") == sum(isinstance(b, Drawing) for b in document.blocks)
@@ -48,14 +67,16 @@ def demand_shown(path: Path, folder: Path) -> None:
 
 @needs_browser
 @pytest.mark.parametrize("path", PROBLEMS[::EVERY], ids=name_of)
-def test_a_page_opens(path: Path, tmp_path: Path) -> None:
+def test_a_page_opens(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
     demand_shown(path, tmp_path)
 
 
 @needs_browser
 @pytest.mark.slow
 @pytest.mark.parametrize("path", PROBLEMS, ids=name_of)
-def test_every_page_opens(path: Path, tmp_path: Path) -> None:
+def test_every_page_opens(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
     demand_shown(path, tmp_path)
 
 

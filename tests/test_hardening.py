@@ -116,7 +116,18 @@ def test_closed_streams(tmp_path: Path) -> None:
 def test_what_steers_becomes_escapes() -> None:
     assert harmless(f"a\nb{STEERING}ü") == "a\nb\\x9b31m\\u202e\\x1b[31mü"
     assert harmless("a\nb", kept="") == "a\\x0ab"
-    cells = {"=1": "'=1", "+1": "'+1", "-v": "'-v", "@x": "'@x", "v-w": "v-w", "\uff1d1": "'\uff1d1", "a; =b": "a; '=b"}
+    assert harmless("1\N{NO-BREAK SPACE}m\N{EM SPACE}\u3000") == "1\N{NO-BREAK SPACE}m\N{EM SPACE}\u3000"
+    assert harmless("\u200b\u2060\ufeff\u2028\u00ad") == r"\u200b\u2060\ufeff\u2028\xad"
+    cells = {
+        "=1": "'=1",
+        "+1": "'+1",
+        "-v": "'-v",
+        "@x": "'@x",
+        "v-w": "v-w",
+        "\uff1d1": "'\uff1d1",
+        " =1": " '=1",
+        "a; =b": "a; '=b",
+    }
     assert {text: spreadsheet_cell(text) for text in cells} == cells
 
 

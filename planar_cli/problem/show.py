@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
+from unicodedata import category
 
 from planar_cli.errors import Diagnostic
 
 WIDTH = 110
 MAX_TEXT = 600
-FORMULA = re.compile(r"(^|;\s*)(?=[-=+@\uff0d\uff1d\uff0b\uff20])")
-"""Where a cell begins with one of these, or their wide forms, some spreadsheet takes it for a formula; a semicolon
-begins one too in countries with a decimal comma."""
+FORMULA = re.compile(r"(^\s*|;\s*)(?=[-=+@\uff0d\uff1d\uff0b\uff20])")
+"""Where a cell begins with one of these, or their wide forms, some spreadsheet takes it for a formula, also behind
+spaces; a semicolon begins a cell too in countries with a decimal comma."""
 
 
 def show_diagnostic(diagnostic: Diagnostic, source_text: str) -> str:
@@ -41,8 +42,11 @@ def visible(text: str) -> str:
 
 
 def harmless(text: str, kept: str = "\n") -> str:
-    """The whole text with what would steer a terminal, or not be seen on it, written as escapes, but for `kept`."""
-    steering = {c for c in set(text) if c not in kept and not c.isprintable()}
+    """The whole text with what would steer a terminal, or not be seen on it, written as escapes, but for `kept`.
+
+    Spaces of every width pass: they are seen as a gap, and formulas have them.
+    """
+    steering = {c for c in set(text) if c not in kept and not c.isprintable() and category(c) != "Zs"}
     return text.translate({ord(c): _visible_character(c) for c in steering})
 
 
