@@ -47,7 +47,33 @@ def test_values_that_are_never_fit_are_told(tmp_path: Path) -> None:
     """At 5° the block stays, as tan 5° < 0.2."""
     (problem,) = made(tmp_path, "variants: {number: 6}").problems
     told = prepared(problem, 6, 1).warnings
-    assert "slope: no combination with β = 5° is fit" in told
+    assert "slope: no combination with β = 5° is fit, because another case holds" in told
+
+
+CRANK = """
+given: {r: 120 mm, l: 400 mm, h: 60 mm, n: 120 rpm, phi: 60 deg}
+points: {O: [0, 0], A: {from: O, distance: r, angle: phi}, B: {y: -h, distances: {A: l}, side: right}}
+bodies: {crank: {rod: [O, A]}, rod: {rod: [A, B]}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: A, between: [crank, rod]}
+  - guide: {point: B, along: 0 deg}
+motion: [omega(crank) = -n]
+find: {a_B: a(B)}
+variants: {r: [120 mm, 130 mm, 110 mm], phi: [60 deg, 65 deg, 45 deg], n: [120 rpm, 150 rpm]}
+"""
+
+
+def test_what_rounding_leaves_of_a_zero_has_no_sign(tmp_path: Path) -> None:
+    """The slider moves along x: a_y is zero, and a_x negative at 60° and 65° in each combination."""
+    (problem,) = made(tmp_path, "variants: {number: 12}").problems
+    Path(problem.path).write_text(CRANK)
+    ready = prepared(problem, 12, 1)
+    angles = {dict(v)["phi"] for v in ready.values[1:]}
+    assert {"60 deg", "65 deg"} <= angles
+    assert ready.taken >= 10
+    assert not any("a_B changes its sign" in w for w in ready.warnings)
+    assert "because the mistake sine-for-cosine gives nearly the right a_B" in "; ".join(ready.warnings)
 
 
 def test_a_component_has_the_heading_of_its_own_variant(tmp_path: Path) -> None:

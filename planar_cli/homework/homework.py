@@ -104,9 +104,11 @@ def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
     if drawn.tried and drawn.rate < FEW:
         reasons = ", ".join(f"{count} because {why}" for why, count in drawn.rejected.most_common(3))
         found.append(f"{problem.name}: only {100 * drawn.rate:.0f} % of the combinations are fit ({reasons})")
-    if drawn.never:
-        values = ", ".join(f"{printed(name)} = {told(value)}" for name, value in drawn.never)
-        found.append(f"{problem.name}: no combination with {values} is fit")
+    unfit: dict[str, list[str]] = {}
+    for (name, value), counted in drawn.never:
+        because = f"{'' if len(counted) == 1 else 'mostly '}because {counted.most_common(1)[0][0]}"
+        unfit.setdefault(because, []).append(f"{printed(name)} = {told(value)}")
+    found += [f"{problem.name}: no combination with {', '.join(v)} is fit, {because}" for because, v in unfit.items()]
     return found
 
 

@@ -46,14 +46,14 @@ SAME = 1e-7
 CHECKED = 2
 """So many variants are solved anew, to see that carrying the equations out gives the same."""
 
-OTHER_CASE, OTHER_SIGN, ILL, TOO_CLOSE, NO_VALUE, UNSOLVED = (
-    "another case holds",
-    "an answer changes its sign",
-    "an answer hangs on the last digits of the data",
-    "a typical mistake gives nearly the right answer",
-    "an answer has no value",
-    "it has no solution",
-)
+ZERO, LEAST = 1e-9, 1e-3
+"""A component below the first part of its vector is zero but for rounding; a vector counts as large as the second part
+of the largest given quantity of its dimension at least.
+"""
+
+OTHER_CASE, UNSOLVED = "another case holds", "it has no solution"
+OTHER_SIGN, NO_VALUE, ILL = "{} changes its sign", "{} has no value", "{} hangs on the last digits of {}"
+TOO_CLOSE = "the mistake {} gives nearly the right {}"
 
 
 @record
@@ -72,15 +72,15 @@ class Variants:
     tried: int = 0
     rejected: Counter[str] = field(default_factory=Counter)
     note: str = ""
-    met: dict[tuple[str, str], bool] = field(default_factory=dict)
-    """Each value of a name that was tried: is a combination with it fit?"""
+    met: dict[tuple[str, str], Counter[str]] = field(default_factory=dict)
+    """Each value of a name that was tried: how many combinations with it are fit, "", or are not, by the reason."""
     combinations: int = 0
     """So many there are of the values that the file allows."""
 
     @property
-    def never(self) -> tuple[tuple[str, str], ...]:
-        """The values of names with which no combination that was tried is fit."""
-        return tuple(sorted(pair for pair, fit in self.met.items() if not fit))
+    def never(self) -> tuple[tuple[tuple[str, str], Counter[str]], ...]:
+        """The values of names with which no combination that was tried is fit, and how many for which reason."""
+        return tuple(sorted(((pair, why) for pair, why in self.met.items() if not why[""]), key=lambda one: one[0]))
 
     @property
     def rate(self) -> float:
@@ -130,7 +130,7 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
     why = _objections(problem, values, base, numbers, carried, len(drawn))
     for k, draw in enumerate(drawn):
         for pair in draw.values:
-            found.met[pair] = found.met.get(pair, False) or not why[k]
+            found.met.setdefault(pair, Counter())[why[k]] += 1
     for k, draw in enumerate(drawn):
         if len(found.taken) >= count:
             return
@@ -171,26 +171,32 @@ def _objections(
         for k in np.flatnonzero(np.broadcast_to(bad, count)):
             why[k] = why[k] or reason
 
-    finite = np.ones(count, dtype=bool)
-    for parts in numbers.values():
+    for find, parts in numbers.items():
         for n in parts:
-            finite &= np.isfinite(np.broadcast_to(n, count))
-    object_where(~finite, NO_VALUE)
+            object_where(~np.isfinite(n), NO_VALUE.format(find))
     for run in carried.runs.values():
         object_where(~np.broadcast_to(run.holds(), count), OTHER_CASE)
     for find, parts in numbers.items():
-        for n, due in zip(parts, base[find].values, strict=True):
-            object_where(np.sign(n) != np.sign(due), OTHER_SIGN)
+        here = _signs(parts, base[find].scale)
+        for sign, due in zip(here, _signs(base[find].values, base[find].scale), strict=True):
+            object_where(sign != due, OTHER_SIGN.format(find))
     for name, column in values.items():
         nudged = Carried(problem, {**values, name: column * (1 + NUDGE)})
         for part, one in problem.finds:
             if one.name in numbers:
                 for n, before in zip(nudged.asked(part, one), numbers[one.name], strict=True):
                     size = np.maximum(np.abs(before), 1e-6 * base[one.name].scale)
-                    object_where(np.abs(n - before) > STEEP * NUDGE * size, ILL)
+                    object_where(np.abs(n - before) > STEEP * NUDGE * size, ILL.format(one.name, name))
     for mistake, find, close in _too_close(problem, values, base, numbers):
-        object_where(close, f"{TOO_CLOSE} ({mistake}, {find})")
+        object_where(close, TOO_CLOSE.format(mistake, find))
     return why
+
+
+def _signs(parts: Sequence[Numbers | float], scale: float) -> list[Numbers]:
+    """-1, 0 or 1 of each component; what rounding leaves of a zero is one. `scale`: of the find."""
+    rows = [np.asarray(p, dtype=float) for p in parts]
+    size = np.sqrt(sum((row**2 for row in rows), np.float64(0)))
+    return [np.where(np.abs(row) <= ZERO * np.maximum(size, LEAST * scale), 0.0, np.sign(row)) for row in rows]
 
 
 def _too_close(
@@ -263,6 +269,7 @@ def _changed(before: Expected, now: Expected) -> str:
         return OTHER_CASE
     if len(before.values) != len(now.values):
         return OTHER_CASE
-    if any(np.sign(a) != np.sign(b) for a, b in zip(before.values, now.values, strict=True)):
-        return OTHER_SIGN
+    scale = before.scale
+    if any(a != b for a, b in zip(_signs(before.values, scale), _signs(now.values, scale), strict=True)):
+        return OTHER_SIGN.format(before.find)
     return ""
