@@ -11,11 +11,15 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.motion import Motion
+from planar_cli.problem.facts import Mode, Row
 from planar_cli.problem.facts import Test as Assumption
 from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps
 from planar_cli.replay.equations import Asked, Equations, Step, Test
 from planar_cli.replay.opened import NotWritten, of_block
 from planar_cli.solve.between.trace import MotionTrace, RouteStep
+from planar_cli.solve.instant.instant import TINY
+from planar_cli.solve.instant.parting import parting
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -160,17 +164,29 @@ class _Instants(_Writer):
         told = {u for step in self.steps for u in step.unknowns} | self.defined.keys() | set(self.inputs.values())
         for mode in solution.trial.system.modes.values():
             for test in mode.tests:
-                expr = _assumed(solution, test)
+                expr = _assumed(solution, mode, test)
                 if expr is not None and expr.free_symbols and expr.free_symbols <= told:
                     self.tests.append(Test(expr, test.words))
 
 
-def _assumed(solution: InstantSolution, test: Assumption) -> sp.Expr | None:
-    """What a test of forces demands to be positive; None: it is about a motion."""
+def _assumed(solution: InstantSolution, mode: Mode, test: Assumption) -> sp.Expr | None:
+    """What a test demands to be positive; None: it is no sum of forces, and no slip or parting that is positive."""
     symbols = solution.trial.system.symbols
-    if not test.pushes or any(n not in symbols for n, _ in test.pushes) or test.within:
+    if test.pushes and not test.within and all(n in symbols for n, _ in test.pushes):
+        return sp.Add(*(c * symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
+    motion = solution.trial.system.motion
+    if motion is None:
         return None
-    return sp.Add(*(c * symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
+    expr = parting(motion, test) if test.row is None else _slip(solution, motion, mode, test.row)
+    number = None if expr is None else solution.value.known(expr)
+    return expr if number is not None and number > TINY else None
+
+
+def _slip(solution: InstantSolution, motion: Motion, mode: Mode, row: Row) -> sp.Expr:
+    """The slip in the sense that is assumed: its speed where it is under way, else how fast it begins."""
+    speed = mode.direction * motion.row_velocity(row)
+    under_way = (solution.value.known(speed) or 0) > TINY
+    return speed if under_way else mode.direction * motion.row_acceleration(row)
 
 
 class _Motion(_Writer):
