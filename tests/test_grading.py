@@ -147,6 +147,52 @@ def test_by_significant_figures(text: str, right: bool) -> None:
     assert (graded(FORCE, text, Rules(mode="sigfig", figures=3)).value == "right") == right
 
 
+MOON = replace(ALONG, values=(3.7,), heading=None, gravity=1.62)
+POUNDS = replace(FORCE, values=(74.35,), unit="lbf", gravity=9.81456)
+MASS = replace(NORMAL, values=(2.5,), unit="lb")
+MOMENT = replace(NORMAL, values=(40.0,), unit="lbf*ft")
+INERTIA = replace(NORMAL, values=(2.5,), unit="lb*ft^2")
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "verdict"),
+    [
+        (replace(MOON, gravity=0), "0.3773 g", "right"),
+        (MOON, "2.284 g", "right"),
+        (MOON, "0.3773 g", "wrong"),
+        (MASS, "1134 g", "right"),
+        (POUNDS, "74.4 lb", "right"),
+        (POUNDS, "74.4 lbs", "right"),
+        (replace(FORCE, values=(330.7,)), "74.4 lb", "right"),
+        (MASS, "2.50 lb", "right"),
+        (MASS, "2.50 lbs", "right"),
+        (MASS, "0.0777 lb s^2/ft", "right"),
+        (MASS, "2.50 lbf", "wrong"),
+        (MOMENT, "40.0 lb-ft", "right"),
+        (MOMENT, "480 lb in", "right"),
+        (INERTIA, "2.50 lb ft^2", "right"),
+        (INERTIA, "0.0777 slug*ft^2", "right"),
+        (INERTIA, "0.0777 lb*ft*s^2", "right"),
+    ],
+)
+def test_g_and_pounds_are_meant_as_they_are_due(expected: Expected, text: str, verdict: str) -> None:
+    assert graded(expected, text).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("33.7 kg", "the unit is that of a mass (kg): times g it is the right force"),
+        ("2.31 slug", "the unit is that of a mass (slug): times g it is the right force"),
+        ("74.4 slug", "the number is right; the unit is that of a mass (slug)"),
+        ("15 slug", "the unit is that of a mass (slug)"),
+    ],
+)
+def test_masses_in_place_of_forces(text: str, said: str) -> None:
+    one = graded(POUNDS, text, Rules(unit=0.5))
+    assert (one.message, one.score) == (said, 0.0 if text == "15 slug" else 0.5)
+
+
 def test_credit_for_part_of_it() -> None:
     rules = Rules(unit=0.5, no_unit=0.25, sign=0.4)
     assert graded(FORCE, "12.74 kg", rules).score == 0.5

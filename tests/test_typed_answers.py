@@ -32,7 +32,7 @@ RIGHT = "m*g*(sin(beta) - mu*cos(beta))"
         ("12 N-m", 12, "N*m"),
         ("12 Nm", 12, "N*m"),
         ("12 ft-lb", 12, "lbf*ft"),
-        ("12 lbs", 12, "lbf"),
+        ("12 lbs", 12, "lb"),
         ("3 meters per second", 3, "m/s"),
         ("3 rad/sec", 3, "rad/s"),
         ("7", 7, None),

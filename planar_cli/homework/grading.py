@@ -13,6 +13,7 @@ from planar_cli.homework import typed
 from planar_cli.homework.answered_names import answered
 from planar_cli.homework.asked_part import asked_part
 from planar_cli.homework.carried_verdicts import Carry, carried_on
+from planar_cli.homework.meant_units import meant, told, weights
 from planar_cli.homework.named_mistakes import named, named_formula
 from planar_cli.homework.paper import (
     MISSING,
@@ -30,7 +31,7 @@ from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import SLACK, within
 from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
-from planar_cli.units import PURE, Unit, describe, parse_unit
+from planar_cli.units import PURE, Unit, parse_unit
 
 LONGEST_SHOWN = 80
 SIGN = "the sign or sense is not right"
@@ -165,14 +166,19 @@ def _of_numbers(
     blank: Graded, expected: Expected, answer: Typed, rules: Rules
 ) -> tuple[Graded, tuple[float, ...] | None]:
     """Value, unit, sign and precision apart."""
-    answer = asked_part(expected, answer)
+    answer = _as_meant(expected, asked_part(expected, answer))
     unit, why = _unit_verdict(expected, answer.unit)
     values = in_unit_of_find(expected, answer)
     sign, ignored = _sense_verdict(expected, answer)
     fits, turned = _fits_or_turned(expected, values, rules)
-    if unit == MISSING and not fits and not turned and (meant := _in_base_unit(expected, values, rules)) is not None:
-        values = meant
-        fits, turned = _fits_or_turned(expected, values, rules)
+    number = "the number is right"
+    if unit != RIGHT and not fits and not turned:
+        otherwise = _in_base_unit(expected, values, rules) if unit == MISSING else _weighed(expected, answer, rules)
+        if otherwise is not None:
+            values = otherwise
+            fits, turned = _fits_or_turned(expected, values, rules)
+            if unit == WRONG:
+                why, number = f"{why}: times g it is the right force", ""
     value = RIGHT if fits or turned else WRONG
     if turned or (fits and sign == WRONG):
         sign = WRONG
@@ -189,7 +195,7 @@ def _of_numbers(
             blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision, message=notes
         ), values
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
-    one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer))
+    one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer), number)
     if one.verdict == WRONG and value == WRONG:
         one = named(one, expected, values, answer, rules.figures)
         if unit == RIGHT and not one.mistakes and _is_rounded_too_far(values, answer, expected, rules):
@@ -217,6 +223,24 @@ def _in_base_unit(expected: Expected, values: tuple[float, ...], rules: Rules) -
     return meant if factor != 1 and any(_fits_or_turned(expected, meant, rules)) else None
 
 
+def _as_meant(expected: Expected, answer: Typed) -> Typed:
+    """The answer with its unit as it is meant where this quantity is due."""
+    if answer.unit is None or answer.unit.text == expected.unit:
+        return answer
+    unit = meant(answer.unit, parse_unit(expected.unit).dimension, expected.gravity)
+    return answer if unit is answer.unit else replace(answer, unit=unit)
+
+
+def _weighed(expected: Expected, answer: Typed, rules: Rules) -> tuple[float, ...] | None:
+    """The weights, where masses were typed for forces, and these are right; else None."""
+    due = parse_unit(expected.unit)
+    for weight in weights(answer.unit, due.dimension, expected.gravity) if answer.unit is not None else ():
+        values = tuple(v * weight / float(due.factor) for v in in_unit_of_find(expected, answer))
+        if any(_fits_or_turned(expected, values, rules)):
+            return values
+    return None
+
+
 def _unit_verdict(expected: Expected, unit: Unit | None) -> tuple[str, str]:
     """right, wrong or missing, and what to say of it."""
     due = parse_unit(expected.unit)
@@ -224,7 +248,7 @@ def _unit_verdict(expected: Expected, unit: Unit | None) -> tuple[str, str]:
         # Radians are a pure number; degrees are not.
         return (RIGHT, "") if due.dimension == PURE and not due.pi_power else (MISSING, "the unit is missing")
     if unit.dimension != due.dimension:
-        return WRONG, f"the unit is that of {describe(unit.dimension, unit.angle)}"
+        return WRONG, f"the unit is that of {told(unit)}"
     return RIGHT, ""
 
 
@@ -295,8 +319,8 @@ def _what_is_with_the_sign(expected: Expected, answer: Typed) -> str:
     return SIGN
 
 
-def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN) -> Graded:
-    """The verdict and the score, from the four verdicts."""
+def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN, number: str = "the number is right") -> Graded:
+    """The verdict and the score, from the four verdicts. `number`: what is said of it where its unit is not right."""
     if one.value == WRONG:
         missing = "; the unit is missing" if one.unit == MISSING else ""
         message = why if one.unit == WRONG else f"the value is not right{missing}"
@@ -314,6 +338,6 @@ def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN) -> Graded:
             said.append(sentence)
     fine = one.unit == RIGHT and one.sign == RIGHT and (one.precision == RIGHT or rules.precision == 1)
     message = "; ".join(said)
-    if said and one.unit != RIGHT and one.sign == RIGHT:
-        message = f"the number is right; {message}"
+    if said and number and one.unit != RIGHT and one.sign == RIGHT:
+        message = f"{number}; {message}"
     return replace(one, verdict=RIGHT if fine else WRONG, score=credit * one.max_score, message=message)

@@ -71,6 +71,8 @@ class Expected:
     """Of a component along a line: where it is positive, in radians counterclockwise from +x."""
     size: bool = False
     """Is it the magnitude of a vector?"""
+    gravity: float = 0.0
+    """The acceleration of gravity of the problem in m/s^2; 0 where none stands in it."""
 
 
 @record

@@ -95,7 +95,9 @@ _SPELT = {
     **dict.fromkeys(("kilogram", "kilograms", "kgs"), "kg"),
     **dict.fromkeys(("radian", "radians", "rads"), "rad"),
     **dict.fromkeys(("degree", "degrees", "°"), "deg"),
-    **dict.fromkeys(("lbs",), "lbf"),
+    **dict.fromkeys(("lbs", "pound", "pounds"), "lb"),
+    **dict.fromkeys(("kips",), "kip"),
+    **dict.fromkeys(("slugs",), "slug"),
     **dict.fromkeys(("rev", "revolution", "revolutions"), "rev"),
     **dict.fromkeys(("Nm",), "N*m"),
     **dict.fromkeys(("kNm",), "kN*m"),
@@ -311,7 +313,7 @@ def unit_of(text: str) -> Unit:
     plain = re.sub(r"\s*([*/^])\s*", r"\1", plain).replace("**", "^")
     plain = re.sub(r"(?<=[A-Za-z0-9])[ -](?=[A-Za-z])", "*", plain)
     plain = re.sub(r"\^\(([0-9])\)", r"^\1", plain)
-    plain = re.sub(r"\b(?:ft\*lbs?|lbs?\*ft)\b", "lbf*ft", plain)
+    plain = re.sub(r"\b(?:ft\*lbs?|lbs?\*ft)\b(?!\^)", "lbf*ft", plain)
     plain = re.sub(r"[A-Za-z°]+", lambda m: _SPELT.get(m[0], _SPELT.get(m[0].lower(), m[0])), plain)
     plain = re.sub(r"\b(m|s|ft|in|mm|cm|km)([23])\b", r"\1^\2", plain)
     try:

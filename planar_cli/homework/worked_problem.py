@@ -21,6 +21,7 @@ from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words, is_energy
 from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.own_gravity import gravity_of
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
 from planar_cli.problem.expression import Quantity
@@ -282,6 +283,7 @@ def expected_of(
         axis,
         heading=heading_of(what, part.replay.equations if part.replay is not None else None, own),
         size=last == "mag",
+        gravity=gravity_of(part.replay.equations if part.replay is not None else None, own, problem.problem.us),
     )
 
 
