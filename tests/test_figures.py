@@ -18,7 +18,7 @@ from planar_cli.formats._svg import PRINT, papers_of, svg
 from planar_cli.formats.html import Html
 from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Document, Drawing, Forces, Name, Paragraph, Text, line
-from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Tag, Turn
+from planar_cli.report.marks import Arc, Arrow, Figure, Panel, Polyline, Tag, Turn
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.typeset import pdf
@@ -99,6 +99,13 @@ def test_words_of_a_file_do_nothing() -> None:
     page = Html().render(Document(HOSTILE, (Drawing(figure),)))
     assert "<script" not in page
     assert "default-src 'none'" in page.replace("&#x27;", "'")
+
+
+def test_what_is_somewhere_only_later_covers_nothing() -> None:
+    box = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0))
+    marks = (Polyline(box, "body", closed=True), Polyline(box, "hidden", closed=True), Arc((0.0, 0.0), 1.0, "hidden"))
+    kinds = [s.kind for s in papers_of(Figure((Panel(marks),), ""))[0].strokes]
+    assert kinds == ["hidden", "hidden", "body area"]
 
 
 def test_the_same_input_gives_the_same_bytes() -> None:

@@ -43,6 +43,8 @@ COUPLE = 17.0
 AXIS, APART = 30.0, 62.0
 """The length of an axis, and how far the axes are beside everything."""
 STEP = math.radians(6)
+LATER = "hidden"
+"""The style of a position that a body has later: its outline alone."""
 Piece = Stroke | Disc | Words
 
 
@@ -68,8 +70,9 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     whole = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
     if whole is not None:
         pieces += [p for mark in axes for p in _axes(mark, (whole.left - APART, whole.bottom))]
-    strokes = tuple(p for p in pieces if isinstance(p, Stroke | Disc))
-    return Paper(strokes, tuple(p for p in pieces if isinstance(p, Words) and p.runs))
+    # What is somewhere only later lies below all that is there.
+    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind != LATER)
+    return Paper(tuple(strokes), tuple(p for p in pieces if isinstance(p, Words) and p.runs))
 
 
 def _axes(mark: Axes, at: Spot) -> Iterator[Piece]:
@@ -98,7 +101,8 @@ def _drawn(mark: Any, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _polyline(mark: Polyline, scale: Scale) -> Iterator[Piece]:
-    kind = f"{mark.style} area" if mark.closed else f"{mark.style} bar" if mark.style == "body" else mark.style
+    filled = mark.closed and mark.style != LATER
+    kind = f"{mark.style} area" if filled else f"{mark.style} bar" if mark.style == "body" else mark.style
     yield Stroke(tuple(map(scale.spot, mark.places)), kind, mark.closed)
 
 
@@ -106,7 +110,7 @@ def _polyline(mark: Polyline, scale: Scale) -> Iterator[Piece]:
 def _arc(mark: Arc, scale: Scale) -> Iterator[Piece]:
     center, radius = scale.spot(mark.center), mark.radius * scale.pixels
     if abs(mark.sweep) >= 2 * math.pi - 1e-9:
-        yield Disc(center, radius, f"{mark.style} area")
+        yield Disc(center, radius, mark.style if mark.style == LATER else f"{mark.style} area")
     else:
         yield Stroke(arc(center, radius, mark.start, mark.sweep), mark.style)
 
@@ -189,7 +193,7 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
         case "point":
             yield Disc(at, 1.8, "dot")
         case "place":
-            yield Disc(at, 5.0, "hidden")
+            yield Disc(at, 5.0, LATER)
         case "wall":
             wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
             yield Stroke(wall, "ground")
