@@ -140,6 +140,34 @@ def test_few_figures_are_told_and_cost_only_on_request() -> None:
     assert graded(exact, "13 N", Rules(precision=0.8)).verdict == "right"
 
 
+SLANTED = replace(VELOCITY, values=(2.733, -1.2744))
+UPWARD = replace(VELOCITY, values=(0.0, 74.35))
+TURNED = replace(VELOCITY, values=(2.7382, -1.2665))
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "said"),
+    [
+        (UPWARD, "74.4 m/s at 90 deg", ""),
+        (UPWARD, "74.4 m/s at 90.3 deg", ""),
+        (UPWARD, "74 m/s at 90 deg", "write 3 significant figures"),
+        (UPWARD, "[0, 74.4] m/s", ""),
+        (UPWARD, "[0.3, 74.4] m/s", ""),
+        (UPWARD, "[0.3, 74] m/s", "write 3 significant figures"),
+        # The direction is -24.82°.
+        (TURNED, "3.02 m/s at -25 deg", "write the angle to 0.1°"),
+        (TURNED, "3.02 m/s at 25 deg below +x", "write the angle to 0.1°"),
+        (TURNED, "3.02 m/s at -24.8 deg", ""),
+        (TURNED, "3.02 m/s at -0.43 rad", ""),
+        (SLANTED, "3.0 m/s at -25.0 deg", "write 3 significant figures"),
+        (SLANTED, "[2.73, -1.3] m/s", "write 3 significant figures"),
+    ],
+)
+def test_a_direction_is_as_exact_as_the_vector_needs(expected: Expected, text: str, said: str) -> None:
+    one = graded(expected, text, Rules(precision=0.9))
+    assert (one.value, one.message, one.score) == ("right", said, 0.9 if said else 1.0)
+
+
 @pytest.mark.parametrize(
     ("text", "right"), [("12.7 N", True), ("12.8 N", False), ("12.69 N", True), ("12.68 N", False)]
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from planar_cli.homework.grading import grade
@@ -100,6 +102,24 @@ def test_a_word_that_splits_in_several_ways_is_not_split() -> None:
 def test_right_in_every_form(expected: Expected, text: str) -> None:
     one = graded(expected, text)
     assert (one.verdict, one.score) == ("right", 1.0), one.message
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "score"),
+    [
+        (OMEGA, "1.7 √(g/l)", 0.9),
+        (OMEGA, "1.73 √(g/l)", 1.0),
+        (OMEGA, "√(3.0 g/l)", 1.0),
+        (OMEGA, "1.2*1.44*√(g/l)", 1.0),
+        (WORK, "-0.32 m g l", 0.5),
+    ],
+)
+def test_numbers_before_letters_have_their_figures(expected: Expected, text: str, score: float) -> None:
+    rules = replace(HALF, precision=0.9, tolerance=0.02)
+    paper = Paper(0, (Task("p", "", "", (), (expected,)),))
+    (one,) = grade(Submission("s", 0, (("p", expected.find, text),)), {0: paper}, rules).graded
+    assert (one.value, one.score) == ("right", score)
+    assert (one.precision == "wrong") == (text in ("1.7 √(g/l)", "-0.32 m g l"))
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from planar_cli.homework import typed
 from planar_cli.homework.answered_names import answered
 from planar_cli.homework.asked_part import asked_part
 from planar_cli.homework.carried_verdicts import Carry, carried_on
+from planar_cli.homework.figures import too_few
 from planar_cli.homework.meant_units import meant, told, weights
 from planar_cli.homework.named_mistakes import named, named_formula
 from planar_cli.homework.paper import (
@@ -31,10 +32,22 @@ from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import SLACK, within
 from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
+from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 
 LONGEST_SHOWN = 80
 SIGN = "the sign or sense is not right"
+
+
+@record
+class _Said:
+    """What is told of an answer that is not right in something."""
+
+    unit: str
+    sign: str = SIGN
+    figures: str = ""
+    number: str = "the number is right"
+    """Of the number where its unit is not right."""
 
 
 class Remembered:
@@ -143,8 +156,9 @@ def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> t
         one = _of_word(blank, equation_is_right(text, expected), rules)
         return (named_formula(one, expected, text) if one.verdict == WRONG else one), None
     found = formula_verdict(text, expected, rules)
-    one = replace(blank, value=found.value, unit=found.unit, sign=found.sign, precision=RIGHT)
-    one = _scored(one, rules, found.why)
+    precision = WRONG if found.coarse else RIGHT
+    one = replace(blank, value=found.value, unit=found.unit, sign=found.sign, precision=precision)
+    one = _scored(one, rules, _Said(found.why, figures=found.coarse))
     if one.value == WRONG:
         one = named_formula(replace(one, precision="", message=found.why), expected, found.text)
         if not one.feedback and found.why == NOT_RIGHT and (said := seen(expected, found.text)):
@@ -187,7 +201,8 @@ def _of_numbers(
     else:
         sign = ""
     notes = "; ".join((*answer.notes, *ignored))
-    precision = _precision(values, answer, expected, rules) if value == RIGHT else ""
+    coarse = too_few(values, answer, expected, rules.figures) if value == RIGHT else ""
+    precision = "" if value == WRONG else WRONG if coarse else RIGHT
     if value == unit == sign == precision == RIGHT:
         # Most answers: nothing is to be said of them.
         score = blank.max_score
@@ -195,7 +210,7 @@ def _of_numbers(
             blank, verdict=RIGHT, score=score, value=value, unit=unit, sign=sign, precision=precision, message=notes
         ), values
     one = replace(blank, value=value, unit=unit, sign=sign, precision=precision)
-    one = _scored(one, rules, why, _what_is_with_the_sign(expected, answer), number)
+    one = _scored(one, rules, _Said(why, _what_is_with_the_sign(expected, answer), coarse, number))
     if one.verdict == WRONG and value == WRONG:
         one = named(one, expected, values, answer, rules.figures)
         if unit == RIGHT and not one.mistakes and _is_rounded_too_far(values, answer, expected, rules):
@@ -288,15 +303,6 @@ def _sense_verdict(expected: Expected, answer: Typed) -> tuple[str, tuple[str, .
     return "", ()
 
 
-def _precision(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> str:
-    """Were as many figures typed as are asked for? 3.00 may be typed as 3: a value that is exact loses nothing."""
-    coarse = [
-        f < rules.figures and abs(v - d) > 1e-9 * abs(d)
-        for f, v, d in zip(answer.figures, values, expected.values, strict=False)
-    ]
-    return WRONG if any(coarse) else RIGHT
-
-
 def _is_rounded_too_far(values: Sequence[float], answer: Typed, expected: Expected, rules: Rules) -> bool:
     """Is it the right value, with fewer figures than are asked for?"""
     if expected.kind != "number" or not answer.figures or not values[0] or answer.figures[0] >= rules.figures:
@@ -319,25 +325,25 @@ def _what_is_with_the_sign(expected: Expected, answer: Typed) -> str:
     return SIGN
 
 
-def _scored(one: Graded, rules: Rules, why: str, sign: str = SIGN, number: str = "the number is right") -> Graded:
-    """The verdict and the score, from the four verdicts. `number`: what is said of it where its unit is not right."""
+def _scored(one: Graded, rules: Rules, said_of: _Said) -> Graded:
+    """The verdict and the score, from the four verdicts."""
     if one.value == WRONG:
         missing = "; the unit is missing" if one.unit == MISSING else ""
-        message = why if one.unit == WRONG else f"the value is not right{missing}"
+        message = said_of.unit if one.unit == WRONG else f"the value is not right{missing}"
         return replace(one, verdict=WRONG, message=message)
     if one.unit == MISSING and rules.no_unit is None:
         return replace(one, verdict=UNGRADABLE, value="", sign="", message="this cannot be graded: the unit is missing")
     credit, said = 1.0, []
     for verdict, part, sentence in (
-        (one.unit, rules.unit if one.unit == WRONG else rules.no_unit or 0.0, why or "the unit is not right"),
-        (one.sign, rules.sign, sign),
-        (one.precision, rules.precision, f"write {rules.figures} significant figures"),
+        (one.unit, rules.unit if one.unit == WRONG else rules.no_unit or 0.0, said_of.unit or "the unit is not right"),
+        (one.sign, rules.sign, said_of.sign),
+        (one.precision, rules.precision, said_of.figures),
     ):
         if verdict in (WRONG, MISSING):
             credit = min(credit, part)
             said.append(sentence)
     fine = one.unit == RIGHT and one.sign == RIGHT and (one.precision == RIGHT or rules.precision == 1)
     message = "; ".join(said)
-    if said and number and one.unit != RIGHT and one.sign == RIGHT:
-        message = f"{number}; {message}"
+    if said and said_of.number and one.unit != RIGHT and one.sign == RIGHT:
+        message = f"{said_of.number}; {message}"
     return replace(one, verdict=RIGHT if fine else WRONG, score=credit * one.max_score, message=message)

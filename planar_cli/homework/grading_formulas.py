@@ -10,12 +10,13 @@ from collections.abc import Collection, Iterator
 from itertools import islice
 
 from planar_cli.base_units import in_base
+from planar_cli.homework.figures import too_few_in_formula
 from planar_cli.homework.paper import RIGHT, WRONG, Expected
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed import unit_of
 from planar_cli.homework.typed_directions import without_direction
 from planar_cli.homework.typed_formula import SAME, dimension, is_rounded, letters_in, same_equation, same_formula
 from planar_cli.homework.typed_letters import readings
+from planar_cli.homework.typed_units import unit_of
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
 from planar_cli.units import PURE, Dimension, Unit, describe
@@ -38,6 +39,8 @@ class FormulaVerdict:
     sign: str
     text: str
     why: str = ""
+    coarse: str = ""
+    """What is said of too few figures in it; "" where they are enough."""
     notes: tuple[str, ...] = ()
 
 
@@ -72,10 +75,16 @@ def formula_verdict(text: str, expected: Expected, rules: Rules) -> FormulaVerdi
     tolerance = expected.tolerance if rules.tolerance is None else rules.tolerance
     unit, why = _unit(behind.unit, expected)
     if _is_same(turned, expected, tolerance):
-        return FormulaVerdict(RIGHT, unit, sign, turned, why, notes)
+        return FormulaVerdict(RIGHT, unit, sign, turned, why, _coarse(turned, found, expected, rules), notes)
     if _is_same(f"-({turned})", expected, tolerance):
-        return FormulaVerdict(RIGHT, unit, WRONG, turned, why, notes)
-    return FormulaVerdict(WRONG, unit, "", turned, _what_differs(found, expected, names), notes)
+        coarse = _coarse(f"-({turned})", found, expected, rules)
+        return FormulaVerdict(RIGHT, unit, WRONG, turned, why, coarse, notes)
+    return FormulaVerdict(WRONG, unit, "", turned, _what_differs(found, expected, names), notes=notes)
+
+
+def _coarse(right: str, typed: str, expected: Expected, rules: Rules) -> str:
+    """What is said of a right formula in which a number was rounded to too few figures."""
+    return "" if _is_same(right, expected, SAME) else too_few_in_formula(typed, rules.figures)
 
 
 def _letters(expected: Expected) -> tuple[tuple[str, str], ...]:

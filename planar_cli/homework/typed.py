@@ -12,12 +12,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
-from functools import lru_cache
 
 from planar_cli.homework.typed_directions import SENSES, WAYS, without_direction
+from planar_cli.homework.typed_units import unit_of
 from planar_cli.homework.unreadable import Unreadable
+from planar_cli.homework.written_numbers import last_place, significant
 from planar_cli.records import record
-from planar_cli.units import Unit, UnitError, parse_unit
+from planar_cli.units import Unit
 
 LONGEST = 500
 """More characters are no answer."""
@@ -82,28 +83,6 @@ _WORDS = {
     **dict.fromkeys(("taut", "tight"), "taut"),
     **dict.fromkeys(("slack", "loose"), "slack"),
 }
-_SPELT = {
-    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
-    **dict.fromkeys(("foot", "feet"), "ft"),
-    **dict.fromkeys(("inch", "inches"), "in"),
-    **dict.fromkeys(("second", "seconds", "sec", "secs"), "s"),
-    **dict.fromkeys(("minute", "minutes"), "min"),
-    **dict.fromkeys(("hour", "hours", "hr"), "h"),
-    **dict.fromkeys(("newton", "newtons"), "N"),
-    **dict.fromkeys(("joule", "joules"), "J"),
-    **dict.fromkeys(("watt", "watts"), "W"),
-    **dict.fromkeys(("kilogram", "kilograms", "kgs"), "kg"),
-    **dict.fromkeys(("radian", "radians", "rads"), "rad"),
-    **dict.fromkeys(("degree", "degrees", "°"), "deg"),
-    **dict.fromkeys(("lbs", "pound", "pounds"), "lb"),
-    **dict.fromkeys(("kips",), "kip"),
-    **dict.fromkeys(("slugs",), "slug"),
-    **dict.fromkeys(("rev", "revolution", "revolutions"), "rev"),
-    **dict.fromkeys(("Nm",), "N*m"),
-    **dict.fromkeys(("kNm",), "kN*m"),
-    **dict.fromkeys(("Ns",), "N*s"),
-    **dict.fromkeys(("fps",), "ft/s"),
-}
 
 
 @record
@@ -121,6 +100,8 @@ class Typed:
     axis: str = ""
     way: int = 0
     polar: bool = False
+    angle_place: float = 0.0
+    """Of that direction: a unit in the last place that was typed, in radians."""
     word: str = ""
     formula: str = ""
     unread: str = ""
@@ -215,18 +196,21 @@ def _not_read(words: str) -> tuple[str, ...]:
 
 def _polar(text: str) -> Typed | None:
     """Magnitude and direction; None: it is written otherwise."""
-    from_x = _FROM_X.fullmatch(text)
+    from_x, polar = _FROM_X.fullmatch(text), _POLAR.fullmatch(text)
     if from_x is not None:
-        return _polar(f"{from_x[1]} at {_from_plus_x(float(from_x[2]), from_x[3], from_x[4])!r} deg")
-    polar = _POLAR.fullmatch(text)
-    if polar is None:
+        before, number, unit_of_angle = from_x[1], from_x[2], "deg"
+        angle = _from_plus_x(float(number), from_x[3], from_x[4])
+    elif polar is not None:
+        before, number, unit_of_angle = polar[1], polar[2], polar[3]
+        angle = float(number)
+    else:
         return None
-    size, unit, figures_of_size, unread = _quantity(polar[1])
-    degrees = 1.0 if polar[3] == "rad" else math.pi / 180
+    size, unit, figures_of_size, unread = _quantity(before)
     if size < 0:
         raise Unreadable("a magnitude is not negative")
-    figures = figures_of_size, significant(polar[2])
-    return Typed((size, float(polar[2]) * degrees), unit, figures, polar=True, notes=_not_read(unread))
+    degrees = 1.0 if unit_of_angle == "rad" else math.pi / 180
+    figures, place = (figures_of_size, significant(number)), last_place(number) * degrees
+    return Typed((size, angle * degrees), unit, figures, polar=True, angle_place=place, notes=_not_read(unread))
 
 
 def _quantity(text: str) -> tuple[float, Unit | None, int, str]:
@@ -295,32 +279,6 @@ def _finite(value: float) -> float:
     if not math.isfinite(value) or abs(value) > LARGEST:
         raise Unreadable("the number is not finite, or too large")
     return value
-
-
-def significant(number: str) -> int:
-    """Significant figures of a written number; of 1200 as few as two are certain, and four are counted."""
-    digits = re.split("[eE]", number.lstrip("+-"))[0]
-    if "." in digits:
-        return max(len(digits.replace(".", "").lstrip("0")), 1)
-    return max(len(digits.lstrip("0")), 1)
-
-
-@lru_cache(maxsize=4096)
-def unit_of(text: str) -> Unit:
-    """A unit as students write it: `N m`, `N-m`, `ft-lb`, `rad/sec`, `m/s/s`, `meters per second`."""
-    plain = re.sub(r"\s+per\s+", "/", text.strip().rstrip("."))
-    plain = re.sub(r"\s+squared\b", "^2", re.sub(r"\s+cubed\b", "^3", plain))
-    plain = re.sub(r"\s*([*/^])\s*", r"\1", plain).replace("**", "^")
-    plain = re.sub(r"(?<=[A-Za-z0-9])[ -](?=[A-Za-z])", "*", plain)
-    plain = re.sub(r"\^\(([0-9])\)", r"^\1", plain)
-    plain = re.sub(r"\b(?:ft\*lbs?|lbs?\*ft)\b(?!\^)", "lbf*ft", plain)
-    plain = re.sub(r"[A-Za-z°]+", lambda m: _SPELT.get(m[0], _SPELT.get(m[0].lower(), m[0])), plain)
-    plain = re.sub(r"\b(m|s|ft|in|mm|cm|km)([23])\b", r"\1^\2", plain)
-    try:
-        return parse_unit(plain)
-    except UnitError as error:
-        hint = f" ({error.hint})" if error.hint else ""
-        raise Unreadable(f"the unit '{text.strip()[:40]}' is not known{hint}") from None
 
 
 def _unit(text: str | None) -> Unit | None:
