@@ -7,9 +7,11 @@ from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement
 from planar_cli.figures.diagrams import diagram
+from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.polygons import polygons
-from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph
+from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph, Table
 from planar_cli.report.marks import Figure
+from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
 CASE = "CASE"
@@ -27,6 +29,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
         part.case.replace("_", " "): part.instants[0] for part in solution.parts if not part.motion and part.instants
     }
     instant, step = instants.get(""), list[Block]()
+    graphs = _Graphs(solution)
     for block in document.blocks:
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
@@ -40,6 +43,26 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
         yield block
         if isinstance(block, Forces) and (figure := diagram(block)) is not None:
             yield Drawing(figure)
+        if (graph := graphs.after(block)) is not None:
+            yield Drawing(graph)
+
+
+class _Graphs:
+    """The graph behind the table of each motion that was followed, as the blocks of a page go by."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.waiting = [part.followed for part in solution.parts if part.followed is not None]
+        self.integrated = False
+
+    def after(self, block: Block) -> Figure | None:
+        if isinstance(block, Heading) and block.text in (INTEGRATED, UNIFORM_MOTION):
+            self.integrated = block.text == INTEGRATED
+            if not self.integrated:
+                del self.waiting[:1]
+        if not isinstance(block, Table) or not self.integrated or not self.waiting:
+            return None
+        self.integrated = False
+        return motion_figure(self.waiting.pop(0))
 
 
 def _arrangement(solution: Solution) -> Figure | None:

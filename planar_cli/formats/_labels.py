@@ -24,8 +24,10 @@ CLASH, COVERS, AWAY, TURNED = 1e6, 3.0, 2.0, 1.5
 
 def with_labels(paper: Paper) -> Paper:
     """The paper with its words at their places."""
-    ink = Counter((int(x // CELL), int(y // CELL)) for s in paper.strokes for x, y in along(s, CELL))
-    order = sorted(range(len(paper.words)), key=lambda i: -paper.words[i].width)
+    ink = Counter(
+        (int(x // CELL), int(y // CELL)) for s in paper.strokes if s.kind != "grid" for x, y in along(s, CELL)
+    )
+    order = sorted(range(len(paper.words)), key=lambda i: (not paper.words[i].fixed, -paper.words[i].width))
     set_: dict[int, Placed] = {}
     for _ in range(ROUNDS):
         before = dict(set_)
@@ -44,6 +46,8 @@ class _Candidate:
 
 
 def _best(words: Words, others: Sequence[Box], ink: Counter[tuple[int, int]]) -> Placed:
+    if words.fixed:
+        return Placed(words, _box(words, words.angles[0], words.gap))
     found = min(_candidates(words, others, ink), key=lambda c: c.cost)
     return Placed(words, found.box)
 

@@ -8,9 +8,11 @@ from functools import singledispatch
 from itertools import pairwise
 from typing import Any
 
+from planar_cli.formats._graph import graph_pieces
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words, along, box_of, runs_of
 from planar_cli.records import record
 from planar_cli.report.blocks import Line
+from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import (
     Angle,
     Arc,
@@ -326,6 +328,11 @@ def _angle(mark: Angle, scale: Scale) -> Iterator[Piece]:
 def _tag(mark: Tag, scale: Scale) -> Iterator[Piece]:
     angles = tuple(map(math.radians, (45, 135, -45, -135)))
     yield Words(runs_of(mark.words), scale.spot(mark.at), "name", angles, 6.0)
+
+
+@_drawn.register
+def _graph(mark: Graph, scale: Scale) -> Iterator[Piece]:
+    yield from graph_pieces(mark)
 
 
 def world_box(panel: Panel) -> tuple[float, float]:

@@ -54,13 +54,16 @@ class Run:
 
 @record
 class Words:
-    """Words that belong to a place, and where they may stand: `angles`, in order of preference."""
+    """Words that belong to a place, and where they may stand: `angles`, in order of preference; `fixed`: nowhere but
+    at the first of them, as the numbers of an axis.
+    """
 
     runs: tuple[Run, ...]
     anchor: Spot
     kind: str
     angles: tuple[float, ...] = ()
     gap: float = 6.0
+    fixed: bool = False
 
     @property
     def width(self) -> float:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from planar_cli.records import record
+from planar_cli.report.graphs import Graph
 from planar_cli.report.lines import Line
 
 Spot = tuple[float, float]
@@ -149,7 +150,7 @@ class Axes:
     heavy: bool
 
 
-Mark = Axes | Polyline | Arc | Hatched | Coil | Dashpot | Symbol | Arrow | Span | Turn | Dimension | Angle | Tag
+Mark = Graph | Axes | Polyline | Arc | Hatched | Coil | Dashpot | Symbol | Arrow | Span | Turn | Dimension | Angle | Tag
 
 
 @record

@@ -23,6 +23,8 @@ from planar_cli.simulate.run import Simulation
 from planar_cli.simulate.table import table_of
 from planar_cli.units import pretty_unit
 
+INTEGRATED, UNIFORM_MOTION = "Numerical integration", "Uniform motion"
+"""The headings of such a motion."""
 ROWS = 9
 MOST_COLUMNS = 7
 """A table of more columns is too wide to be read."""
@@ -84,7 +86,7 @@ def _integrated(motion: Simulation) -> Iterator[Block]:
     law = f"{FOR_EVERY_BODY}, {count} equations for {count} accelerations{relations} is"
     if is_prescribed(motion.run.problem):
         law = "What is prescribed gives the velocities at every instant, with no forces in it; they are"
-    yield Heading("STEP 1", "Numerical integration")
+    yield Heading("STEP 1", INTEGRATED)
     yield Paragraph(line(f"{law} integrated numerically from the first state on; the answers are read off."))
 
 
@@ -108,7 +110,7 @@ def _constant(motion: Simulation, figures: int) -> Iterator[Block]:
         off = max(abs(row[j] - place) for row, place in zip(found.rows, straight, strict=True))
         if off > UNIFORM * found.sizes[j]:
             return
-    yield Heading("STEP 1", "Uniform motion")
+    yield Heading("STEP 1", UNIFORM_MOTION)
     yield Paragraph(line("What is prescribed gives the velocities, which are constant all the time:"))
     for j in (j for j in kept if abs(rates[j]) * duration > UNIFORM * found.sizes[j]):
         name, unit = Name(_POINT.sub(r"_\1", found.names[j])), pretty_unit(found.units[j])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
@@ -11,7 +11,7 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import Tree, walk
 from planar_cli.problem.words import OF_SWINGS
 from planar_cli.records import record
 from planar_cli.simulate.answers import usual_unit
@@ -20,6 +20,23 @@ from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.units import Unit, parse_unit
 
+LATE = frozenset(
+    (
+        "path",
+        "hodograph",
+        *OF_SWINGS,
+        "stable",
+        "reached",
+        "mode",
+        "work",
+        "impulse",
+        "mean",
+        "heat",
+        "path_length",
+        "count",
+    )
+)
+"""What is no number at every moment."""
 HERE = Mark("<table>", 1, 1)
 
 
@@ -46,7 +63,7 @@ class Table:
 
 def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int) -> Table:
     """The rows at these times, or `count` of them evenly spread over the motion."""
-    columns = _columns(run.problem, asked)
+    columns = columns_of(run.problem, asked)
     trajectory = run.trajectory
     names, units, sizes = ["t"], ["s"], [trajectory.t1 or 1.0]
     scales = Timetable(run.problem, run.measures)
@@ -88,11 +105,19 @@ def _row(run: Run, columns: Sequence[Column], t: float, known: dict[Regime, Seve
         yield from (v / factor for v in found)
 
 
-def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
+def columns_of(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
     """What is asked for; else the finds that hold throughout; else the coordinates of all bodies."""
-    kinds = Kinds(Scope(problem, ()))
     found = [(f.name, f.found) for f in asked] or [(f.name, f.found) for f in problem.find if _throughout(f.found)]
-    found = found or list(_places(problem))
+    return _as_columns(problem, found or list(_places(problem)))
+
+
+def places_of(problem: Problem) -> tuple[Column, ...]:
+    """The coordinates of the file and of all bodies."""
+    return _as_columns(problem, list(_places(problem)))
+
+
+def _as_columns(problem: Problem, found: Sequence[tuple[str, Found]]) -> tuple[Column, ...]:
+    kinds = Kinds(Scope(problem, ()))
     made = []
     for name, what in found:
         if isinstance(what.what, Relation):
@@ -104,11 +129,15 @@ def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
 
 def _throughout(found: Found) -> bool:
     """Does it vary and have a value at all times?"""
-    nodes = list(walk(found.what))
-    quantities = [n for n in nodes if isinstance(n, Quantity)]
-    words = {q.word for q in quantities}
-    late = words & {"path", "hodograph", *OF_SWINGS, "stable", "reached", "mode", "work", "impulse", "mean"}
-    return bool(quantities) and not late and not any(getattr(n, "at", None) for n in nodes)
+    return varies(found.what, ())
+
+
+def varies(what: Tree, coordinates: Collection[str]) -> bool:
+    """Is it something that has a value at all times and may change, such as these coordinates?"""
+    nodes = list(walk(what))
+    words = {n.word for n in nodes if isinstance(n, Quantity)}
+    moving = words or any(isinstance(n, Name) and n.name in coordinates for n in nodes)
+    return bool(moving) and words.isdisjoint(LATE) and not any(getattr(n, "at", None) for n in nodes)
 
 
 def _places(problem: Problem) -> Iterator[tuple[str, Found]]:

@@ -1,0 +1,65 @@
+"""Graphs: axes with round ticks, the curves that were followed, states by name, words that do not collide."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from test_figures import demand_inside, illustrated_page
+from worked import worked
+
+from planar_cli.figures.illustrated import figures_of
+from planar_cli.formats._graph import ticked
+from planar_cli.formats._labels import clashes
+from planar_cli.formats._svg import papers_of
+from planar_cli.formats.html import Html
+from planar_cli.report.graphs import Graph
+from planar_cli.report.marks import Figure
+
+
+def path_of(stem: str) -> Path:
+    return next((ROOT / "problems").rglob(f"{stem}.yaml"))
+
+
+def graphs_of(figure: Figure) -> list[Graph]:
+    return [m for panel in figure.panels for m in panel.marks if isinstance(m, Graph)]
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "numbers"),
+    [
+        (0.0, 2.0, ["0", "0.5", "1.0", "1.5", "2.0"]),
+        (-0.1, 0.083, ["−0.10", "−0.05", "0", "0.05", "0.10"]),
+        (3.0, 3.0, ["1", "2", "3", "4", "5"]),
+        (0.0, 3.2e6, ["0", "1", "2", "3", "4"]),
+    ],
+)
+def test_ticks_stand_at_round_numbers(low: float, high: float, numbers: list[str]) -> None:
+    axis = ticked(low, high, 4)
+    assert [axis.told(t) for t in axis.ticks] == numbers
+    assert axis.low <= low <= high <= axis.high
+
+
+@pytest.mark.parametrize("stem", ["ball-that-comes-to-rest", "block-that-rocks", "puck-whose-string-winds-up"])
+def test_a_motion_that_was_integrated_has_its_graph(stem: str) -> None:
+    page = illustrated_page(path_of(stem))
+    figure = dict(figures_of(page))["motion"]
+    states = [s.name for s in worked(path_of(stem))[0].problem.states]
+    for graph in graphs_of(figure):
+        told = ", ".join("".join(str(getattr(p, "text", "")) for p in dot.words) for dot in graph.dots)
+        assert told.split(", ") == states
+        assert all(math.isfinite(v) for c in graph.curves for piece in c.pieces for spot in piece for v in spot)
+    assert not any(clashes(paper) for paper in papers_of(figure))
+    demand_inside(figure)
+    assert 'class="stroke curve c0"' in Html().render(page)
+
+
+def test_a_curve_is_what_was_followed() -> None:
+    """A ball falls 1 m: y = 1 - g t²/2 until it strikes at 0.45 s."""
+    figure = dict(figures_of(illustrated_page(path_of("ball-that-comes-to-rest"))))["motion"]
+    (graph,) = graphs_of(figure)
+    first = graph.curves[0].pieces[0]
+    assert all(abs(y - (1 - 9.81 * t * t / 2)) < 1e-7 for t, y in first)
+    assert abs(first[-1][0] - 0.451523641) < 1e-8
