@@ -107,7 +107,7 @@ def test_a_part_of_the_points_is_partly_right() -> None:
 
 @pytest.mark.parametrize(("text", "verdict"), [("-3.66 rad/s cw", "carried"), ("-3.70 rad/s cw", "wrong")])
 def test_a_minus_before_clockwise_may_be_its_opposite_where_earlier_values_say_so(text: str, verdict: str) -> None:
-    task = Task("p", "", "", (), (FORCE, TURN))
+    task = Task("p", "", "", (), (FORCE, TURN), behind=(("w", ("F",)),))
     handed = Submission("s", 0, (("p", "F", "20.0 N"), ("p", "w", text)))
     (_, one) = grade(handed, {0: Paper(0, (task,))}, Rules(), lambda *_: ((3.66,), ("F",))).graded
     assert one.told == verdict
@@ -299,7 +299,7 @@ def _of_the_later(task: Task, expected: Expected, own: Own) -> tuple[tuple[float
 def test_own_values_that_change_nothing_are_not_named() -> None:
     """c rests on a and b, or once b is put in on b alone."""
     a, b, c = (replace(FORCE, find=f) for f in "abc")
-    paper = Paper(0, (Task("p", "", "", (), (a, b, c)),))
+    paper = Paper(0, (Task("p", "", "", (), (a, b, c), behind=(("c", ("a", "b")),)),))
     handed = Submission("s", 0, tuple(("p", find, f"{n} N") for find, n in (("a", 20), ("b", 30), ("c", 60))))
     worded = replace(handed, answers=(*handed.answers[:2], ("p", "c", "60 N down the slope")))
     third = grade(handed, {0: paper}, Rules(), _of_both).graded[2]

@@ -242,7 +242,7 @@ def _print_report(report: ClassReport) -> None:
 
     echo("")
     for row in rows(report):
-        carried = f", {row.carried} follow from an earlier one" if row.carried else ""
+        carried = f", {row.carried} follow from another" if row.carried else ""
         ungradable = f", {row.ungradable} ungradable" if row.ungradable else ""
         mistakes = f"; {row.mistakes}" if row.mistakes else ""
         name = f"{row.problem}.{row.find}"

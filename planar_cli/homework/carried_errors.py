@@ -1,4 +1,4 @@
-"""Errors carried forward: a later find with the student's own value of an earlier one, in the same equations."""
+"""Errors carried forward: a find with the student's own value of one on which it rests, in the same equations."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
+from planar_cli.homework.dependence import only_unknown
 from planar_cli.homework.own_vectors import own_inputs, with_own
 from planar_cli.homework.paper import Expected, Task
 from planar_cli.homework.typed_formula import values_at
@@ -75,14 +76,10 @@ class _Part:
 
     def unknown_of(self, find: str, number: float, right: Values) -> tuple[sp.Symbol, float] | None:
         """The one unknown of which a find is made, with its value where the find has a number; None: there are more."""
-        asked = self.equations.asked.get(find)
-        if asked is None or len(asked.parts) != 1:
+        symbol = only_unknown(self.equations, find)
+        if symbol is None or symbol not in right:
             return None
-        expr = asked.parts[0]
-        unknowns = [s for s in expr.free_symbols if s in right and s not in set(self.equations.inputs.values())]
-        if len(unknowns) != 1 or unknowns[0] in self.equations.defined:
-            return None
-        (symbol,) = unknowns
+        expr = self.equations.asked[find].parts[0]
         if expr == symbol:
             return symbol, number
         value = right[symbol]

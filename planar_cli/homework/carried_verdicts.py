@@ -1,18 +1,50 @@
-"""What follows rightly from wrong earlier values of the student's own: its verdict and its score."""
+"""What follows rightly from wrong values of the student's own of what it rests on: its verdict and its score."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.homework import typed
+from planar_cli.homework.dependence import in_turn
 from planar_cli.homework.needed import needed
-from planar_cli.homework.paper import RIGHT, Expected, Graded, Task
+from planar_cli.homework.paper import RIGHT, WRONG, Expected, Graded, Task
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import within
 
 Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
 """What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
+
+
+def with_carried(
+    task: Task,
+    pairs: Sequence[tuple[Graded, tuple[float, ...] | None]],
+    rules: Rules,
+    carry: Carry,
+) -> list[Graded]:
+    """The finds of a problem, of each its verdict and its numbers: those that follow rightly from wrong values of finds
+    on which they rest are carried.
+    """
+    graded = [one for one, _ in pairs]
+    if sum(one.verdict == WRONG for one in graded) < 2:
+        return graded
+    behind = dict(task.behind)
+    wrong: dict[str, tuple[float, ...]] = {}
+    right = {one.find: values for one, values in pairs if values is not None and one.verdict == RIGHT}
+    for place in in_turn([one.find for one in graded], behind):
+        one, values = pairs[place]
+        if one.verdict != WRONG or values is None:
+            continue
+        own = {n: v for n, v in wrong.items() if n in behind.get(one.find, ())}
+        if own:
+            one = carried_on(task, task.expected[place], one, values, own, rules, carry)
+            more = {n: right[n] for n in behind[one.find] if n in right}
+            if not one.carried and more:
+                one = carried_on(task, task.expected[place], one, values, own | more, rules, carry, tuple(own))
+            graded[place] = one
+        # What only follows from another stands first: it is the first to be found needless.
+        wrong = {one.find: values, **wrong} if one.carried else {**wrong, one.find: values}
+    return graded
 
 
 def carried_on(

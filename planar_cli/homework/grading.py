@@ -12,7 +12,7 @@ from dataclasses import replace
 from planar_cli.homework import typed
 from planar_cli.homework.answered_names import answered
 from planar_cli.homework.asked_part import asked_part
-from planar_cli.homework.carried_verdicts import Carry, carried_on
+from planar_cli.homework.carried_verdicts import Carry, with_carried
 from planar_cli.homework.figures import too_few
 from planar_cli.homework.meant_units import meant, told, weights
 from planar_cli.homework.named_mistakes import named, named_formula
@@ -86,31 +86,24 @@ def grade(
     answers = answered(submission.answers, paper)
     graded: list[Graded] = []
     for task in paper.tasks:
-        own: dict[str, tuple[float, ...]] = {}
-        right: dict[str, tuple[float, ...]] = {}
-        for expected in task.expected:
-            place = task.problem, expected.find
-            text = answers.texts.get(place)
-            one, values = known.graded(paper.variant, task, expected, text, rules)
-            if one.verdict == WRONG and carry is not None and own and values is not None:
-                one = carried_on(task, expected, one, values, own, rules, carry)
-                if not one.carried and right:
-                    one = carried_on(task, expected, one, values, own | right, rules, carry, tuple(own))
-            if values is not None and one.verdict == WRONG:
-                # What only follows from another stands first: it is the first to be found needless.
-                own = {expected.find: values, **own} if one.carried else {**own, expected.find: values}
-            elif values is not None and one.verdict == RIGHT:
-                right[expected.find] = values
-            if place in answers.names:
-                said = f"the answer stands under '{shown(answers.names[place])}'"
-                one = replace(one, message="; ".join(filter(None, (one.message, said))))
-            graded.append(one)
+        texts = [answers.texts.get((task.problem, e.find)) for e in task.expected]
+        pairs = [known.graded(paper.variant, task, e, t, rules) for e, t in zip(task.expected, texts, strict=True)]
+        found = [one for one, _ in pairs] if carry is None else with_carried(task, pairs, rules, carry)
+        graded += [_under(answers.names.get((task.problem, one.find), ""), one) for one in found]
     if submission.wrong and not submission.answers:
         # Nothing of it could be read, or it was given up: that is not to leave all blank.
         message = f"this cannot be graded: {submission.wrong[0]}"
         graded = [replace(one, verdict=UNGRADABLE, message=message) for one in graded]
     wrong = (*submission.wrong, *answers.unknown)
     return Result(submission.student, submission.variant, tuple(graded), submission.source, wrong)
+
+
+def _under(name: str, one: Graded) -> Graded:
+    """With the name under which the answer stands, where it is not that of the find."""
+    if not name:
+        return one
+    said = f"the answer stands under '{shown(name)}'"
+    return replace(one, message="; ".join(filter(None, (one.message, said))))
 
 
 def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:

@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
+from planar_cli.homework.dependence import behind_each
 from planar_cli.homework.followed_mistakes import with_followed
 from planar_cli.homework.given_letters import gravity_told, pure_numbers, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
@@ -66,7 +67,8 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
         for d, e in zip(draws, rows, strict=True)
     ]
-    made = [_task(problem, solved, d, e) for d, e in zip(draws, asked, strict=True)]
+    behind = behind_each(solved if same is None else same.problem)
+    made = [replace(_task(problem, solved, d, e), behind=behind) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     return Prepared(
         problem.name,

@@ -93,6 +93,8 @@ class Task:
     """The same lines of what varies, wherever the student reads it."""
     lead: str = "Given"
     """What stands before `given`: beside a text that tells values it is not all."""
+    behind: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """By find, where there are any: the finds on which it rests, of which own values are carried into it."""
 
 
 @record
@@ -110,7 +112,7 @@ RIGHT, WRONG, UNGRADABLE, MISSING = "right", "wrong", "ungradable", "missing"
 PARTLY = "partly right"
 """In print, of a right value with a slip in unit, sign or figures, which has a part of its points."""
 CARRIED = "carried"
-"""In print, of what is wrong and follows rightly from a wrong earlier value of the student's own."""
+"""In print, of what is wrong and follows rightly from another wrong value of the student's own."""
 
 
 @record
@@ -139,7 +141,7 @@ class Graded:
     feedback: str = ""
     """What the one mistake is, in a sentence; "" where there is none or it is ambiguous."""
     carried: tuple[str, ...] = ()
-    """Earlier finds of which the student's own values were put in."""
+    """Finds on which it rests and of which the student's own values were put in."""
     expected: str = ""
     """What the key says; only for the lecturer."""
     due_unit: str = ""

@@ -24,6 +24,6 @@ class Rules:
     precision: float = 1.0
     """Credit for a right number with fewer figures than are asked for."""
     carried: float = 1.0
-    """Credit for what follows rightly from the student's own earlier value."""
+    """Credit for what follows rightly from another wrong value of the student's own."""
     comma: bool = False
     """Is 12,5 twelve and a half?"""

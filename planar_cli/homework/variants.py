@@ -128,6 +128,7 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
     carried = Carried(problem, values)
     numbers = {f.name: carried.asked(p, f) for p, f in problem.finds if _is_number(base[f.name], problem, f.name)}
     why = _objections(problem, values, base, numbers, carried, len(drawn))
+    signs = {find: _signs(base[find].values, base[find].scale) for find in numbers}
     for k, draw in enumerate(drawn):
         for pair in draw.values:
             found.met.setdefault(pair, Counter())[why[k]] += 1
@@ -143,7 +144,7 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
             if one.name not in numbers:
                 expected.append(base[one.name])
                 continue
-            own = tuple(float(n[k]) for n in numbers[one.name])
+            own = tuple(float(n[k]) if due else 0.0 for n, due in zip(numbers[one.name], signs[one.name], strict=True))
             scale = scale_of(part, one.unit, problem.problem.us)
             data = {name: float(column[k]) for name, column in values.items()}
             expected.append(expected_of(problem, part, one, own, scale, data))

@@ -33,8 +33,8 @@ class Gradebook(ResultExport):
 
     The files
         `student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message` in UTF-8. `unit`
-        is that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from a wrong
-        earlier value), ungradable or missing. A submission that cannot be graded at all has one row without problem
+        is that of the key, `tolerance` relative, `status` right, wrong, carried (it follows rightly from another
+        wrong value), ungradable or missing. A submission that cannot be graded at all has one row without problem
         and find. Texts that a spreadsheet would run as a formula begin with an apostrophe. It holds the key, so it is
         for the lecturer. `totals` has `student,variant,score,max_score`, of several submissions of a student the last.
 

@@ -20,10 +20,12 @@ A set is a file that lists problem files:
 
 Only `problems` is needed; `title: Homework 3` and `text` head the sheets. A credit is the part of the points that is
 given for the right number with a wrong unit, without a unit (else that is ungradable, and told so), with the wrong sign
-or sense, with too few figures, and for what follows rightly from a wrong earlier value of the student's own (1 unless
+or sense, with too few figures, and for what follows rightly from another wrong value of the student's own (1 unless
 said otherwise). What is carried is the student's own value, also a vector, put into the equations of the worked
-solution, alone or with the student's right values, so that a way by other equations may come to another number; a value
-of zero, or one that is far off, carries nothing, nor does one of a motion that is followed in numbers.
+solution, alone or with the student's right values, so that a way by other equations may come to another number. It is
+carried into each find that rests on it in these equations, in whatever order the finds stand in the file; of finds that
+rest on each other, as the unknowns of one system do, into those that are asked later. A value of zero, or one that is
+far off, carries nothing, nor does one of a motion that is followed in numbers.
 
 An answer with fewer than `figures` figures is told so, and has the credit for `precision`. With `decimal_comma` a
 semicolon parts the components of a vector, `[3,5; -4] m/s`; a point is a decimal point in any case.
@@ -90,7 +92,7 @@ read, or has more than 10 000 characters, costs that line alone.
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
 
 Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where it
-follows rightly from a wrong earlier value of the student, `carried` is printed for wrong, and `partly right` where a
+follows rightly from another wrong value of the student, `carried` is printed for wrong, and `partly right` where a
 slip in unit, sign or figures leaves a part of the points. Of a vector the part that is asked is taken, and told. A
 wrong number or formula that just one typical mistake gives, as far as the student wrote it out, is told so: 1.52 is
 also 1.5159. A number of two figures tells of no mistake, unless the sheet asks for no more. `planar explain` lists the

@@ -1,0 +1,77 @@
+"""Own values are carried by what rests on what in the equations, in whatever order the finds are asked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.homework.dependence import behind_each, in_turn
+from planar_cli.homework.grading_made import grading_of
+from planar_cli.homework.homework import assembled, prepared
+from planar_cli.homework.paper import Submission
+from planar_cli.homework.set_file import read_set
+from planar_cli.homework.worked_problem import read_and_solve
+
+SLOPE = """
+plane: vertical
+given: {m: 2 kg, beta: 30 deg, mu: 0.2}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu}
+instant: [at rest]
+find: {FINDS}
+"""
+NORMAL_LAST, NORMAL_FIRST = "{a: a(block).mag, N: N(A)}", "{N: N(A), a: a(block).mag}"
+CRANK = """
+given: {r: 120 mm, l: 400 mm, n: 120 rpm, phi: 60 deg}
+points: {O: [0, 0], A: {from: O, distance: r, angle: phi}, B: {y: 0 m, distances: {A: l}, side: right}}
+bodies: {crank: {rod: [O, A]}, rod: {rod: [A, B]}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: A, between: [crank, rod]}
+  - guide: {point: B, along: 0 deg}
+motion: [omega(crank) = -n]
+find: {v_B: v(B).x, omega_AB: omega(rod), v_A: v(A)}
+"""
+
+
+def verdicts(folder: Path, text: str, answers: dict[str, str]) -> dict[str, tuple[str, tuple[str, ...]]]:
+    (folder / "p.yaml").write_text(text)
+    (folder / "set.yaml").write_text("problems: [p.yaml]")
+    homework_set = read_set(str(folder / "set.yaml"))
+    homework = assembled(homework_set, [prepared(homework_set.problems[0], 0, 1)])
+    handed = Submission("ann", 0, tuple(("p", find, typed) for find, typed in answers.items()))
+    graded = grading_of(homework_set, homework)()(handed).graded
+    return {one.find: (one.told, one.carried) for one in graded}
+
+
+@pytest.mark.parametrize("finds", [NORMAL_LAST, NORMAL_FIRST])
+def test_the_order_of_the_finds_does_not_matter(finds: str, tmp_path: Path) -> None:
+    """N = m g sin β is wrong, and a = g sin β - μ N/m follows from it."""
+    found = verdicts(tmp_path, SLOPE.replace("{FINDS}", finds), {"N": "9.81 N", "a": "3.924 m/s^2"})
+    assert found == {"N": ("wrong", ()), "a": ("carried", ("N",))}
+
+
+def test_an_own_vector_is_carried_into_finds_before_it(tmp_path: Path) -> None:
+    """v_A with sine and cosine exchanged: ω = -v_Ay/(l cos ψ), v_B = v_Ax + v_Ay tan ψ."""
+    found = verdicts(
+        tmp_path, CRANK, {"v_B": "1.105 m/s", "omega_AB": "3.380 rad/s ccw", "v_A": "[0.7540, -1.306] m/s"}
+    )
+    assert found["v_A"] == ("wrong", ())
+    assert found["omega_AB"] == ("carried", ("v_A",))
+    assert found["v_B"][0] == "carried"
+
+
+def test_what_rests_on_each_other_is_carried_in_the_order_of_the_file(tmp_path: Path) -> None:
+    (tmp_path / "p.yaml").write_text(CRANK.replace("{v_B", "{v: v(A).mag, omega: omega(crank), v_B"))
+    behind = dict(behind_each(read_and_solve(str(tmp_path / "p.yaml"), "p")))
+    assert behind["omega"] == ("v",)
+    assert "omega" not in behind.get("v", ())
+
+
+def test_each_find_comes_behind_those_on_which_it_rests() -> None:
+    assert list(in_turn(["a", "F", "N"], {"a": ("F", "N"), "F": ("N",)})) == [2, 1, 0]
+    assert list(in_turn(["a", "b"], {})) == [0, 1]
