@@ -29,7 +29,8 @@ ROUNDS = 40
 @record
 class Carriable:
     """What carrying needs of a problem, fit to cross processes: by case its equations; `units` of the finds, `cases` in
-    which they stand; `values`: by variant, numbers of given names in base units.
+    which they stand; `values`: by variant, numbers of given names in base units; `own`: by case, names that it gives
+    itself, whatever a variant has.
     """
 
     us: bool
@@ -37,6 +38,7 @@ class Carriable:
     cases: Mapping[str, str]
     units: Mapping[str, str]
     values: Mapping[int, Mapping[str, float]]
+    own: Mapping[str, frozenset[str]]
 
 
 def carriable(problem: WorkedProblem, values: Mapping[int, Mapping[str, float]]) -> Carriable:
@@ -47,6 +49,7 @@ def carriable(problem: WorkedProblem, values: Mapping[int, Mapping[str, float]])
         {f.name: p.solution.case for p, f in problem.finds},
         {f.name: f.unit.text for _, f in problem.finds},
         values,
+        {p.solution.case: p.own for p in problem.parts},
     )
 
 
@@ -208,7 +211,8 @@ def _carried(
         return tuple(n * unit(find) for n in numbers)
 
     known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
-    inputs, right = part.start(key, {**given, **known})
+    varied = {n: v for n, v in given.items() if n not in data.own[case]}
+    inputs, right = part.start(key, {**varied, **known})
     inputs = dict(inputs)
     fixed: Values = {}
     names: list[str] = []

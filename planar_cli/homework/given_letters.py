@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
+from planar_cli.homework.own_names import own_names
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.worked_problem import Part, WorkedProblem, ledger_of
 from planar_cli.problem.parser import parse_side
@@ -51,13 +52,13 @@ def pure_numbers(problem: WorkedProblem, values: Mapping[str, str]) -> dict[str,
 
 
 def given_numbers(own: Problem, whole: Problem, values: Mapping[str, str]) -> Given:
-    """The numbers of `given` in a part with its `own` names; a case that has another number than the `whole` file keeps
-    it, whatever the variant.
+    """The numbers of `given` in a part with its `own` names; a case that gives a number itself keeps it,
+    whatever the variant of the `whole` file.
     """
-    of_file = {s.name: s.value for s in whole.given}
+    kept = own_names(own, whole)
     found: Given = {}
     for name in own.given:
-        varied = name.name in values and name.value == of_file.get(name.name)
+        varied = name.name in values and name.name not in kept
         side = parse_side(values[name.name], Mark("<variant>", 1, 1)) if varied else name.value
         number = None if side is None else number_of(side)
         if number is not None:

@@ -118,7 +118,11 @@ def _with_numbers(node: Node, letters: Mapping[str, float], units: Mapping[str, 
     node = with_first_values(node)
     assert isinstance(node, MappingNode)
     whole = _numbers_given(node, letters, units)
-    pairs = tuple((k, _cases(v, letters, units) if k.text == "cases" else v) for k, v in whole.pairs)
+    # A letter that the file gives as a number is one for a case alone; all others vary with those of the file.
+    given = node.get("given")
+    known = {key.text for key, _ in given.pairs} if isinstance(given, MappingNode) else set()
+    of_cases = {n: v for n, v in letters.items() if n in known}
+    pairs = tuple((k, _cases(v, of_cases, units) if k.text == "cases" else v) for k, v in whole.pairs)
     return MappingNode(pairs, node.mark)
 
 
@@ -129,7 +133,11 @@ def _cases(node: Node, letters: Mapping[str, float], units: Mapping[str, str]) -
     def own(case: Node) -> Node:
         symbols = case.get("symbols") if isinstance(case, MappingNode) else None
         names = [key.text for key, _ in symbols.pairs] if isinstance(symbols, MappingNode) else []
-        return _numbers_given(case, {n: letters[n] for n in names}, units) if isinstance(case, MappingNode) else case
+        return (
+            _numbers_given(case, {n: letters[n] for n in names if n in letters}, units)
+            if isinstance(case, MappingNode)
+            else case
+        )
 
     return MappingNode(tuple((key, own(case)) for key, case in node.pairs), node.mark)
 

@@ -22,6 +22,7 @@ from planar_cli.homework.asked_words import asked_words, is_energy
 from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.own_gravity import gravity_of
+from planar_cli.homework.own_names import own_names
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
 from planar_cli.problem.expression import Quantity
@@ -62,6 +63,8 @@ class Part:
     problem: Problem
     replay: Replay | None
     why: str = ""
+    own: frozenset[str] = frozenset()
+    """Names that the case gives itself, whatever a variant has."""
 
 
 @changing
@@ -102,7 +105,7 @@ def worked(path: str, name: str, node: Node) -> WorkedProblem:
     if problem is None or wrong:
         raise FileProblem(wrong)
     solution = _solved(problem)
-    parts = tuple(_part(p, _of_part(solution.problem, p)) for p in solution.parts)
+    parts = tuple(_part(p, _of_part(solution.problem, p), problem) for p in solution.parts)
     return WorkedProblem(name, path, node, problem, solution, parts)
 
 
@@ -134,12 +137,13 @@ def _of_part(problem: Problem, part: PartSolution) -> Problem:
     return next((c.problem for c in problem.cases if c.name == part.case), problem)
 
 
-def _part(part: PartSolution, problem: Problem) -> Part:
+def _part(part: PartSolution, problem: Problem, whole: Problem) -> Part:
     """A part with its equations, for those finds of which they give what was found."""
+    own = own_names(problem, whole)
     try:
         replay = Replay(equations_of(part))
     except NotWritten as why:
-        return Part(part, problem, None, str(why))
+        return Part(part, problem, None, str(why), own)
     asked, run = replay.equations.asked, replay.run({})
     due = {f.name: [float(v) for v in f.values or ()] for f in part.found}
     same = {n: a for n, a in asked.items() if _agrees([float(v[0]) for v in run.asked(n)], due[n])}
@@ -147,7 +151,8 @@ def _part(part: PartSolution, problem: Problem) -> Part:
         # Instants that have the same letters for other numbers.
         equations = replace(replay.equations, asked=same)
         replay = Replay(equations, replay)
-    return Part(part, problem, replay) if same else Part(part, problem, None, "its equations give other numbers")
+    why = "" if same else "its equations give other numbers"
+    return Part(part, problem, replay if same else None, why, own)
 
 
 def _agrees(numbers: Sequence[float], due: Sequence[float]) -> bool:
@@ -179,6 +184,7 @@ class Carried:
         self, worked_problem: WorkedProblem, values: Mapping[str, Numbers], model: ModelOf | None = None
     ) -> None:
         self.problem, self.model = worked_problem, model
+        self.count = max(map(np.size, values.values()), default=1)
         self.runs: dict[str, Run] = {}
         self._earlier: dict[str, Numbers] = {}
         for part in worked_problem.parts:
@@ -192,15 +198,19 @@ class Carried:
 
     def _run(self, part: Part, replay: Replay, values: Mapping[str, Numbers]) -> Run:
         inputs = replay.equations.inputs
-        known = {inputs[n]: v for n, v in {**values, **self._earlier}.items() if n in inputs}
+        varied = {n: v for n, v in values.items() if n not in part.own}
+        known = {inputs[n]: v for n, v in {**varied, **self._earlier}.items() if n in inputs}
         if self.model is None or self.model.case != part.solution.case:
             return replay.run(known)
         return self.model.run(known)
 
     def asked(self, part: Part, found: Found) -> tuple[Numbers, ...]:
-        """A find in its unit, one array for each component."""
+        """A find in its unit, one array for each component; the same number throughout where a case rests on nothing
+        that varies.
+        """
         factor = 1.0 / in_base(found.unit, self.problem.problem.us)
-        return tuple(v * factor for v in self.runs[part.solution.case].asked(found.name))
+        numbers = self.runs[part.solution.case].asked(found.name)
+        return tuple(np.broadcast_to(v * factor, self.count) for v in numbers)
 
 
 class ModelOf:
@@ -263,6 +273,7 @@ def expected_of(
     what = found.find.found.what if found.find is not None else None
     last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
     direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
+    own = {n: v for n, v in own.items() if n not in part.own}
     rotation = not direction and (found.unit.angle or (isinstance(what, Quantity) and what.word in TURNING))
     axis = last if last in ("x", "y") else ""
     moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1

@@ -1,0 +1,86 @@
+"""The numbers of variants are those of the same file solved with their values, and no mistake gives a right one."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from pathlib import Path
+
+import pytest
+
+from planar_cli.homework.carried_errors import Carrier
+from planar_cli.homework.homework import prepared
+from planar_cli.homework.ready import Prepared
+from planar_cli.homework.set_file import read_set
+from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_numbers
+
+
+def ready(folder: Path, text: str, number: int) -> tuple[WorkedProblem, Prepared]:
+    """A problem and its variants."""
+    (folder / "p.yaml").write_text(text)
+    (folder / "set.yaml").write_text(f"problems: [p.yaml]\nvariants: {{number: {number}, seed: 5}}\n")
+    (problem,) = read_set(str(folder / "set.yaml")).problems
+    return read_and_solve(problem.path, "p"), prepared(problem, number, 5)
+
+
+def assert_solved_anew_the_same(worked: WorkedProblem, made: Prepared) -> None:
+    for values, task in zip(made.values, made.tasks, strict=True):
+        anew = {e.find: e for e in base_expected(with_numbers(worked, dict(values)))}
+        for one in task.expected:
+            assert one.values == pytest.approx(anew[one.find].values, rel=1e-7), (values, one.find)
+            assert one.text == anew[one.find].text
+
+
+HARDER = """
+plane: horizontal
+given: {m: {from: 40 kg, to: 60 kg, step: 5 kg}, P: {one_of: [100 N, 200 N, 300 N]}}
+points: {A: [0, 0]}
+bodies: {crate: {particle: A, mass: m}}
+loads:
+  - force: {body: crate, magnitude: P, angle: 20 deg}
+instant: [at rest]
+find: {a: a(crate).x}
+cases:
+  strong:
+    given: {P: 300 N}
+    find: {a_strong: a(crate).x}
+"""
+
+
+def test_what_a_case_gives_itself_does_not_vary_there(tmp_path: Path) -> None:
+    """a = P cos 20° / m with 300 N in each variant, also where the file's own value is that of the case."""
+    worked, made = ready(tmp_path, HARDER, 8)
+    assert_solved_anew_the_same(worked, made)
+    assert made.taken == 8
+    again, same = ready(tmp_path, HARDER.replace("given: {P: 300", "given: {P: 100"), 8)
+    assert_solved_anew_the_same(again, same)
+
+
+ROUGH = """
+plane: vertical
+given: {m: 40 kg, P: {one_of: [100 N, 200 N]}}
+points: {A: [0, 0]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {crate: {particle: A, mass: m}}
+joints:
+  - contact: {between: [crate, floor], at: A, mu: 0.1}
+loads:
+  - force: {body: crate, magnitude: P, angle: 20 deg}
+instant: [v(crate).x = 1 m/s]
+find: {a: a(crate).x}
+cases:
+  strong:
+    given: {P: 300 N}
+    find: {N: reaction(A).y, a_strong: a(crate).x}
+"""
+
+
+def test_an_own_error_is_carried_with_what_the_case_gives(tmp_path: Path) -> None:
+    """a = (P cos 20° - 0.1 N) / m with 300 N and the own N, in each variant."""
+    _, made = ready(tmp_path, ROUGH, 2)
+    carrier = Carrier({"p": pickle.loads(made.carrying)})
+    for k, task in enumerate(made.tasks):
+        one = next(e for e in task.expected if e.find == "a_strong")
+        due = carrier.for_variant(k)(task, one, {"N": (392.4,)})
+        assert due is not None
+        assert due[0] == pytest.approx([(300 * math.cos(math.radians(20)) - 39.24) / 40])
