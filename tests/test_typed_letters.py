@@ -169,3 +169,44 @@ def test_what_cannot_be_read_is_told(text: str, said: str) -> None:
     one = graded(OMEGA, text)
     assert one.verdict == "ungradable", one.message
     assert said in one.message
+
+
+BLOW = Expected(
+    "w",
+    "",
+    "formula",
+    (),
+    "rad/s",
+    "",
+    0.01,
+    1.0,
+    rotation=True,
+    formula="(1 + e)*m*v_0*b/(M*l^2/3 + m*b^2)",
+    letters=(("M", "kg"), ("b", "m"), ("e", "1"), ("l", "m"), ("m", "kg"), ("v_0", "m/s")),
+    known=(("M", 9.0), ("b", 1.2), ("e", 0.6), ("l", 1.2), ("m", 2.0)),
+)
+JERK = replace(BLOW, rotation=False, unit="N*s", formula="(1 + e)*M*m*v_0/(2*(M + 3*m))")
+FEET = replace(
+    BLOW, us=True, formula="v_0/b", letters=(("b", "ft"), ("v_0", "ft/s")), known=(("b", 0.6096),), others=()
+)
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "score"),
+    [
+        *((BLOW, t, 1.0) for t in ("0.533 v_0", "0.533 v_0 rad/m", "0.533 v_0 1/m", "0.533*v_0 rad/s", "0.533/m*v_0")),
+        *((BLOW, t, 1.0) for t in ("0.533 rad/m v_0", "0.533 1/m v_0", "0.00533 v_0 1/cm")),
+        *((JERK, t, 1.0) for t in ("0.96 kg v_0", "0.960 kg*v_0", "960 g v_0", "0.96 v_0 kg", "0.96*v_0 N*s")),
+        *((FEET, t, 1.0) for t in ("0.500*v_0", "0.500 v_0 rad/ft", "0.500 rad/ft v_0", "1.64 v_0 1/m", "v_0/2 rad/s")),
+        (BLOW, "0.533 v_0 m/s", 0.5),
+        (BLOW, "0.533 v_0 rad", 0.5),
+        (JERK, "0.96 s v_0", 0.5),
+        (JERK, "-0.96 kg v_0", 0.5),
+        (JERK, "0.7 kg*v_0", 0.0),
+        (BLOW, "0.533 v_0 1/cm", 0.0),
+        (FEET, "1.64*v_0", 0.0),
+    ],
+)
+def test_a_number_before_letters_may_have_its_unit(expected: Expected, text: str, score: float) -> None:
+    one = graded(expected, text)
+    assert (one.score, one.verdict) == (score, "right" if score == 1 else "wrong"), one.message

@@ -71,6 +71,8 @@ class Expected:
     """Of a component along a line: where it is positive, in radians counterclockwise from +x."""
     size: bool = False
     """Is it the magnitude of a vector?"""
+    us: bool = False
+    """Are its base units ft, slug and s?"""
     gravity: float = 0.0
     """The acceleration of gravity of the problem in m/s^2; 0 where none stands in it."""
 

@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 
 from planar_cli.homework.unreadable import Unreadable
-from planar_cli.units import Unit, UnitError, parse_unit
+from planar_cli.units import ATOMS, Unit, UnitError, parse_unit
 
 _SPELT = {
     **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
@@ -30,6 +30,12 @@ _SPELT = {
     **dict.fromkeys(("Ns",), "N*s"),
     **dict.fromkeys(("fps",), "ft/s"),
 }
+
+
+def atom_of(word: str) -> str:
+    """The name of the one unit that a word is, as problem files have it; "" if it is none."""
+    name = _SPELT.get(word, word)
+    return name if name in ATOMS and name != "1" else ""
 
 
 @lru_cache(maxsize=4096)

@@ -294,6 +294,7 @@ def expected_of(
         axis,
         heading=heading_of(what, part.replay.equations if part.replay is not None else None, own),
         size=last == "mag",
+        us=problem.problem.us,
         gravity=gravity_of(part.replay.equations if part.replay is not None else None, own, problem.problem.us),
     )
 
