@@ -11,7 +11,13 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.figures.positions import JOINED
+from planar_cli.report.blocks import Text
+from planar_cli.report.marks import Figure, Tag
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.solved_problem import PartSolution
 
 EVERY = 12
 """Of so many problem files one is drawn in each run, as in test_figures.py."""
@@ -44,3 +50,35 @@ def test_a_body_is_drawn_where_the_page_has_it(path: Path) -> None:
                 spot = there.spot(there.scene.bodies[body].center)
                 assert spot is not None
                 assert spot[axis] == pytest.approx(float(told), abs=1e-9), (state, body)
+
+
+def scene_of(path: Path) -> tuple[Figure, PartSolution] | None:
+    """The arrangement of a file with the part of its solution that it shows."""
+    solution = worked(path)[0]
+    drawn = dict(figures_of(illustrated(narrate(solution), solution)))
+    part = next((part for part in solution.parts if part.instants), None)
+    return (drawn["scene"], part) if "scene" in drawn and part is not None else None
+
+
+@pytest.mark.parametrize("path", [*PROBLEMS[::EVERY], *SEVERAL_REGIMES], ids=name_of)
+def test_every_state_whose_places_are_known_is_drawn_once(path: Path) -> None:
+    found = scene_of(path)
+    if found is None:
+        return
+    figure, part = found
+    tags = [(m.at, m.words) for m in figure.panels[0].marks if isinstance(m, Tag)]
+    assert len(set(tags)) == len(tags)
+    words = {w.text for _, told in tags for w in told if isinstance(w, Text)}
+    told = {name for text in words for name in text.split(JOINED)}
+    for name in part.motion.states if part.motion is not None else ():
+        there, first = (Drawn.in_state(part.motion, s) for s in (name, part.motion.states[0]))
+        if there is not None and first is not None and name in {s.name for s in part.motion.problem.states}:
+            moved = any(far(there, first, body) for body in there.scene.bodies)
+            assert not moved or name.replace("_", " ") in told, (name, told)
+
+
+def far(there: Drawn, first: Drawn, body: str) -> bool:
+    """Is a body in another place, so that it is seen?"""
+    here, before = (d.spot(d.scene.bodies[body].center) for d in (there, first))
+    size = max(map(abs, before or (0.0, 0.0)))
+    return here is not None and before is not None and max(map(abs, here)) > 10 * size + 1e-3

@@ -3,54 +3,64 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
-from planar_cli.figures.positions import position_marks
+from planar_cli.figures.positions import Later, brought_near, position_marks, positions
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
 from planar_cli.problem import expression
 from planar_cli.problem.entry import Entry
-from planar_cli.problem.scene import Line, Particle, Problem, Surface
+from planar_cli.problem.scene import Circle, Line, Particle, Problem, Surface
 from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, spots_of
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
+if TYPE_CHECKING:
+    from planar_cli.simulate.run import Run
+
 ALONE = 1.0
 """The size of a scene that is one point, m."""
 
 
-def arrangement(instant: InstantSolution, motion: MotionTrace | None = None) -> Panel:
-    """The scene of an instant where the file draws it; of a motion where it begins, and where its bodies are later."""
+def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run: Run | None = None) -> Panel:
+    """The scene of an instant where the file draws it; of a motion where it begins, and where its bodies are later.
+
+    `run`: the motion as it was followed, which tells ways that no formula tells.
+    """
     drawn = Drawn.as_in_the_file(instant)
     problem = drawn.scene.problem
-    if motion is not None and problem.states:
-        drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
-    marks = list(_marks(drawn, problem))
-    if motion is not None:
-        places = [s for m in marks for s in spots_of(m)]
-        marks += position_marks(drawn, motion, [s.name for s in problem.states], extent(places) or ALONE)
-    return Panel(tuple(marks))
+    if motion is None or not problem.states:
+        return Panel(tuple(_marks(drawn, problem.joints)))
+    drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
+    joints = motion.problem.joints
+    size = extent([s for m in _marks(drawn, joints) for s in spots_of(m)])
+    places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
+    return Panel((*_marks(drawn, joints, places[1:]), *position_marks(places, motion, run)))
 
 
-def _marks(drawn: Drawn, problem: Problem) -> Iterator[Mark]:
-    scene = drawn.scene
+def _marks(drawn: Drawn, joints: Sequence[Joint], later: Sequence[Later] = ()) -> Iterator[Mark]:
+    """`joints`: those of the whole file, whenever they hold; `later`: further positions, to which surfaces go on."""
+    scene, problem = drawn.scene, drawn.scene.problem
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
     centers = [s for b in scene.bodies.values() if (s := drawn.spot(b.center)) is not None]
     size = extent([*points.values(), *centers]) or ALONE
     standing: dict[str, Symbol] = {}
     for surface in problem.surfaces:
-        touching = [points[p] for p in _touching(problem, surface) if p in points]
-        beside = [scene.bodies[b] for b in _partners(problem, surface) if b in scene.bodies]
-        near = [s for b in beside if (s := drawn.spot(b.center)) is not None]
-        touching += [s for b in beside for m in body_marks(drawn, b) for s in spots_of(m)]
-        for mark in surface_marks(drawn, surface, touching, near or centers, size):
+        touching = [points[p] for p in _touching(joints, surface) if p in points]
+        partners = [b for b in _partners(joints, surface) if b in scene.bodies]
+        near = [s for b in partners if (s := drawn.spot(scene.bodies[b].center)) is not None]
+        beside = scene.bodies if isinstance(surface.shape, Line | Circle) else partners
+        seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
+        seen += [p.marks(b) for p in later for b in beside if b in p.spots]
+        for mark in surface_marks(drawn, surface, touching, seen, near or centers, size):
             yield mark
             if isinstance(mark, Hatched):
                 standing.update(_standing(drawn, problem, surface, mark))
@@ -80,20 +90,20 @@ def _sketch(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
         return ()
 
 
-def _touching(problem: Problem, surface: Surface) -> Iterator[str]:
+def _touching(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
     """The points of the file on a surface: where bodies touch it, and through which it is drawn."""
     shape = surface.shape
     if isinstance(shape, Line):
         yield shape.through
-    for joint in problem.joints:
+    for joint in joints:
         if surface.name in _between(joint):
             yield from (p for p in (getattr(joint, "at", ""), getattr(joint, "point", "")) if p)
-    yield from _partners(problem, surface)
+    yield from _partners(joints, surface)
 
 
-def _partners(problem: Problem, surface: Surface) -> Iterator[str]:
+def _partners(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
     """The bodies that touch a surface, or slide along it."""
-    for joint in problem.joints:
+    for joint in joints:
         partners = _between(joint)
         if surface.name in partners:
             yield from (p for p in partners if p != surface.name)

@@ -71,7 +71,7 @@ def _arrangement(solution: Solution) -> Figure | None:
     if found is None:
         return None
     part, instant = found
-    return Figure((arrangement(instant, part.motion),), solution.problem.title, name="scene")
+    return Figure((arrangement(instant, part.motion, part.run),), solution.problem.title, name="scene")
 
 
 def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:

@@ -1,73 +1,201 @@
-"""Where bodies are in later states, dashed beside the position in which the file draws them."""
+"""Where bodies are in later states, dashed beside the position in which the file draws them, and the way there.
+
+A state far away would make all else tiny: it is brought nearer, and its way there is drawn with a break.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
 
-from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.drawn import TINY, Drawn
+from planar_cli.figures.paths import path_of
 from planar_cli.figures.shapes import body_marks
-from planar_cli.problem.scene import Particle, Round
+from planar_cli.problem.scene import GROUND, Particle, Round
+from planar_cli.records import record
 from planar_cli.report.blocks import line
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag
+from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spots_of
 from planar_cli.solve.between.trace import MotionTrace
 
-MOST, FAR, NEAR = 3, 3.0, 0.03
-"""So many further positions at most; none that would make the scene so many times larger, or is as near to another one
-in parts of its size.
-"""
+if TYPE_CHECKING:
+    from planar_cli.simulate.run import Run
+
+FAR, LEAST = 3.0, 25.0
+"""To scale a state is at most so many times the size of the scene away, and so many times that of the smallest body."""
+ASIDE = 0.5
+"""One that is brought nearer is at most by this part of that away from the one before."""
+NEAR = 0.03
+"""As near to another one in parts of the size, a position is the same."""
+JOINED = ", "
+"""Between the names of states in one position."""
 
 
-def position_marks(drawn: Drawn, motion: MotionTrace, states: Sequence[str], size: float) -> Iterator[Mark]:
-    """The bodies that move, in each state in which they are somewhere else. `size`: that of the scene as drawn, m."""
-    scene = drawn.scene
-    before = [{name: spot for name, body in scene.bodies.items() if (spot := drawn.spot(body.center)) is not None}]
-    turned = [{name: drawn.number(body.theta) for name, body in scene.bodies.items()}]
-    count = 0
-    for state in states:
-        there = Drawn.in_state(motion, state)
-        if there is None:
-            continue
-        spots = {name: there.spot(there.scene.bodies[name].center) for name in before[0]}
-        angles = {name: there.number(there.scene.bodies[name].theta) for name in before[0]}
-        if any(s is None for s in spots.values()) or count == MOST:
-            continue
-        found = {name: s for name, s in spots.items() if s is not None}
-        known = any(
-            all(math.dist(found[n], spot) < NEAR * size for n, spot in old.items())
-            and all(_same_way(angles[n], turn) for n, turn in ways.items())
-            for old, ways in zip(before, turned, strict=True)
-        )
-        if known or _reach(found, before[0]) > FAR * size:
-            continue
-        before.append(found)
-        turned.append(angles)
-        count += 1
-        yield from _dashed(there, found, before[0], angles, turned[0], state)
+@record
+class Later:
+    """A position of all bodies in one or more states. `shift`: by so much it is drawn nearer, m."""
+
+    states: tuple[str, ...]
+    there: Drawn
+    spots: Mapping[str, Spot]
+    angles: Mapping[str, float | None]
+    shift: Spot = (0.0, 0.0)
+
+    @property
+    def words(self) -> str:
+        """What stands beside it."""
+        return JOINED.join(name.replace("_", " ") for name in self.states)
+
+    def marks(self, name: str) -> list[Mark]:
+        """A body there, dashed."""
+        body = self.there.scene.bodies.get(name)
+        if body is None or isinstance(body.shape, Particle):
+            return [shifted(Symbol("place", self.spots[name]), self.shift)]
+        shapes = (m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline))
+        return [shifted(m, self.shift) for m in shapes] or [Symbol("place", self.at(name))]
+
+    def is_round(self, name: str) -> bool:
+        """Is it a disk, or nothing but a point?"""
+        body = self.there.scene.bodies.get(name)
+        return body is None or isinstance(body.shape, Round)
+
+    def at(self, name: str) -> Spot:
+        """Where a body is drawn."""
+        return self.spots[name][0] + self.shift[0], self.spots[name][1] + self.shift[1]
 
 
-def _dashed(
-    there: Drawn,
-    found: dict[str, Spot],
-    first: dict[str, Spot],
-    angles: dict[str, float | None],
-    ways: dict[str, float | None],
-    state: str,
-) -> Iterator[Mark]:
-    for name, spot in found.items():
-        body = there.scene.bodies[name]
-        # That a disk has turned in its place is not to be seen.
-        if spot == first[name] and (isinstance(body.shape, Round) or _same_way(angles[name], ways[name])):
+def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[Later]:
+    """The different positions of a motion, that of the drawing first, each with the names of its states."""
+    found: list[Later] = []
+    told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
+    all_ = [_later((), drawn), *(_later((state,), there) for state, there in told)]
+    spots = [s for p in all_ if p is not None for s in p.spots.values()]
+    near = NEAR * max(_extent(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
+    for new in all_:
+        if new is None:
             continue
-        if isinstance(body.shape, Particle):
-            yield Symbol("place", spot)
+        same = next((i for i, old in enumerate(found) if _same(old, new, near)), None)
+        if same is None:
+            found.append(new)
         else:
-            yield from (m for m in body_marks(there, body, "hidden") if isinstance(m, Arc | Polyline))
-        yield Tag(spot, line(state.replace("_", " ")))
+            found[same] = replace(found[same], states=(*found[same].states, *new.states))
+    return found
 
 
-def _reach(found: dict[str, Spot], first: dict[str, Spot]) -> float:
-    return max((math.dist(spot, first[name]) for name, spot in found.items()), default=0.0)
+def _later(states: tuple[str, ...], there: Drawn) -> Later | None:
+    scene = there.scene
+    spots = {name: spot for name, body in scene.bodies.items() if (spot := there.spot(body.center)) is not None}
+    angles = {name: there.number(scene.bodies[name].theta) for name in spots}
+    moving = (p.name for p in scene.problem.points if not p.unnamed and scene.owner(p.name) == GROUND)
+    alone = {name: spot for name in moving if (spot := there.spot(scene.points[name])) is not None}
+    spots |= {name: spot for name, spot in alone.items() if name not in spots}
+    return Later(states, there, spots, angles) if spots else None
+
+
+def _same(a: Later, b: Later, near: float) -> bool:
+    return a.spots.keys() == b.spots.keys() and all(
+        math.dist(a.spots[n], b.spots[n]) <= near and (a.is_round(n) or _same_way(a.angles.get(n), b.angles.get(n)))
+        for n in a.spots
+    )
+
+
+def brought_near(places: Sequence[Later], size: float) -> list[Later]:
+    """The same with those that are too far away drawn nearer, along the way from the position before. `size`: that of
+    the scene as drawn, m; 0: it is a point, and nothing is far away.
+    """
+    if not places or not size:
+        return list(places)
+    first = places[0]
+    bodies = first.there.scene.bodies
+    rigid = [own for name, body in bodies.items() if body.rigid and (own := _own(first.there, name))]
+    most = max(2 * size, min(FAR * 4 * size, LEAST * min(rigid)) if rigid else FAR * size)
+    found = [first]
+    for before, p in pairwise(places):
+        found.append(_nearer(p, before, found[-1].shift, most) if _reach(p, first) > most else p)
+    return found
+
+
+def _nearer(p: Later, before: Later, shift: Spot, most: float) -> Later:
+    """A position that is drawn no farther from the one before than looks well. `shift`: of that one."""
+    name = max(before.spots.keys() & p.spots.keys(), key=lambda n: math.dist(p.spots[n], before.spots[n]))
+    (x, y), (x0, y0) = p.spots[name], before.spots[name]
+    back = 1 - min(ASIDE * most / math.dist((x, y), (x0, y0)), 1)
+    return replace(p, shift=(shift[0] - (x - x0) * back, shift[1] - (y - y0) * back))
+
+
+def position_marks(places: Sequence[Later], motion: MotionTrace, run: Run | None) -> Iterator[Mark]:
+    """The ways of the bodies that move, and where they are in each position."""
+    yield from _ways(places, motion, run)
+    tagged: set[tuple[str, float, float]] = set()
+    for p in places:
+        for name in p.spots:
+            moves = any(_moved(name, p, q) for q in places if q is not p)
+            first = p is places[0]
+            if not moves or not (first or _moved(name, places[0], p)):
+                continue
+            if not first:
+                yield from p.marks(name)
+            x, y = p.at(name)
+            here = (p.words, round(x, 6), round(y, 6))
+            if p.words and here not in tagged:
+                tagged.add(here)
+                yield Tag(p.at(name), line(p.words))
+
+
+def _moved(name: str, a: Later, b: Later) -> bool:
+    """Is a body seen elsewhere? That a disk has turned in its place is not to be seen."""
+    if name not in a.spots or name not in b.spots:
+        return False
+    turned = not _same_way(a.angles.get(name), b.angles.get(name)) and not a.is_round(name)
+    return math.dist(a.spots[name], b.spots[name]) > TINY or turned
+
+
+def _ways(places: Sequence[Later], motion: MotionTrace, run: Run | None) -> Iterator[Mark]:
+    where = {state: p for p in places for state in p.states}
+    for since, until in pairwise(s for s in motion.states if s in where):
+        a, b = where[since], where[until]
+        for name in a.spots if a is not b else ():
+            if name not in b.spots or math.dist(a.spots[name], b.spots[name]) < TINY:
+                continue
+            if a.shift != b.shift:
+                yield from _broken(a.at(name), b.at(name))
+            elif not any(a.shift):
+                way = path_of(motion, run, name, since, until)
+                if len(way) > 1:
+                    yield Polyline(way, "way")
+
+
+def _broken(start: Spot, end: Spot) -> Iterator[Mark]:
+    """The straight line to a place that is drawn too near, with the sign of a break."""
+    middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+    yield Polyline((start, end), "way")
+    yield Symbol("break", middle, math.atan2(end[1] - start[1], end[0] - start[0]))
+
+
+def shifted(mark: Mark, by: Spot) -> Mark:
+    """A mark somewhere else."""
+    if isinstance(mark, Polyline):
+        return replace(mark, places=tuple((x + by[0], y + by[1]) for x, y in mark.places))
+    if isinstance(mark, Arc):
+        return replace(mark, center=(mark.center[0] + by[0], mark.center[1] + by[1]))
+    if isinstance(mark, Symbol):
+        return replace(mark, at=(mark.at[0] + by[0], mark.at[1] + by[1]))
+    return mark
+
+
+def _own(drawn: Drawn, name: str) -> float:
+    """The size of a body, m."""
+    return _extent([s for m in body_marks(drawn, drawn.scene.bodies[name]) for s in spots_of(m)])
+
+
+def _extent(spots: Sequence[Spot]) -> float:
+    return max((max(axis) - min(axis) for axis in zip(*spots, strict=True)), default=0.0) if spots else 0.0
+
+
+def _reach(p: Later, first: Later) -> float:
+    return max((math.dist(spot, first.spots[n]) for n, spot in p.spots.items() if n in first.spots), default=0.0)
 
 
 def _same_way(a: float | None, b: float | None) -> bool:

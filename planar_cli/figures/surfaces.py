@@ -13,26 +13,40 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Circle, Curve, Line, Surface
-from planar_cli.report.marks import Hatched, Mark, Polyline, Spot
+from planar_cli.report.marks import Arc, Hatched, Mark, Polyline, Spot, spots_of
 
 BEYOND = 0.25
 """A line goes on behind the last place on it by this part of the size of the scene."""
 STEPS = 48
 REACH = math.radians(65)
 """A circle is drawn so far on either side of what touches it."""
+ROUND = math.radians(140)
+"""One that goes farther on either side is drawn whole."""
+NEAR, PAST = 0.02, 0.1
+"""What is as near to a line or circle in parts of the size of the scene, or of the radius, touches it; so much of what
+is drawn of a line may touch it behind the corner at which it ends.
+"""
 
 
 def surface_marks(
-    drawn: Drawn, surface: Surface, touching: Sequence[Spot], bodies: Sequence[Spot], size: float
+    drawn: Drawn,
+    surface: Surface,
+    touching: Sequence[Spot],
+    shown: Sequence[Sequence[Mark]],
+    bodies: Sequence[Spot],
+    size: float,
 ) -> Iterator[Mark]:
-    """A surface. `touching`: places on it that matter; `bodies`: where bodies are; `size`: that of the scene, m."""
+    """A surface. `touching`: places on it that matter; `shown`: the bodies that come to it, in all positions that are
+    drawn; `bodies`: where they are at first; `size`: that of the scene, m.
+    """
     shape = surface.shape
     if isinstance(shape, Line):
-        places = _line(drawn, surface, shape, touching, size)
+        places = _line(drawn, surface, shape, touching, shown, size)
     elif isinstance(shape, Circle):
-        places = _circle(drawn, surface, shape, touching)
+        places = _circle(drawn, surface, shape, touching, shown)
     else:
-        places = _curve(drawn, surface, shape, touching, size)
+        spots = (s for marks in shown for m in marks for s in spots_of(m))
+        places = _curve(drawn, surface, shape, (*touching, *spots), size)
     if len(places) < 2:
         return
     if surface.body is not None:
@@ -42,28 +56,85 @@ def surface_marks(
     yield Hatched(tuple(places if free >= 0 else places[::-1]))
 
 
-def _line(drawn: Drawn, surface: Surface, shape: Line, touching: Sequence[Spot], size: float) -> list[Spot]:
+def _line(
+    drawn: Drawn,
+    surface: Surface,
+    shape: Line,
+    touching: Sequence[Spot],
+    shown: Sequence[Sequence[Mark]],
+    size: float,
+) -> list[Spot]:
     start = drawn.carried(surface.body, shape.through)
     along = drawn.angle(drawn.scene.surface_direction(surface))
     if start is None or along is None:
         return []
-    cos, sin = math.cos(along), math.sin(along)
-    ways = [(p[0] - start[0]) * cos + (p[1] - start[1]) * sin for p in touching] or [0.0]
-    low, high = min(ways), max(ways)
-    # A line that others end at (an incline on its floor) is not drawn through the ground.
-    return [moved(start, along, low - BEYOND * size), moved(start, along, high + BEYOND * size)]
+    contacts = [_seen(p, start, along)[0] for p in touching]
+    ways = list(contacts)
+    for marks in shown:
+        foot = _foot(marks, start, along, NEAR * size)
+        contacts += foot[:1]
+        ways += foot[1:]
+    low, high = min(ways or [0.0]), max(ways or [0.0])
+    ends = [low - BEYOND * size, high + BEYOND * size]
+    for corner in _corners(drawn, surface, start, along):
+        # A line that meets another one (an incline its floor) ends there, where nothing touches it beyond.
+        slack = PAST * (high - low)
+        if ends[0] < corner and all(c > corner - slack for c in contacts) and any(c > corner + slack for c in contacts):
+            ends[0] = corner
+        if ends[1] > corner and all(c < corner + slack for c in contacts) and any(c < corner - slack for c in contacts):
+            ends[1] = corner
+    return [moved(start, along, way) for way in ends]
 
 
-def _circle(drawn: Drawn, surface: Surface, shape: Circle, touching: Sequence[Spot]) -> list[Spot]:
+def _foot(marks: Sequence[Mark], start: Spot, along: float, near: float) -> list[float]:
+    """Where on a line a body touches it, and as far as where it reaches; nothing of one that is not at the line."""
+    rounds = [m for m in marks if isinstance(m, Arc)]
+    for rim in rounds:
+        ahead, aside = _seen(rim.center, start, along)
+        if abs(abs(aside) - rim.radius) <= near + rim.radius * NEAR:
+            return [ahead, ahead - rim.radius, ahead + rim.radius]
+    spots = [_seen(s, start, along) for m in marks if not isinstance(m, Arc) for s in spots_of(m)]
+    closest = min(spots, key=lambda s: abs(s[1]), default=None)
+    if closest is None or abs(closest[1]) > near:
+        return []
+    return [closest[0], *(ahead for ahead, _ in spots)]
+
+
+def _corners(drawn: Drawn, surface: Surface, start: Spot, along: float) -> Iterator[float]:
+    """Where on a fixed line others cross it."""
+    for other in drawn.scene.problem.surfaces if surface.body is None else ():
+        if other is surface or other.body is not None or not isinstance(other.shape, Line):
+            continue
+        through, way = drawn.carried(None, other.shape.through), drawn.angle(drawn.scene.surface_direction(other))
+        if through is None or way is None or abs(math.sin(way - along)) < NEAR:
+            continue
+        ahead, aside = _seen(through, start, along)
+        yield ahead - aside / math.tan(way - along)
+
+
+def _circle(
+    drawn: Drawn, surface: Surface, shape: Circle, touching: Sequence[Spot], shown: Sequence[Sequence[Mark]]
+) -> list[Spot]:
     center, radius = drawn.carried(surface.body, shape.center), drawn.length(shape.radius)
     if center is None or not radius:
         return []
     near = [p for p in touching if abs(math.dist(p, center) - radius) < radius / 10]
+    for marks in shown:
+        near += [m.center for m in marks if isinstance(m, Arc) and _touches(m, center, radius)]
+        spots = (s for m in marks if not isinstance(m, Arc) for s in spots_of(m))
+        near += [s for s in spots if abs(math.dist(s, center) - radius) < radius * NEAR]
     angles = [math.atan2(p[1] - center[1], p[0] - center[0]) for p in near]
     middle = math.atan2(sum(map(math.sin, angles)), sum(map(math.cos, angles))) if angles else math.pi / 2
     off = max((abs(math.remainder(a - middle, 2 * math.pi)) for a in angles), default=0.0)
-    reach = min(off + REACH, math.pi)
+    reach = off + REACH
+    if reach > ROUND:
+        reach = math.pi
     return [moved(center, middle + reach * (2 * i / STEPS - 1), radius) for i in range(STEPS + 1)]
+
+
+def _touches(rim: Arc, center: Spot, radius: float) -> bool:
+    apart = math.dist(rim.center, center)
+    return min(abs(apart - abs(radius - rim.radius)), abs(apart - radius - rim.radius)) < radius * NEAR
 
 
 def _curve(drawn: Drawn, surface: Surface, shape: Curve, touching: Sequence[Spot], size: float) -> list[Spot]:

@@ -196,6 +196,9 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
             yield Disc(at, 1.8, "dot")
         case "place":
             yield Disc(at, 5.0, LATER)
+        case "break":
+            for ahead in (-3.0, 3.0):
+                yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
         case "wall":
             wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
             yield Stroke(wall, "ground")

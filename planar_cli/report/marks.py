@@ -16,10 +16,12 @@ from planar_cli.report.lines import Line
 
 Spot = tuple[float, float]
 """A place, m."""
-Style = Literal["body", "thin", "hidden", "ground", "rope", "force", "inertia", "velocity", "acceleration", "axis"]
+Style = Literal[
+    "body", "thin", "hidden", "ground", "rope", "way", "force", "inertia", "velocity", "acceleration", "axis"
+]
 """What a line stands for; each has its own look."""
 SymbolKind = Literal[
-    "pin", "support", "particle", "block", "centre", "point", "slider", "rail", "weld", "wall", "place"
+    "pin", "support", "particle", "block", "centre", "point", "slider", "rail", "weld", "wall", "place", "break"
 ]
 
 
@@ -70,7 +72,8 @@ class Dashpot:
 class Symbol:
     """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
-    behind the end of something that goes on along `angle`, the place where a particle is later.
+    behind the end of something that goes on along `angle`, the place where a particle is later, a break in what
+    is too long to be drawn, along `angle`.
     """
 
     kind: SymbolKind

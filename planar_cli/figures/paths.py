@@ -1,0 +1,149 @@
+"""The way of a mass centre from one state of a motion to the next, where the motion tells it: by the one coordinate on
+which it rests, by rates that are the same all the time or rest on the time alone, or as the motion was followed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.errors import PlanarError
+from planar_cli.figures.drawn import Drawn
+from planar_cli.motion.regime import Regime
+from planar_cli.problem.expression import Quantity
+from planar_cli.report.marks import Spot
+from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+    from planar_cli.problem.geometry import Vec
+    from planar_cli.simulate.run import Run
+    from planar_cli.solve.law import Law
+
+STEPS = 32
+
+
+def path_of(motion: MotionTrace, run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
+    """Places along the way, m; none: nothing tells it."""
+    for regime in motion.regimes:
+        if (since, until) in regime.stretches:
+            found = _by_coordinate(motion, regime, body, since, until)
+            return found or _by_rates(motion, regime, body, since, until) or _followed(run, body, since, until)
+    return ()
+
+
+def _place(scene: Scene, name: str) -> Vec:
+    return scene.bodies[name].center if name in scene.bodies else scene.points[name]
+
+
+def _at(motion: MotionTrace, general: sp.Symbol, state: str) -> sp.Symbol | None:
+    return next((x for x, g in motion.general.items() if g == general and motion.ledger.roles[x].at == state), None)
+
+
+def _value(motion: MotionTrace, general: sp.Symbol, state: str) -> float | None:
+    """What a coordinate or speed is in a state."""
+    own = _at(motion, general, state)
+    found = motion.value.known(own) if own is not None else None
+    return None if found is None else float(found)
+
+
+def _time(motion: MotionTrace) -> sp.Symbol | None:
+    return next((g for g in motion.general.values() if g.name == "t"), None)
+
+
+def _by_coordinate(motion: MotionTrace, regime: RegimeTrace, body: str, since: str, until: str) -> tuple[Spot, ...]:
+    scene = regime.solution.instant.scene
+    center = _place(scene, body)
+    moving = (sp.sympify(center.x).free_symbols | sp.sympify(center.y).free_symbols) & set(motion.general.values())
+    if len(moving) != 1:
+        return ()
+    (q,) = moving
+    first, last = _value(motion, q, since), _value(motion, q, until)
+    if first is None or last is None:
+        return ()
+    ways = (first + (last - first) * i / STEPS for i in range(STEPS + 1))
+    spots = [Drawn(scene, motion.value, {q: sp.Rational(f"{way:.9g}")}).spot(center) for way in ways]
+    return tuple(s for s in spots if s is not None)
+
+
+def _by_rates(motion: MotionTrace, regime: RegimeTrace, body: str, since: str, until: str) -> tuple[Spot, ...]:
+    laws = {law.coordinate.symbol: law for a, b, told in motion.stretches if (a, b) == (since, until) for law in told}
+    center = _place(regime.solution.instant.scene, body)
+    axes = [_axis(motion, laws, sp.sympify(place), since, until) for place in (center.x, center.y)]
+    return tuple(zip(axes[0], axes[1], strict=True)) if all(axes) else ()
+
+
+def _axis(motion: MotionTrace, laws: dict[sp.Symbol, Law], place: sp.Expr, since: str, until: str) -> tuple[float, ...]:
+    """One coordinate of a mass centre at equal steps of time."""
+    if not place.free_symbols & set(motion.general.values()):
+        fixed = motion.value.known(place)
+        return () if fixed is None else (float(fixed),) * (STEPS + 1)
+    clock = _time(motion)
+    if place not in laws or clock is None:
+        return ()
+    times, ends = ([_value(motion, s, state) for state in (since, until)] for s in (clock, place))
+    if None in times or None in ends:
+        return ()
+    (begin, end), (first, last) = ([v for v in pair if v is not None] for pair in (times, ends))
+    law, parts = laws[place], [i / STEPS for i in range(STEPS + 1)]
+    rests = _rests(motion, law, since, until)
+    rate = sp.S.Zero if law.order == 1 else motion.value.known(law.f)
+    if not rests and rate is not None:
+        bend = float(rate) * (end - begin) ** 2 / 2
+        return tuple(first + (last - first) * s + bend * (s * s - s) for s in parts)
+    if law.order == 1 and rests == {clock}:
+        return tuple(_summed(motion, law, clock, first, (begin, end)))
+    return ()
+
+
+def _rests(motion: MotionTrace, law: Law, since: str, until: str) -> set[sp.Basic]:
+    """What varies between two states, of what a rate is a formula of."""
+    found = law.f.free_symbols & (motion.varying | set(motion.general.values()) | {law.v})
+    same = {s for s in found if s.name != "t" and _value(motion, s, since) == _value(motion, s, until) is not None}
+    return set(found - same) if law.order == 1 else set(found)
+
+
+def _summed(
+    motion: MotionTrace, law: Law, clock: sp.Symbol, first: float, span: tuple[float, float]
+) -> Iterator[float]:
+    """A coordinate whose rate rests on the time alone, by Simpson's rule in each step."""
+    step = (span[1] - span[0]) / STEPS
+    rates = [
+        motion.value.known(law.f.subs(clock, sp.Rational(f"{span[0] + step * i / 2:.12g}")))
+        for i in range(2 * STEPS + 1)
+    ]
+    if any(r is None for r in rates):
+        return
+    told, at = [float(r) for r in rates if r is not None], first
+    yield at
+    for i in range(STEPS):
+        at += step * (told[2 * i] + 4 * told[2 * i + 1] + told[2 * i + 2]) / 6
+        yield at
+
+
+def _followed(run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
+    """As the motion was followed in numbers."""
+    if run is None:
+        return ()
+    course, states = run.trajectory, [s.name for s in run.problem.states]
+    ends = [course.t0 if name == states[0] else e.t if (e := course.event(name)) else None for name in (since, until)]
+    if ends[0] is None or ends[1] is None or not course.segments:
+        return ()
+    place = Quantity("r", (body,), None, (), None, run.problem.states[0].mark)
+    found: list[Spot] = []
+    for segment in course.segments:
+        inside = [t for i in range(STEPS + 1) if segment.t0 <= (t := _part(ends[0], ends[1], i)) <= segment.t1]
+        try:
+            if not isinstance(segment.regime, Regime):
+                return ()
+            where = run.measures.several((place,), segment.regime)
+            found += [(x, y) for t in inside for ((x, y),) in (where(t, segment.at(t)),)]
+        except (PlanarError, ArithmeticError):
+            return ()
+    return tuple(found)
+
+
+def _part(begin: float, end: float, i: int) -> float:
+    return begin + (end - begin) * i / STEPS
