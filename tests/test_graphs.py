@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
 from test_figures import demand_inside, illustrated_page
+from test_simulate import CRATE
 from worked import worked
 
+from planar_cli import cli
 from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._graph import ticked
 from planar_cli.formats._labels import clashes
 from planar_cli.formats._svg import papers_of
 from planar_cli.formats.html import Html
+from planar_cli.homework.checking import read
 from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import Figure
+from planar_cli.simulate.energies import energies, off
+from planar_cli.simulate.run import Settings, follow
 
 
 def path_of(stem: str) -> Path:
@@ -63,3 +69,43 @@ def test_a_curve_is_what_was_followed() -> None:
     first = graph.curves[0].pieces[0]
     assert all(abs(y - (1 - 9.81 * t * t / 2)) < 1e-7 for t, y in first)
     assert abs(first[-1][0] - 0.451523641) < 1e-8
+
+
+def drawn(capsys: pytest.CaptureFixture[str], picture: Path, stem: str, *args: str, status: int = 0) -> str:
+    assert cli.run(["simulate", str(path_of(stem)), "--plot", str(picture), *args]) == status, capsys.readouterr().err
+    return picture.read_text(encoding="utf-8")
+
+
+def test_ways_and_portraits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = drawn(capsys, tmp_path / "m.svg", "double-pendulum-let-go-level", "--plot-of", "path", "--plot-of", "phase")
+    words = re.sub(r"<[^>]*>", "", text)
+    assert all(name in words for name in ("upper", "lower", "ω", "θ", "x in m", "y in m"))
+
+
+def test_the_ledger_of_energy_adds_up(tmp_path: Path) -> None:
+    """A ball that bounces loses all it had; friction on a belt takes what the belt supplies and the spring does not."""
+    for stem, names in (
+        ("ball-that-comes-to-rest", ["kinetic", "potential", "dissipated", "sum"]),
+        ("block-that-sticks-and-slips", ["kinetic", "spring", "dissipated", "supplied", "sum"]),
+        ("double-pendulum-let-go-level", ["kinetic", "potential", "sum"]),
+    ):
+        accounts = energies(follow(read(str(path_of(stem))), Settings()), 200)
+        assert [a.name for a in accounts] == names
+        assert off(accounts) < 1e-7
+
+
+def test_a_motion_without_an_effect_is_dashed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "scene.yaml"
+    path.write_text(CRATE, encoding="utf-8")
+    picture = tmp_path / "m.svg"
+    assert cli.run(["simulate", str(path), "--plot", str(picture), "--without", "drag", "--until", "0.5 s"]) in (0, 3)
+    assert 'class="stroke curve c0 dashed"' in picture.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "args",
+    [["--plot", "m.pdf"], ["--plot-of", "path"], ["--plot", "m.svg", str(ROOT / "problems/hard/comet.yaml")]],
+)
+def test_what_no_picture_can_come_of_is_refused(args: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.run(["simulate", str(path_of("double-pendulum-let-go-level")), *args]) == 2
+    assert "picture" in capsys.readouterr().err

@@ -9,7 +9,7 @@ continuation, 2 for wrong usage or a bad file, 3 when it could not be followed, 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
@@ -22,10 +22,13 @@ from planar_cli.registry import modules
 
 if TYPE_CHECKING:
     from planar_cli.problem.scene import Problem
+    from planar_cli.simulate.report import Motion
     from planar_cli.simulate.request import Request
 
 STATUS = {"followed": cli.SOLVED, "contradicted": cli.DISAGREES, "not followed": cli.UNDECIDED}
 OUTPUTS = ("table", "csv", "json", "npz")
+PLOTS = ("time", "path", "phase", "energy")
+PICTURES = (".svg", ".png")
 
 
 @declared(help=__doc__)
@@ -43,38 +46,81 @@ OUTPUTS = ("table", "csv", "json", "npz")
 @option("--without", multiple=True, metavar="EFFECT", help="Run without it too, and compare: friction, drag ...")
 @option("--effects", is_flag=True, help="Print which effects the scene calls for, and what they cost.")
 @option("--output", type=Choice(OUTPUTS), default="table", help="How to print.")
+@option("--plot", metavar="FILE", help="Draw the motion into a .svg or .png file, beside what is printed.")
+@option("--plot-of", "plots", type=Choice(PLOTS), multiple=True, help="What to draw: quantities over time, ways ...")
 @option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
 @option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a file; 0: none.")
-def command(files: tuple[str, ...], file: str | None, timeout: float, **options: Any) -> int:
+def command(
+    files: tuple[str, ...],
+    file: str | None,
+    timeout: float,
+    plot: str | None,
+    plots: tuple[str, ...],
+    **options: Any,
+) -> int:
     """Simulate each file; one that fails does not keep the others from being followed."""
     from planar_cli.simulate.request import request_of
 
     if options["output"] == "npz" and (file is None or len(files) > 1):
         raise WrongUsage("npz holds numbers for programs: simulate one file, and write `-o motion.npz`")
+    _demand_one(files, plot, plots)
     request = request_of(**options)
     status, pieces = cli.SOLVED, []
+    motions: list[Motion] = []
     for path in files:
         try:
             with limits(timeout):
-                more, piece = _simulated(path, request)
+                more, piece = _simulated(path, request, motions)
         except PlanarError as error:
             more, piece = cli.tell(error), None
         status = max(status, more)
         if piece is not None:
             pieces.append(piece)
     _put(pieces, request, file)
+    if plot is not None and motions:
+        try:
+            with limits(timeout):
+                write_bytes(_picture(motions, plots, plot), plot)
+        except PlanarError as error:
+            status = max(status, cli.tell(error))
     return status
 
 
-def _simulated(path: str, request: Request) -> tuple[int, Any]:
+def _demand_one(files: tuple[str, ...], plot: str | None, plots: tuple[str, ...]) -> None:
+    """WrongUsage where no picture can come of the options."""
+    if plot is None:
+        if plots:
+            raise WrongUsage("--plot-of says what a picture shows: add `--plot motion.svg`")
+        return
+    if not plot.lower().endswith(PICTURES):
+        raise WrongUsage(f"a picture is written as {' or '.join(PICTURES)}, not as {plot}")
+    if len(files) > 1:
+        raise WrongUsage("a picture shows the motion of one file: simulate one file at a time")
+
+
+def _picture(motions: Sequence[Motion], plots: Sequence[str], path: str) -> bytes:
+    """The motions of a file as a picture."""
+    from planar_cli.figures.plots import plot
+    from planar_cli.formats._svg import svg
+
+    problem = motions[0].run.problem
+    figure = plot(motions, plots or ("time",), problem.title or problem.file)
+    if path.lower().endswith(".svg"):
+        return svg(figure).encode()
+    from planar_cli.typeset import png
+
+    return png(svg(figure, "print"))
+
+
+def _simulated(path: str, request: Request, motions: list[Motion]) -> tuple[int, Any]:
     """One file as text, or as data for JSON and npz."""
     from planar_cli.problem.structure import load
-    from planar_cli.simulate.report import told
+    from planar_cli.simulate.report import Watch, told
 
     problem, wrong, _ = load(path)
     if wrong or problem is None:
         raise FileProblem(wrong)
-    ended, piece = told(problem, request, _progress(problem))
+    ended, piece = told(problem, request, Watch(_progress(problem), motions=motions))
     return STATUS[ended], piece
 
 

@@ -90,8 +90,11 @@ def graph_pieces(mark: Graph) -> Iterator[Piece]:
     """Axes, curves and dots of a graph, with the words at them."""
     field = _field(mark)
     yield from _axes(mark, field)
-    for i, curve in enumerate(mark.curves):
-        yield from _curve(curve, i % COLOURS, field, len(mark.curves) > 1)
+    own = [c for c in mark.curves if not c.faint]
+    for curves in (own, [c for c in mark.curves if c.faint]):
+        for i, curve in enumerate(curves):
+            look = "total" if curve.total else f"c{i % COLOURS}"
+            yield from _curve(curve, look, field, len(own) > 1)
     for dot in mark.dots:
         at = field.spot(dot.at)
         yield Disc(at, 3.2, "pin")
@@ -150,19 +153,19 @@ def _measured(axis: Scaled, power: int) -> tuple[Run, ...]:
     return (*runs_of(axis.words), *((Run(f" in {unit}"),) if unit else ()))
 
 
-def _curve(curve: Curve, colour: int, field: _Field, named: bool) -> Iterator[Piece]:
-    kind = f"curve c{colour}" + (" dashed" if curve.faint else "")
+def _curve(curve: Curve, look: str, field: _Field, named: bool) -> Iterator[Piece]:
+    kind = f"curve {look}" + (" dashed" if curve.faint else "")
     pieces = [tuple(map(field.spot, piece)) for piece in curve.pieces if piece]
     for before, after in pairwise(pieces):
         if math.dist(before[-1], after[0]) > JUMP:
-            yield Stroke((before[-1], after[0]), f"curve c{colour} jump")
+            yield Stroke((before[-1], after[0]), f"curve {look} jump")
     for piece in pieces:
         if len(piece) > 1:
             yield Stroke(_thinned(piece), kind)
         else:
-            yield Disc(piece[0], 1.2, f"curve c{colour} dot")
+            yield Disc(piece[0], 1.2, f"curve {look} dot")
     if named and pieces:
-        yield Words(runs_of(curve.words), pieces[-1][-1], f"c{colour}", (RIGHT, RIGHT + 0.5, RIGHT - 0.5, UP), 4.0)
+        yield Words(runs_of(curve.words), pieces[-1][-1], look, (RIGHT, RIGHT + 0.5, RIGHT - 0.5, UP), 4.0)
 
 
 def _thinned(places: Sequence[Spot]) -> tuple[Spot, ...]:

@@ -63,7 +63,7 @@ RULES = """
 .head{stroke-width:.6}.force.head{fill:var(--force)}.inertia.head{fill:var(--inertia)}
 .velocity.head{fill:var(--velocity)}.acceleration.head{fill:var(--accel)}.measure.head{fill:var(--faint)}
 .axis.head{fill:var(--faint)}
-.grid{stroke:var(--faint);stroke-width:.5;stroke-opacity:.35}.curve{stroke-width:1.7}.jump{stroke-width:.7}
+.grid{stroke:var(--faint);stroke-width:.5;stroke-opacity:.35}.curve{stroke-width:1.7}.jump{stroke-width:.7}.total{stroke-width:1.2}
 .c0{stroke:var(--inertia)}.c1{stroke:var(--force)}.c2{stroke:var(--velocity)}.c3{stroke:var(--accel)}
 .words{font-family:"DejaVu Sans","Segoe UI",Helvetica,Arial,sans-serif;fill:var(--ink);stroke:none}
 .force-words{fill:var(--force)}.inertia-words{fill:var(--inertia)}.axis-words{fill:var(--faint)}

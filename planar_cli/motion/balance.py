@@ -83,7 +83,7 @@ def balance_of(
         swing = max(swing, abs(regime.energy(step.t0, step.y0) - before))
         if regime.conservative and outside is None:
             continue
-        for t, weight in _nodes(step.t0, min(step.t1, t1)):
+        for t, weight in nodes(step.t0, min(step.t1, t1)):
             y = step.at(t)
             if not regime.conservative:
                 work.add(weight, (regime.power(t, y),))
@@ -118,7 +118,7 @@ class _Sum:
             self.sizes[k] += abs(weight * value)
 
 
-def _nodes(t0: float, t1: float) -> Iterator[tuple[float, float]]:
+def nodes(t0: float, t1: float) -> Iterator[tuple[float, float]]:
     """Times at which an interval is looked at, with their weights [s]."""
     half, middle = (t1 - t0) / 2, (t1 + t0) / 2
     return ((middle + half * x, half * weight) for x, weight in NODES)

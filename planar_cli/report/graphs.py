@@ -20,13 +20,14 @@ class Scaled:
 
 @record
 class Curve:
-    """One curve, in pieces between which it jumps; `words`: its name where there are several; `faint`: drawn beside
-    the others, dashed.
+    """One curve, in pieces between which it jumps; `words`: its name where there are several; `faint`: of another
+    motion, dashed; `total`: the sum of the others.
     """
 
     pieces: tuple[tuple[Spot, ...], ...]
     words: Line = ()
     faint: bool = False
+    total: bool = False
 
 
 @record

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field
 from typing import Any
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.reading import did_you_mean
-from planar_cli.problem.scene import Answer, Problem
+from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.show import spreadsheet_cell
+from planar_cli.records import record
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
@@ -29,7 +31,36 @@ ROUNDING = 1e-13
 Progress = Callable[[float, float], None] | None
 
 
-def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, Any]:
+@record
+class Motion:
+    """One motion that was followed, of the file or of a case of it."""
+
+    case: str
+    run: Run
+    other: Run | None
+    """The same without some effects."""
+    asked: tuple[Find, ...]
+    """The quantities that were asked for as columns; (): as the table chooses them."""
+
+
+def _alone(motion: Motion) -> Sequence[str]:
+    """A table without a plot below it."""
+    return ()
+
+
+@record
+class Watch:
+    """Who is told what while motions are followed."""
+
+    progress: Progress = None
+    """Told how far a motion has been followed, and to where it goes [s]."""
+    plot: Callable[[Motion], Sequence[str]] = _alone
+    """Gives the lines below the table of a motion."""
+    motions: list[Motion] = field(default_factory=list)
+    """The motions, as they are followed."""
+
+
+def told(problem: Problem, request: Request, watch: Watch) -> tuple[str, Any]:
     """How it ended, and a text, or data for `json` and `npz`."""
     parts = list(_parts(problem, request))
     if request.effects:
@@ -39,7 +70,7 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
     refused: list[FileProblem | NoSolution | NotFollowed] = []
     for case, part in parts:
         try:
-            found, more, piece = _part(case, part, problem.answers, request, progress, earlier)
+            found, more, piece = _part(case, part, problem.answers, request, watch, earlier)
         except (FileProblem, NoSolution, NotFollowed) as error:
             # One case that can not be followed does not keep the others from being told.
             refused.append(error)
@@ -92,7 +123,7 @@ def _part(
     problem: Problem,
     stated: Sequence[Answer],
     request: Request,
-    progress: Progress,
+    watch: Watch,
     earlier: Mapping[str, float],
 ) -> tuple[Simulation, str, Any]:
     """The file or a case of it: its motion, how it ended, and a text or data. `earlier`: finds of cases before it."""
@@ -106,7 +137,7 @@ def _part(
         request.step,
         numbers,
         stops=stops(problem, request),
-        progress=progress,
+        progress=watch.progress,
     )
     found = simulate(problem, settings, units_of(stated))
     as_data = request.output in ("json", "npz")
@@ -114,12 +145,21 @@ def _part(
         raise refused
     table = table_of(found.run, asked, request.times, request.rows)
     other = _without(problem, request, settings, stated)
+    motion = Motion(case, found.run, other.run if other is not None else None, asked)
+    watch.motions.append(motion)
     if as_data:
         return found, _status(found), _data(case, found, table, other)
     if request.output == "csv":
         return found, _status(found), "\n".join([*_csv(table), ""])
     lines = [f"CASE  {case.replace('_', ' ')}", ""] if case else []
-    lines += [*_head(found.run), "", *_aligned(table), *_happened(found.run.trajectory), *_answers(found, other)]
+    lines += [
+        *_head(found.run),
+        "",
+        *_aligned(table),
+        *watch.plot(motion),
+        *_happened(found.run.trajectory),
+        *_answers(found, other),
+    ]
     return found, _status(found), "\n".join([*lines, *_checks(found), ""])
 
 

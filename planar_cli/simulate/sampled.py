@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
+from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.expression import Side
 from planar_cli.records import record
 from planar_cli.simulate.run import Run
@@ -29,23 +30,21 @@ def sampled(run: Run, sides: Sequence[Side], count: int) -> tuple[Sampled, ...]:
 
     Where a quantity has no value, the curve is interrupted.
     """
-    trajectory = run.trajectory
-    whole = trajectory.t1 - trajectory.t0
-    states = [e.t for e in trajectory.events]
     found: list[Sampled] = []
-    for segment in trajectory.segments:
+    for segment in run.trajectory.segments:
         if isinstance(segment.regime, Regime):
-            found += _pieces(run, sides, segment, _moments(segment, states, count / whole if whole else 0.0))
+            found += _pieces(run, sides, segment, moments_of_segment(run.trajectory, segment, count))
     return tuple(found)
 
 
-def _moments(segment: Segment, states: Sequence[float], density: float) -> list[float]:
+def moments_of_segment(trajectory: Trajectory, segment: Segment, count: int) -> list[float]:
+    """Its part of `count` moments over the whole motion, with its ends and the states of the file."""
     t0, t1 = segment.t0, segment.t1
     if t1 <= t0:
         return [t0]
-    many = FEWEST + math.ceil((t1 - t0) * density)
+    many = FEWEST + math.ceil((t1 - t0) / (trajectory.t1 - trajectory.t0) * count)
     even = (t0 + (t1 - t0) * k / many for k in range(many))
-    return sorted({*even, t1, *(t for t in states if t0 < t < t1)})
+    return sorted({*even, t1, *(e.t for e in trajectory.events if t0 < e.t < t1)})
 
 
 def _pieces(run: Run, sides: Sequence[Side], segment: Segment, moments: Sequence[float]) -> Iterator[Sampled]:

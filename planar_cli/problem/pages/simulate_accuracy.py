@@ -22,8 +22,14 @@ planar simulate FILE
     --integrator radau       one of the shelf; left out, by the scene: explicit, implicit where it is stiff
     --set 'm=2 kg'           a number for a letter or an unknown
     --effects                what the scene calls for, line by line, and what one evaluation costs
-    --without friction       also run without an effect, a load or a joint, by kind or name
+    --without friction       also run without an effect, a load or a joint, by kind or name; dashed in a plot
     --case NAME              one case of the file
+    --plot motion.svg        a picture too (or .png); `--plot-of` says of what, and may be repeated:
+      --plot-of time         the columns of the table over the time, with a dot at each state; as it is without
+      --plot-of path         the ways of bodies and points, x and y in one scale; `-q 'r(P)'` for some of them
+      --plot-of phase        the rate over each coordinate, ω over θ of what turns; `-q 'theta(b)'` for some of them
+      --plot-of energy       kinetic, potential and spring energy, what is dissipated and supplied, and their sum,
+                             kinetic + potential + spring + dissipated - supplied, which stays the same
 
 planar accuracy FILE
   For each integrator and tolerance: the error against a reference at the limit of machine numbers, the error that was
