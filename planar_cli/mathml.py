@@ -111,7 +111,7 @@ class _Reader:
             if sign in ("^", "_") or sign == "'":
                 self._script(items, "_" if sign == "_" else "^", prime=sign == "'")
                 continue
-            made = self._item(token, upright, items[-1].kind if items else "")
+            made = self._item(token, upright, next((i.kind for i in reversed(items) if i.kind != "space"), ""))
             if made is not None:
                 self._add(items, made, upright)
         return items

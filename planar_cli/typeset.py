@@ -23,6 +23,8 @@ ALONE = b"""#set page(width: auto, height: auto, margin: 6pt, fill: white)
 KEPT = ("class", "form", "mathvariant", "width")
 """The attributes that the template looks at."""
 VOID = frozenset({"meta", "br", "hr", "img", "link"})
+LINES = " \t\r\n"
+"""What HTML takes for one space; those of other widths stand for themselves."""
 Node = dict[str, Any]
 
 
@@ -100,5 +102,8 @@ class _Tree(HTMLParser):
     def handle_data(self, data: str) -> None:
         if self.depth:
             self.figure += escape(data)
-        else:
+        elif data.strip(LINES):
             self.open[-1]["kids"].append(data)
+        elif "\n" not in data:
+            # One space between words; that between the lines of the source would be an empty paragraph.
+            self.open[-1]["kids"].append(" ")

@@ -21,7 +21,7 @@ from planar_cli.report.blocks import Document, Drawing, Forces, Name, Paragraph,
 from planar_cli.report.marks import Arc, Arrow, Figure, Panel, Polyline, Tag, Turn
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
-from planar_cli.typeset import pdf
+from planar_cli.typeset import _Tree, pdf
 
 EVERY = 12
 """Of so many problem files one is drawn in each run, all of them in the slow studies."""
@@ -132,6 +132,15 @@ def test_a_page_on_paper(tmp_path: Path) -> None:
     made = pdf(solved, PRINT)
     assert made.startswith(b"%PDF")
     assert made == pdf(solved, PRINT)
+
+
+def test_spaces_on_paper() -> None:
+    """A wide one stands between two equations; that between two lines of the source would be an empty paragraph."""
+    tree = _Tree("")
+    tree.feed("<body>\n<p>a <b>b</b> c\N{EM SPACE}\nd</p>\n<p>e</p>\n</body>")
+    (first, second) = tree.body()["kids"]
+    assert first["kids"] == ["a ", {"tag": "b", "kids": ["b"]}, " c\N{EM SPACE}\nd"]
+    assert second["kids"] == ["e"]
 
 
 HIDING = """

@@ -59,6 +59,11 @@ def test_a_formula(latex: str, due: str) -> None:
     assert shape(latex) == due
 
 
+def test_a_sign_behind_a_comma_belongs_to_what_follows() -> None:
+    assert '<mo form="prefix">−</mo><mn>2</mn>' in MathML().inline(r"(1,\ -2)")
+    assert "<mo>−</mo><mn>2</mn>" in MathML().inline(r"3~\mathrm{m} -2")
+
+
 def test_every_command_that_the_report_writes_is_known() -> None:
     folder = Path(planar_cli.__file__).parent
     written = {name for file in WRITERS for name in re.findall(r"\\([A-Za-z]{2,})", (folder / file).read_text())}

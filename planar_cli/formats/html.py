@@ -96,7 +96,7 @@ class Html(Format[str]):
         return [piece for h in run for piece in _heading(h)]
 
     def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:
-        return [f"<p>{inline(p.line)}</p>" for p in run]
+        return [_paragraph(inline(p.line)) for p in run]
 
     def bullets(self, run: Sequence[Bullet]) -> list[str]:
         return ["<ul>" + "".join(f"<li>{inline(b.line)}</li>" for b in run) + "</ul>"]
@@ -113,7 +113,7 @@ class Html(Format[str]):
         rows = [
             (f"<strong>{words(f.body)}</strong>", inline(f.left), *([inline(f.right)] if both else [])) for f in run
         ]
-        return [_table([words(h) for h in heads], rows)]
+        return [_table([words(h) for h in heads], rows, "forces")]
 
     def tables(self, run: Sequence[Table]) -> list[str]:
         return [_table([inline(c) for c in t.header], [tuple(inline(c) for c in row) for row in t.rows]) for t in run]
@@ -168,10 +168,16 @@ def _heading(heading: Heading) -> list[str]:
     return ["<details open>", f"<summary>{aside}<h2>{text}</h2></summary>"]
 
 
-def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+def _paragraph(told: str) -> str:
+    """What ends with a colon stays on one sheet with what it announces."""
+    return f'<p class="lead">{told}</p>' if told.endswith(":") else f"<p>{told}</p>"
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]], kind: str = "") -> str:
     head = "".join(f"<th>{cell}</th>" for cell in header)
     body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    named = f' class="{kind}"' if kind else ""
+    return f"<table{named}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def _answer(answer: Answer) -> str:
