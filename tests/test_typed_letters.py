@@ -210,3 +210,34 @@ FEET = replace(
 def test_a_number_before_letters_may_have_its_unit(expected: Expected, text: str, score: float) -> None:
     one = graded(expected, text)
     assert (one.score, one.verdict) == (score, "right" if score == 1 else "wrong"), one.message
+
+
+AFTER = replace(BLOW, rotation=False, axis="x", unit="m/s", formula="v_0*(3*m*b^2 - e*M*l^2)/(M*l^2 + 3*m*b^2)")
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "said"),
+    [
+        (BLOW, "0.333*v_0", "the formula is not right: v_0 stands as it should, but not the number before it"),
+        (BLOW, "0.333*v_0^2", "the formula is not right"),
+        (BLOW, "2*m*v_0*b*(1 + e)/(M*l^2/3 + m*b^2)", "the formula is not right: M, b, e, l, m and v_0 stand as they"),
+        (BLOW, "m*v_0*b/(M*l^2/3 + m*b^2)", "the formula is not right: e should stand in it"),
+        (BLOW, "m*v_0*b*(1 - e)/(M*l^2/3 + m*b^2)", "the formula is not right"),
+        (BLOW, "1.5*2*v_0*b/(3*l^2 + 2*b^2)", "the formula is not right"),
+        (BLOW, "m*v_0*(1 + e)/(M*l^2/3 + m*b^2)", "the formula is not right: it has the dimension of"),
+        # b and l have the same length here.
+        (AFTER, "v_0*(m + e*M/3)/(m + M/3)", "the formula is not right"),
+        (AFTER, "-e*v_0", "the formula is not right: M and m should stand in it"),
+    ],
+)
+def test_what_is_said_fits_how_it_was_written(expected: Expected, text: str, said: str) -> None:
+    one = graded(expected, text)
+    assert one.verdict == "wrong"
+    assert one.message.startswith(said) if said.endswith(("they", "of")) else one.message == said
+
+
+def test_a_power_of_ten_before_letters_is_named() -> None:
+    one = graded(JERK, "9.6 v_0")
+    assert (one.message, one.mistakes) == ("the formula is not right", ("power-of-ten",))
+    assert "the number is off by a power of ten" in one.feedback
+    assert graded(JERK, "0.44 v_0").mistakes == ()

@@ -142,8 +142,8 @@ def shown(text: str) -> str:
 
 def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> tuple[Graded, tuple[float, ...] | None]:
     """A formula or the equation of a curve, and what the formula comes to at places where it is wrong."""
-    from planar_cli.homework.grading_formulas import NOT_RIGHT, equation_is_right, formula_verdict
-    from planar_cli.homework.wrong_formula import seen, values_of
+    from planar_cli.homework.grading_formulas import equation_is_right, formula_verdict
+    from planar_cli.homework.wrong_formula import NOT_RIGHT, values_of
 
     if expected.kind == "equation":
         one = _of_word(blank, equation_is_right(text, expected), rules)
@@ -154,8 +154,9 @@ def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> t
     one = _scored(one, rules, _Said(found.why, figures=found.coarse))
     if one.value == WRONG:
         one = named_formula(replace(one, precision="", message=found.why), expected, found.text)
-        if not one.feedback and found.why == NOT_RIGHT and (said := seen(expected, found.text)):
-            one = replace(one, message=f"{found.why}: {said}")
+        if one.feedback and found.why.startswith(NOT_RIGHT):
+            # What the mistake is says more than what can be seen of it.
+            one = replace(one, message=NOT_RIGHT)
     one = replace(one, message="; ".join(filter(None, (one.message, *found.notes))))
     return one, values_of(expected, found.text) if one.value == WRONG else None
 

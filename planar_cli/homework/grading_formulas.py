@@ -6,17 +6,14 @@ sqrt(3*g/l)    √(3g/l) rad/s    5/2 m g down    0.3214*m*g*l    0.533 v_0 rad/
 from __future__ import annotations
 
 from planar_cli.homework.figures import too_few_in_formula
-from planar_cli.homework.formula_readings import READERS, Reading, check_depth, due_of, letters_of, one_reading
+from planar_cli.homework.formula_readings import READERS, Reading, check_depth, letters_of, one_reading
 from planar_cli.homework.formula_units import in_numbers, size_and_unit
 from planar_cli.homework.paper import RIGHT, WRONG, Expected
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed_formula import SAME, dimension, is_rounded, letters_in, same_equation, same_formula
+from planar_cli.homework.typed_formula import SAME, is_rounded, same_equation, same_formula
 from planar_cli.homework.unreadable import Unreadable
+from planar_cli.homework.wrong_formula import NOT_RIGHT, what_differs
 from planar_cli.records import record
-from planar_cli.units import PURE, describe
-
-NOT_RIGHT = "the formula is not right"
-"""Where nothing else is to be said."""
 
 
 @record
@@ -88,7 +85,7 @@ def _verdict(reading: Reading, expected: Expected, rules: Rules) -> FormulaVerdi
     if _is_same(f"-({turned})", expected, allowed):
         coarse = _coarse(f"-({turned})", reading, expected, rules)
         return FormulaVerdict(RIGHT, unit, WRONG, turned, why, coarse, notes)
-    return FormulaVerdict(WRONG, unit, "", turned, _what_differs(text, expected), notes=notes)
+    return FormulaVerdict(WRONG, unit, "", turned, what_differs(expected, text), notes=notes)
 
 
 def _coarse(right: str, reading: Reading, expected: Expected, rules: Rules) -> str:
@@ -121,17 +118,3 @@ def _direction(reading: Reading, expected: Expected) -> tuple[str, tuple[str, ..
     if reading.way and not expected.axis:
         return RIGHT, ("the direction in words is not graded here",)
     return RIGHT, ()
-
-
-def _what_differs(text: str, expected: Expected) -> str:
-    """What can be said of a wrong formula without telling the right one."""
-    if expected.letters and not letters_in(text):
-        return f"a formula in letters is asked, of {', '.join(sorted(n for n, _ in letters_of(expected)))}"
-    found, due = dimension(text, letters_of(expected)), due_of(expected)
-    if found is None:
-        return "the formula is not right: its terms do not have the same dimension"
-    if due is not None and found != due:
-        turns = expected.rotation and due != PURE
-        mine, asked = describe(found, turns), describe(due, turns)
-        return f"the formula is not right: it has the dimension of {mine}, and asked is {asked}"
-    return NOT_RIGHT

@@ -19,6 +19,8 @@ LAST_PLACE = 0.6
 
 LARGEST_WHOLE = 1e15
 """Beyond it not all digits of a number are certain."""
+POWER_OF_TEN, POWERS = "power-of-ten", (-3, -2, -1, 1, 2, 3)
+OFF_BY_TEN = "the number is off by a power of ten: look at prefixes such as k and m, and at the decimal point"
 AT_PLACES = 1e-7
 """Relative: what equations that are solved in numbers come to may be off by this."""
 
@@ -51,7 +53,12 @@ def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
             # Where the two have no values in common nothing is told of the mistake; the answer is wrong all the same.
             return False
 
-    return _told(one, [m for m in expected.mistakes if is_it(m)])
+    fits = [m for m in expected.mistakes if is_it(m)]
+    if not fits and is_rounded(text):
+        # As of a number: what is more to the point comes first.
+        slips = (Mistaken(POWER_OF_TEN, OFF_BY_TEN, (), f"10^({p})*({expected.formula})") for p in POWERS)
+        fits = [m for m in slips if is_it(m)]
+    return _told(one, fits)
 
 
 def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:

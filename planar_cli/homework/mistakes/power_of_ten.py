@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.named_mistakes import OFF_BY_TEN, POWER_OF_TEN, POWERS
 from planar_cli.homework.paper import Expected
 
 
@@ -17,9 +18,8 @@ class PowerOfTen(Mistake):
         Nothing: the right number is ten, a hundred or a thousand times as large, or as small.
     """
 
-    kind: ClassVar[str] = "power-of-ten"
+    kind: ClassVar[str] = POWER_OF_TEN
 
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
-        for power in (-3, -2, -1, 1, 2, 3):
-            said = "the number is off by a power of ten: look at prefixes such as k and m, and at the decimal point"
-            yield said, tuple(v * 10.0**power for v in expected.values)
+        for power in POWERS:
+            yield OFF_BY_TEN, tuple(v * 10.0**power for v in expected.values)
