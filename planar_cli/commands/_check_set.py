@@ -44,12 +44,10 @@ def checked_set(
         raise WrongUsage("--export needs a folder: `-o FOLDER`")
     homework_set = read_set(path)
     if options["tolerances"]:
-        from planar_cli.commands._tolerances import tolerances_of
+        from planar_cli.commands._tolerances import tolerances_of_set
 
-        return tolerances_of(tuple(p.path for p in homework_set.problems), timeout)
+        return tolerances_of_set(homework_set, timeout)
     homework = made_ready(homework_set, jobs, timeout, None, counter, told_formulas)
-    for warning in homework.warnings:
-        echo(visible(f"warning: {warning}"), err=True)
     if options["matches"]:
         return _false_matches(homework_set, homework)
     if not files:

@@ -18,6 +18,7 @@ from planar_cli.homework.given_letters import gravity_told, pure_numbers, with_g
 from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.pages_of_variants import Page, with_pages
 from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.passing import passing
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.set_file import HomeworkSet, SetProblem
@@ -212,7 +213,7 @@ def assembled(homework: HomeworkSet, problems: Sequence[Prepared]) -> Homework:
         papers,
         {p.name: p.carrying for p in problems},
         digest,
-        tuple(w for p in problems for w in p.warnings),
+        tuple(w for p in problems for w in (*p.warnings, *passing(p.tasks[1:] or p.tasks, homework.rules))),
         homework.rules,
         _students(homework),
     )

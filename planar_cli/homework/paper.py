@@ -67,6 +67,8 @@ class Expected:
     """Of a formula: where mistakes, and what follows from own earlier results, are known by their values."""
     points: float = 1.0
     mistakes: tuple[Mistaken, ...] = ()
+    nearly: tuple[Mistaken, ...] = ()
+    """What typical mistakes give that is another number than the right one, but not clearly another."""
     heading: float | None = None
     """Of a component along a line: where it is positive, in radians counterclockwise from +x."""
     size: bool = False

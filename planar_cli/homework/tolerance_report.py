@@ -6,12 +6,19 @@ wrong model gives a result within it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+
 import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.paper import Expected
-from planar_cli.homework.worked_problem import Part, WorkedProblem, base_expected, models_of
+from planar_cli.homework.rules import Rules
+from planar_cli.homework.tolerances import relative, within
+from planar_cli.homework.variant_draws import Draw
+from planar_cli.homework.variants import Variant, columns
+from planar_cli.homework.worked_problem import Carried, Part, WorkedProblem, base_expected, models_of
 from planar_cli.records import record
 from planar_cli.replay.numbers import Numbers, Rounding
 from planar_cli.solve.solution import Found
@@ -26,8 +33,9 @@ DIFFERENT = 1e-9
 
 @record
 class Danger:
-    """One find under a tolerance. `honest`: the largest relative error by rounding; `nearest`: the smallest relative
-    distance of a wrong model, and which.
+    """One find under a tolerance, of a file or of one variant. `honest`: the largest relative error by rounding;
+    `nearest`: the smallest relative distance of a wrong model, and which; `passes`: the mistakes of wrong models that
+    are within the tolerance.
     """
 
     find: str
@@ -35,47 +43,73 @@ class Danger:
     honest: float
     nearest: float | None
     mistake: str = ""
+    passes: tuple[str, ...] = ()
 
     @property
     def fails_honest(self) -> bool:
         """Would somebody be marked wrong who only rounds?"""
         return self.honest > self.tolerance
 
-    @property
-    def passes_wrong(self) -> bool:
-        """Would a wrong model be marked right?"""
-        return self.nearest is not None and self.nearest <= self.tolerance
+
+Columns = Mapping[str, Numbers]
+"""The numbers of given names, one for each variant."""
 
 
-def tolerance_report(problem: WorkedProblem) -> tuple[list[Danger], list[str]]:
-    """A line for each number that is asked, and why others have none."""
-    expected = {e.find: e for e in base_expected(problem)}
-    found: list[Danger] = []
+def tolerance_report(
+    problem: WorkedProblem, rules: Rules, variants: Sequence[Variant] = ()
+) -> tuple[list[tuple[Danger, ...]], list[str]]:
+    """For each number that is asked its danger in the file itself and in each variant, and why others have none."""
+    rows = [base_expected(problem), *(v.expected for v in variants)]
+    draws = [Draw(()), *(v.draw for v in variants)]
+    values = [columns(problem, [draw]) for draw in draws]
+    found: list[tuple[Danger, ...]] = []
     left: list[str] = []
-    for part, one in problem.finds:
+    for place, (part, one) in enumerate(problem.finds):
         if part.replay is None:
             left.append(f"{one.name}: {part.why}")
-        elif one.name in part.replay.equations.asked and any(expected[one.name].values):
-            found.append(_danger(problem, part, one, expected[one.name]))
+        elif one.name in part.replay.equations.asked and any(rows[0][place].values):
+            expected = [row[place] for row in rows]
+            wrong = [list(_wrong(problem, part, one, own)) for own in values]
+            found.append(
+                tuple(_danger(problem, part, one, *row, rules) for row in zip(expected, values, wrong, strict=True))
+            )
     return found, left
 
 
-def _danger(problem: WorkedProblem, part: Part, one: Found, expected: Expected) -> Danger:
+def _wrong(problem: WorkedProblem, part: Part, one: Found, values: Columns) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """What wrong models give, by their mistakes."""
+    for name, model in models_of(problem):
+        if model.case == part.solution.case:
+            with suppress(ArithmeticError, KeyError, np.linalg.LinAlgError):
+                numbers = Carried(problem, values, model).asked(part, one)
+                yield name, tuple(float(n[0]) for n in numbers)
+
+
+def _danger(
+    problem: WorkedProblem,
+    part: Part,
+    one: Found,
+    expected: Expected,
+    values: Columns,
+    wrong: Sequence[tuple[str, tuple[float, ...]]],
+    rules: Rules,
+) -> Danger:
     assert part.replay is not None
     factor = in_base(one.unit, problem.problem.us)
     due = np.array(expected.values)
-    run = part.replay.run(_inputs(part), rounding=_rounding(), exact=_places(part))
-    rounded = [n / factor for n in run.asked(one.name)]
-    honest = float(np.nanmax(_off(rounded, due)))
+    inputs = part.replay.equations.inputs
+    own = {inputs[n]: np.full(DRAWS, v[0]) for n, v in values.items() if n in inputs}
+    run = part.replay.run({**_inputs(part), **own}, rounding=_rounding(), exact=_places(part))
+    honest = float(np.nanmax(_off([n / factor for n in run.asked(one.name)], due)))
     nearest, mistake = None, ""
-    for name, model in models_of(problem):
-        if model.case != part.solution.case:
-            continue
-        wrong = [n / factor for n in model.run({}).asked(one.name)]
-        off = float(_off(wrong, due)[0])
-        if np.isfinite(off) and off > DIFFERENT and (nearest is None or off < nearest):
-            nearest, mistake = off, name
-    return Danger(one.name, expected.tolerance, honest, nearest, mistake)
+    passes: dict[str, None] = {}
+    for name, numbers in wrong:
+        off = float(_off([np.array([n]) for n in numbers], due)[0])
+        if np.isfinite(off) and off > DIFFERENT:
+            passes |= {name: None} if within(expected, numbers, rules) else {}
+            if nearest is None or off < nearest:
+                nearest, mistake = off, name
+    return Danger(one.name, relative(expected, rules), honest, nearest, mistake, tuple(passes))
 
 
 def _off(numbers: list[Numbers], due: Numbers) -> Numbers:

@@ -37,6 +37,12 @@ def _close(value: float, due: float, expected: Expected, rules: Rules) -> bool:
     return off <= _allowed(abs(due), expected, rules)
 
 
+def relative(expected: Expected, rules: Rules) -> float:
+    """So much a number may be off, as a part of its size."""
+    size = math.hypot(*expected.values)
+    return _allowed(size, expected, rules) / size if size else 0.0
+
+
 def _allowed(size: float, expected: Expected, rules: Rules) -> float:
     relative = expected.tolerance if rules.tolerance is None else rules.tolerance
     if rules.mode == "sigfig":

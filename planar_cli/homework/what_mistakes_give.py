@@ -32,6 +32,7 @@ def with_mistakes(
     """The finds of each variant with what every mistake gives there. `values`: as of `Carried`."""
     papers = [list(one) for one in expected]
     found: list[list[Found]] = [[{} for _ in one] for one in papers]
+    nearly: list[list[Found]] = [[{} for _ in one] for one in papers]
     index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
     for name, model in models_of(problem):
         try:
@@ -40,8 +41,8 @@ def with_mistakes(
                 if part.replay is None or one.name not in part.replay.equations.asked:
                     continue
                 i = index[one.name]
-                for k, mistaken in _clearly_wrong(run.asked(part, one), [paper[i] for paper in papers]):
-                    found[k][i].setdefault((name, model.model.feedback, mistaken))
+                for k, mistaken, clearly in _wrong(run.asked(part, one), [paper[i] for paper in papers]):
+                    (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
         except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
             # A model that cannot be carried out tells of no mistake.
             continue
@@ -59,10 +60,10 @@ def with_mistakes(
                             _add(found[k][i], one_expected, name, feedback, slip)
     return [
         tuple(
-            replace(e, mistakes=(*e.mistakes, *(Mistaken(*m) for m in made)))
-            for e, made in zip(paper, mistakes, strict=True)
+            replace(e, mistakes=(*e.mistakes, *(Mistaken(*m) for m in made)), nearly=tuple(Mistaken(*m) for m in near))
+            for e, made, near in zip(paper, mistakes, others, strict=True)
         )
-        for paper, mistakes in zip(papers, found, strict=True)
+        for paper, mistakes, others in zip(papers, found, nearly, strict=True)
     ]
 
 
@@ -72,8 +73,10 @@ def _is_same(one: Sequence[float], other: Sequence[float]) -> bool:
     return len(one) == len(other) and math.dist(one, other) <= SAME * math.hypot(*one)
 
 
-def _clearly_wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...]]]:
-    """Where a mistake gives a number that is clearly another one than the right one, with it; `right`: by variant."""
+def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...], bool]]:
+    """Where a mistake gives another number than the right one, with it, and whether it is clearly another; `right`: by
+    variant. The right one with the other sign is none.
+    """
     if not right or any(len(e.values) != len(numbers) for e in right):
         return
     wrong = np.array([np.broadcast_to(n, len(right)) for n in numbers], dtype=float)
@@ -81,13 +84,14 @@ def _clearly_wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Ite
     size = np.hypot.reduce(due)
     least = APART * np.array([e.tolerance for e in right]) * size
     with np.errstate(all="ignore"):
-        apart = np.hypot.reduce(wrong - due) > least
+        off = np.hypot.reduce(wrong - due)
+        told = np.isfinite(wrong).all(0) & (np.hypot.reduce(wrong) > NOTHING * size) & wrong.any(0)
         if len(numbers) == 1:
-            apart &= np.abs(wrong[0] + due[0]) > least
-        apart &= np.isfinite(wrong).all(0) & (np.hypot.reduce(wrong) > NOTHING * size) & wrong.any(0)
-    columns = wrong.T.tolist()
-    for k in np.flatnonzero(apart).tolist():
-        yield k, tuple(columns[k])
+            told &= np.abs(wrong[0] + due[0]) > least
+        told &= off > SAME * size
+    columns, clearly = wrong.T.tolist(), (off > least).tolist()
+    for k in np.flatnonzero(told).tolist():
+        yield k, tuple(columns[k]), clearly[k]
 
 
 def _add(found: Found, right: Expected, name: str, feedback: str, values: tuple[float, ...]) -> None:

@@ -34,8 +34,10 @@ Variants
 
 Values of given names stand in the problem file, under `variants` or in `given` itself, where the first is that of the
 file (planar explain variants). A combination is taken only where the physics stays what it is: the same case (roll or
-slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake
-still clearly wrong. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
+slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake that
+is clearly wrong with the values of the file, by three tolerances, clearly wrong too. What there is to say of the
+variants `planar key` says, also which mistakes hardly change an answer and are graded right, as `--tolerance-report`
+does. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
     planar validate set.yaml                     is anything wrong with the set or its problem files?
     planar key set.yaml                          the key, on the terminal
@@ -89,7 +91,8 @@ that cannot be read, or has more than 10 000 characters, costs that line alone.
     planar check --set set.yaml submissions/ --export gradebook -o out
     planar check --set set.yaml submissions/ --feedback texts      a text for each student, with nothing of the key
     planar check --set set.yaml submissions/ --results done.jsonl  goes on there when it is run again
-    planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, or pass a wrong model?
+    planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, in any variant, or
+                                                                   pass a wrong model?
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
 
 Each find gets verdicts on value, unit, sign and precision; it is right, wrong, or ungradable with the reason. Where it
