@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import inspect
+from decimal import Decimal
 from typing import Any
 
+from planar_cli.formats._course_html import DELIMITERS, course_html
 from planar_cli.homework.exports.base import Exported
 from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Result, Task
 from planar_cli.registry import members
+from planar_cli.report.blocks import Bullet, Equation, Forces, Heading, Name, Paragraph, Title, Value, line
 
 SHELF = "homework.exports"
 SCRIPT = "<script>alert('x')</script>"
@@ -17,6 +20,15 @@ TITLE = f"Homework 3 {HOSTILE}"
 SEED = 7
 
 SLIDER = "slider"
+WORKED = (
+    Title("Slider"),
+    Heading("STEP 1", HOSTILE),
+    Equation((Name("a_A"), line(Value(Decimal("3.2"), "m/s^2"))), 1, relation="<"),
+    Bullet(line("one")),
+    Bullet(line("two ", Name("x"))),
+    Forces("A", line(Name("N"), " ↑")),
+    Paragraph(line(HOSTILE)),
+)
 LEFT_OUT = Mistaken("weight-left-out", "This is the result without the weight: is it in <every> equation?", (5.1,))
 REVERSED = Mistaken("friction-reversed", "Friction acts the other way.", (-2.0,))
 INSIDE = Mistaken("sine-for-cosine", "Sine and cosine are exchanged.", (3.21,))
@@ -40,14 +52,8 @@ def slider(variant: int) -> Task:
         number("omega", -4.5 * k, "rad/s", rotation=True),
         number("theta", 350.0, "deg", Mistaken("other-root", "This is the other root.", (170.0,)), direction=True),
     )
-    worked = "# Slider\n\n**Given:** $m = 2~\\mathrm{kg}$\n\n$$\na_{A} = 3.2 < 5 \\tag{1}\n$$\n\n- one\n- two $x$\n\n"
-    worked += f"| body | forces |\n| --- | --- |\n| **A** | $N - mg$ |\n\n{plain_markdown(HOSTILE)}\n"
+    worked = {way: course_html(WORKED, way) for way in DELIMITERS}
     return Task(SLIDER, f"A slider {HOSTILE}", f"A block slides.\n\n{HOSTILE}", ("m = 2 kg", FORMULA), expected, worked)
-
-
-def plain_markdown(text: str) -> str:
-    """As the report escapes the words of a file."""
-    return "".join("\\" + c if c in "\\`*_{}[]<>#|~$^&!" else c for c in text if c.isprintable())
 
 
 def linkage(variant: int) -> Task:

@@ -164,7 +164,7 @@ def test_the_text_is_escaped_and_the_solution_has_its_formulas() -> None:
     assert "<script" not in params["text"]
     assert "{{" not in params["text"]
     assert "<script" not in params["worked"]
-    assert r"$m = 2~\mathrm{kg}$" in params["worked"]
+    assert r"$$a_{A} \lt 3.2~\mathrm{m/s^{2}} \tag{1}$$" in params["worked"]
 
 
 def test_a_mistake_has_its_feedback() -> None:

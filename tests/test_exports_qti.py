@@ -200,7 +200,7 @@ def test_the_worked_solution_is_shown_after_answering() -> None:
     assert Session(root, {"RESPONSE": "9"}).outcomes["SOLUTION"] == "worked"
     shown = root.find(f"{Q}modalFeedback[@identifier='worked']")
     assert shown is not None
-    assert r"\(m = 2~\mathrm{kg}\)" in "".join(shown.itertext())
+    assert r"\[a_{A} \lt 3.2~\mathrm{m/s^{2}} \tag{1}\]" in "".join(shown.itertext())
 
 
 def test_the_unit_is_named() -> None:

@@ -247,6 +247,7 @@ ROWS = doc.Document(
         doc.Answer("taut", doc.line("yes"), relation=":"),
         doc.Equation((doc.Math(Symbol("x")), doc.line(value("1", "N"), doc.Text(" or more"))), relation="≥"),
         doc.Equation((doc.Math(Symbol("y")),)),
+        doc.Typed(("x.a: 1 # 2", "  $b$")),
     ),
 )
 
@@ -257,7 +258,7 @@ def test_the_other_blocks_in_a_terminal() -> None:
         "  • first\n  • second, with ω_AB²\n    ⇒ a_C ≈ 2.5 m/s²\n  Rod AB:  W ↓ at G\n\n"
         "  method   equations\n  ──────   ─────────\n  work     1\n  |x|      12\n\n"
         "Answer      taut: yes\n\n"
-        "    x ≥ 1 N or more\n    y\n"
+        "    x ≥ 1 N or more\n    y\n  x.a: 1 # 2\n    $b$\n"
     )
 
 
@@ -268,6 +269,7 @@ def test_the_other_blocks_in_markdown() -> None:
     assert "| method | equations |\n| --- | --- |\n| work | 1 |\n| $\\lvert x \\rvert$ | 12 |" in text
     assert "- $\\mathrm{taut}$: yes" in text
     assert "x \\ge 1~\\mathrm{N}\\text{ or more}" in text
+    assert text.endswith("```text\nx.a: 1 # 2\n  $b$\n```\n")
 
 
 m, h, r = (doc.Name(n) for n in "mhr")

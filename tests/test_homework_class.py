@@ -8,13 +8,15 @@ import pytest
 from conftest import ROOT
 from homework_class import KINDS, class_of
 
+from planar_cli.commands._handed_out import PAGES, PDF, page
 from planar_cli.homework.false_matches import false_matches
 from planar_cli.homework.grading_made import grading_of
 from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.set_file import HomeworkSet, read_set
-from planar_cli.homework.sheets import as_html, handed, key, key_csv, sheet, sheet_csv, sheet_data
+from planar_cli.homework.sheets import handed, key_csv, sheet_csv, sheet_data
+from planar_cli.report.handed_out import key, sheet
 
 SET = ROOT / "tests" / "homework" / "set.yaml"
 NUMBER = 300
@@ -89,14 +91,15 @@ def test_a_sheet_holds_nothing_of_the_key(homework: Homework) -> None:
     for k in (1, 2):
         expected = [e for t in homework.papers[k].tasks for e in t.expected]
         (one,) = handed(homework, [k])
-        texts = (sheet(homework, one), sheet_csv(homework, k), str(sheet_data(homework, one)))
+        pages = [page(sheet(homework, one), "", form).decode() for form in PAGES if form != PDF]
+        texts = (*pages, sheet_csv(homework, k), str(sheet_data(homework, one)))
         for text in texts:
             assert not [e.text for e in expected if e.text in text and len(e.text) > 8]
     assert all(e.text in key_csv(homework, [1]) for t in homework.papers[1].tasks for e in t.expected)
 
 
 def test_html_is_one_page_without_scripts(homework: Homework) -> None:
-    page = as_html(key(homework, [1], worked=False), "<script>alert(1)</script>")
-    assert "<script" not in page
-    assert "Content-Security-Policy" in page
-    assert "<table>" in page
+    made = page(key(homework, [1], worked=False), "<script>alert(1)</script>", "html").decode()
+    assert "<script" not in made
+    assert "Content-Security-Policy" in made
+    assert "<table>" in made

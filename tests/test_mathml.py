@@ -9,11 +9,9 @@ from pathlib import Path
 import pytest
 
 import planar_cli
-from planar_cli.homework.exports._worked import worked_html
-from planar_cli.homework.paper import Paper, Task
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.sheets import key_html
+from planar_cli.formats._latex import equation
 from planar_cli.mathml import MathML
+from planar_cli.report.blocks import Equation, Text
 
 WRITERS = ("report/latex.py", "report/names.py", "report/notation.py", "formats/_formulas.py", "formats/markdown.py")
 
@@ -82,21 +80,7 @@ def test_a_long_formula_may_go_on_in_the_next_line() -> None:
 
 
 def test_words_of_a_file_are_text() -> None:
-    page = worked_html('$$\n\\text{a <script> "b" & c} \\quad x < 1\n$$', MathML())
+    page = MathML().display(equation(Equation(((Text('a <script> "b" & c'),), Text("x < 1")))))
     root = ET.fromstring(page)
     assert not list(root.iter("script"))
     assert "<script" not in page
-
-
-def test_a_key_in_html_has_its_worked_solutions_as_a_page() -> None:
-    table = "| body | forces |\n| --- | --- |\n| **block** | $m g$ ↓ |"
-    worked = f"# A block\n\n**Find:** $a$\n\n{table}\n\n$$\na = \\frac{{F}}{{m}}\n$$\n"
-    homework = Homework("Sheet", "", {0: Paper(0, (Task("p", "A block", "", (), (), worked),))}, {}, "")
-    page = key_html(homework, [0], worked=True)
-    body = page[page.index("<body>") : page.index("</html>")]
-    ET.fromstring(body)
-    assert "<h3>A block</h3>" in page
-    assert "<mfrac><mi>F</mi><mi>m</mi></mfrac>" in page
-    assert "<td><strong>block</strong></td>" in page
-    assert "<pre>" not in page
-    assert "$" not in page

@@ -8,11 +8,15 @@ from pathlib import Path
 import pytest
 
 from planar_cli.cli import run
+from planar_cli.commands._handed_out import page
 from planar_cli.formats.markdown import Markdown
 from planar_cli.homework.exports._text import paragraphs
-from planar_cli.homework.sheets import as_html, plain
+from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.ready import Homework
+from planar_cli.homework.sheets import handed
 from planar_cli.problem.show import paragraphs_of
 from planar_cli.problem.structure import load_text
+from planar_cli.report.handed_out import sheet
 from planar_cli.report.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 
@@ -37,8 +41,8 @@ def test_paragraphs_stay_apart_on_sheets(form: str, tmp_path: Path) -> None:
     (tmp_path / "stone.yaml").write_text(TWO)
     (tmp_path / "set.yaml").write_text("text: |\n  Hand in.\n\n  By Friday.\nproblems: [stone.yaml]\n")
     assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", form]) == 0
-    (sheet,) = (tmp_path / "out").glob("sheet*")
-    text = sheet.read_text()
+    (handed_out,) = (tmp_path / "out").glob("sheet*")
+    text = handed_out.read_text()
     assert "x0a" not in text
     between = "\n\n" if form == "markdown" else "</p>\n<p>"
     assert between.join(PARAGRAPHS) in text
@@ -49,11 +53,11 @@ def test_a_sheet_does_not_repeat_what_its_text_tells_and_the_key_has_what_varies
     (tmp_path / "stone.yaml").write_text(TWO.replace("falls\n  from {h}", "falls"))
     (tmp_path / "set.yaml").write_text("variants: {number: 1, seed: 1}\nproblems: [stone.yaml]\n")
     assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", "markdown"]) == 0
-    (sheet,) = (tmp_path / "out").glob("sheet*")
-    assert "Also given: h = 3.5 m" in sheet.read_text()
-    assert "m = " not in sheet.read_text()
+    (handed_out,) = (tmp_path / "out").glob("sheet*")
+    assert "Also given: $h = 3.5$ m" in handed_out.read_text()
+    assert "m = " not in handed_out.read_text()
     key = (tmp_path / "out" / "key.md").read_text()
-    assert re.search(r"^- stone: m = [234] kg$", key, re.MULTILINE)
+    assert re.search(r"^- stone: \$m = [234]\$ kg$", key, re.MULTILINE)
 
 
 def test_a_lesson_has_the_text_with_its_values() -> None:
@@ -64,13 +68,21 @@ def test_a_lesson_has_the_text_with_its_values() -> None:
     assert "\n\n".join(PARAGRAPHS) in page
 
 
-def test_subscripts_are_lowered_in_html_but_not_in_what_is_typed() -> None:
-    text = plain("m_1 < k_O, μ_s, v_B/A, m_1/2, omega_AB, crank.v_A, a_ <b> <sub>x</sub>")
-    page = as_html(f"{text}\n\n- **T_1**: see T_1\n\n```text\nx.T_1: y_1\n```\n", "a_1")
-    assert "<p>m<sub>1</sub> &lt; k<sub>O</sub>, μ<sub>s</sub>, v<sub>B/A</sub>, m<sub>1</sub>/2, omega_AB," in page
-    assert "crank.v_A, a_ &lt;b&gt; &lt;sub&gt;x&lt;/sub&gt;</p>" in page
-    assert "<strong>T_1</strong>: see T<sub>1</sub>" in page
-    assert "x.T_1: y_1\n</code>" in page
+def test_letters_with_subscripts_are_formulas_but_not_in_what_is_typed() -> None:
+    text = "m_1 < k_O, μ_s, v_B/A, m_1/2, omega_AB, crank.v_A, a_ <b> <sub>x</sub>"
+    asked = Expected("T_1", "see T_1", "number", (1.0,), "1", "1", 0.01, 1.0)
+    homework = Homework("a_1", "", {0: Paper(0, (Task("x", "", text, (), (asked,)),))}, {}, "")
+    (one,) = handed(homework, [0])
+    made = page(sheet(homework, one), "a_1", "html").decode()
+
+    def set_(letter: str, below: str) -> str:
+        return f"<msub><mi>{letter}</mi><mi>{below}</mi></msub>"
+
+    assert set_("k", "O") in made
+    assert set_("μ", "s") in made
+    assert "omega_AB, crank.v_A, a_ &lt;b&gt; &lt;sub&gt;x&lt;/sub&gt;</p>" in made
+    assert "<strong>T_1</strong>: see <math><msub><mi>T</mi><mn>1</mn></msub></math>" in made
+    assert "x.T_1:" in made
 
 
 @pytest.mark.parametrize("text", ["a b\nc", "a\nb\n\n\nc", "a\r\n \r\nb", " a\n"])

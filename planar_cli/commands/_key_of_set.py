@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from planar_cli import cli
 from planar_cli.commands._counter import counter
 from planar_cli.commands._earlier_sheets import MANIFEST, clear, demand_no_loss, manifest
+from planar_cli.commands._handed_out import PAGES, PDF, SUFFIX, page, printed_as
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
@@ -17,10 +18,6 @@ from planar_cli.streams import echo
 if TYPE_CHECKING:
     from planar_cli.homework.ready import Homework
     from planar_cli.homework.sheets import Handed
-
-SUFFIX = {"markdown": "md", "html": "html", "json": "json", "csv": "csv"}
-WITH_STEPS = ("markdown", "html")
-"""Formats in which a key can hold worked solutions."""
 
 
 def key_of_set(
@@ -36,7 +33,7 @@ def key_of_set(
 ) -> int:
     """Sheets, key and exports of a set."""
     from planar_cli.commands._told_formulas import told_formulas
-    from planar_cli.commands._worked_pages import page_of
+    from planar_cli.commands._worked_pages import FOR_COURSES, WorkedPages
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
     from planar_cli.homework.sheets import handed
@@ -44,24 +41,27 @@ def key_of_set(
     if exports and output is None:
         raise PlanarError("--export needs a folder: `-o FOLDER`")
     style = form or "markdown"
+    if style == PDF and output is None:
+        raise PlanarError("a PDF is written to a file: `-o FOLDER`")
     suffix = SUFFIX[style]
-    holds_worked = (worked or both) and style in WITH_STEPS
+    holds_worked = (worked or both) and style in PAGES
     if output is not None and not holds_worked:
-        demand_no_loss(output, "add --both" if style in WITH_STEPS else "")
+        demand_no_loss(output, "add --both" if style in PAGES else "")
     homework_set = read_set(path)
     homework_set = replace(
         homework_set,
         variants=homework_set.variants if variants is None else variants,
         seed=homework_set.seed if seed is None else seed,
     )
-    page = page_of if worked or both or exports else None
-    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, page, counter, told_formulas)
+    forms = (*((printed_as(style),) if holds_worked else ()), *(FOR_COURSES if exports else ()))
+    worked_pages = WorkedPages(forms, 2 if homework_set.variants else 1) if forms else None
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, worked_pages, counter, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]
     key = _key(homework, handed_out, style, worked or both, not worked or both)
     if output is None:
-        write(key, None)
+        write(key.decode(), None)
         return cli.SOLVED
     files = {f"{one.name}.{suffix}": _sheet(homework, one, style) for one in handed(homework, handed_out)}
     keys = {f"key.{suffix}": key}
@@ -71,7 +71,7 @@ def key_of_set(
             f"key-{k:0{width}d}.{suffix}": _key(homework, [k], style, worked or both, not worked or both)
             for k in handed_out
         }
-    data = {name: text.encode() for name, text in {**files, **keys}.items()}
+    data = {**files, **keys}
     clear(output, data)
     write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if holds_worked else "")}, output)
     for name in exports:
@@ -79,25 +79,26 @@ def key_of_set(
     return cli.SOLVED
 
 
-def _sheet(homework: Homework, one: Handed, form: str) -> str:
+def _sheet(homework: Homework, one: Handed, form: str) -> bytes:
     from planar_cli.homework import sheets
+    from planar_cli.report.handed_out import sheet
 
     if form == "json":
-        return sheets.as_json(sheets.sheet_data(homework, one))
+        return sheets.as_json(sheets.sheet_data(homework, one)).encode()
     if form == "csv":
-        return sheets.sheet_csv(homework, one.variant)
-    text = sheets.sheet(homework, one)
-    return sheets.as_html(text, one.title(homework)) if form == "html" else text
+        return sheets.sheet_csv(homework, one.variant).encode()
+    return page(sheet(homework, one), one.title(homework), form)
 
 
-def _key(homework: Homework, variants: list[int], form: str, worked: bool, short: bool) -> str:
+def _key(homework: Homework, variants: list[int], form: str, worked: bool, short: bool) -> bytes:
     from planar_cli.homework import sheets
+    from planar_cli.report.handed_out import key
 
     if form == "json":
-        return sheets.as_json(sheets.key_data(homework, variants))
+        return sheets.as_json(sheets.key_data(homework, variants)).encode()
     if form == "csv":
-        return sheets.key_csv(homework, variants)
-    return (sheets.key_html if form == "html" else sheets.key)(homework, variants, worked, short)
+        return sheets.key_csv(homework, variants).encode()
+    return page(key(homework, variants, worked, short), f"{homework.title}: key", form)
 
 
 def _export(homework: Homework, name: str, seed: int, output: str) -> None:

@@ -1,4 +1,4 @@
-"""Write the answers of problem files, or their worked solutions, or both, as one Markdown document.
+"""Write the answers of problem files, or their worked solutions, or both, as one document.
 
 FILES are problem files or folders (every .yaml and .yml file below). The answers are those of the solution; one that
 the file states otherwise is marked. With --both all answers come first, then all solutions. The exit status is that of
@@ -12,22 +12,22 @@ gives the same files.
 from __future__ import annotations
 
 import os
-import re
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from planar_cli import cli
 from planar_cli.by_click import type_of
+from planar_cli.commands._handed_out import PAGES, PDF, in_form, printed_as
 from planar_cli.commands._limit import limits
-from planar_cli.commands._output import write
+from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import PlanarError
 from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
     from planar_cli.report.blocks import Document
 
-FORMS = ("markdown", "html", "json", "csv")
+FORMS = (*PAGES, "json", "csv")
 
 
 @click.command(help=__doc__)
@@ -42,7 +42,7 @@ FORMS = ("markdown", "html", "json", "csv")
 )
 @click.option("--variants", type=click.IntRange(1, 10_000), help="Of a set: so many variants.")
 @click.option("--seed", type=click.IntRange(0, 10**9), help="Of a set: what the variants are drawn by.")
-@click.option("--format", "form", type=click.Choice(FORMS), help="Of a set: how sheets and key are written.")
+@click.option("--format", "form", type=click.Choice(FORMS), help="How to write; json and csv of a set.")
 @click.option(
     "--export", "exports", multiple=True, metavar="NAME", help="Of a set: moodle, prairielearn, qti, text2qti."
 )
@@ -57,38 +57,53 @@ def command(
     output: str | None,
     figures: int,
     timeout: float,
+    form: str | None,
     **of_set: Any,
 ) -> int:
     """One section for each file, in their order; or the sheets and the key of a set."""
     if len(files) == 1 and _is_set(files[0]):
         from planar_cli.commands._key_of_set import key_of_set
 
-        return key_of_set(files[0], worked, both, output, timeout, **of_set)
-    if any(v not in (None, ()) for v in of_set.values()):
-        raise click.UsageError("--variants, --seed, --format and --export are for one homework set")
+        return key_of_set(files[0], worked, both, output, timeout, form=form, **of_set)
+    style = form or "markdown"
+    if style not in PAGES or any(v not in (None, ()) for v in of_set.values()):
+        raise click.UsageError("--variants, --seed, --export, --format json and csv are for one homework set")
+    if style == PDF and output in (None, "-"):
+        raise click.UsageError("a PDF is written to a file: add `-o FILE`")
     from planar_cli.problem.files import problem_files
-    from planar_cli.registry import members
+    from planar_cli.registry import member
+    from planar_cli.report.blocks import Title
 
-    markdown = members("formats")["markdown"]()
+    pages: Any = member("formats", printed_as(style))(1 if both else 0)
     answers: list[str] = []
     solutions: list[str] = []
+    titles: list[str] = []
     worst = cli.SOLVED
     for path in problem_files(files):
         try:
             with limits(timeout):
                 short, long, status = _sections(path, figures, audience if worked or both else "")
-                answers.append(markdown.render(short))
-                solutions += [markdown.render(long)] if long is not None else []
+                titles.append(short.title)
+                answers.append(pages.part((Title(short.title), *short.blocks)))
+                solutions += [pages.part((Title(long.title), *long.blocks))] if long is not None else []
         except PlanarError as error:
             status = cli.tell(error)
         except Exception as error:
             status = cli.tell_fault(error)
         worst = max(worst, status)
+    parts = solutions if worked else answers
     if both:
-        write("\n".join(["# Answers\n", *map(_below, answers), "# Solutions\n", *map(_below, solutions)]), output)
-    else:
-        write("\n".join(solutions if worked else answers), output)
+        parts = [pages.part([Title("Answers", -1)]), *answers, pages.part([Title("Solutions", -1)]), *solutions]
+    if parts:
+        _write(pages.whole("Answers and solutions" if both else titles[0], parts), style, output)
     return worst
+
+
+def _write(text: str, style: str, output: str | None) -> None:
+    if style == PDF:
+        write_bytes(in_form(text, style), output or "")
+    else:
+        write(text, output)
 
 
 def _is_set(path: str) -> bool:
@@ -101,18 +116,17 @@ def _is_set(path: str) -> bool:
     return isinstance(node, Mapping) and node.get("problems") is not None and node.get("find") is None
 
 
-def _below(section: str) -> str:
-    """A section with its headings one level lower."""
-    return re.sub(r"^(?=#+ )", "#", section, flags=re.MULTILINE)
-
-
 def _sections(path: str, figures: int, audience: str) -> tuple[Document, Document | None, int]:
     """The answers of one file, its worked solution for an audience (none: ""), and its exit status."""
+    from planar_cli.figures.illustrated import illustrated
     from planar_cli.homework.checking import read, solve_and_compare
     from planar_cli.report.key import key_document, with_disagreements
     from planar_cli.report.narrate import Voice, narrate
 
     solution, verdicts = solve_and_compare(read(path))
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
-    worked = with_disagreements(narrate(solution, Voice(figures, audience)), verdicts) if audience else None
-    return key_document(solution, verdicts, figures), worked, status
+    short = key_document(solution, verdicts, figures)
+    if not audience:
+        return short, None, status
+    worked = with_disagreements(narrate(solution, Voice(figures, audience)), verdicts)
+    return short, illustrated(worked, solution), status

@@ -29,6 +29,7 @@ from planar_cli.report.blocks import (
     Result,
     Table,
     Title,
+    Typed,
 )
 
 Piece = TypeVar("Piece")
@@ -51,6 +52,7 @@ class Pieces(Protocol[Piece]):
     def checks(self, run: Sequence[Check]) -> list[Piece]: ...
     def notes(self, run: Sequence[Note]) -> list[Piece]: ...
     def drawings(self, run: Sequence[Drawing]) -> list[Piece]: ...
+    def typed(self, run: Sequence[Typed]) -> list[Piece]: ...
 
 
 class Format(Pieces[Piece], ABC):
@@ -88,14 +90,39 @@ class Format(Pieces[Piece], ABC):
                 _way(Check, self.checks),
                 _way(Note, self.notes),
                 _way(Drawing, self.drawings),
+                _way(Typed, self.typed),
             )
         )
         return made[type(run[0])](run)
 
 
+class Pages(Format[str]):
+    """A format whose pages can be put together of parts, each made by itself, perhaps by another process.
+
+    `below`: so many levels its titles and headings stand below those of a page of their own; a field of each member.
+    """
+
+    below: int
+
+    @abstractmethod
+    def part(self, blocks: Sequence[Block]) -> str:
+        """Blocks in print; "" of none."""
+
+    @abstractmethod
+    def whole(self, title: str, parts: Sequence[str]) -> str:
+        """Parts as one page, which ends with one line feed. `title`: of the file; that over the page is in a part."""
+
+    def render(self, document: Document) -> str:
+        return self.whole(document.title, [self.part((Title(document.title), *document.blocks))])
+
+
 def runs(document: Document) -> list[tuple[Block, ...]]:
     """The title and the blocks of a document, neighbours of one kind together."""
-    blocks = (Title(document.title), *document.blocks)
+    return runs_of((Title(document.title), *document.blocks))
+
+
+def runs_of(blocks: Sequence[Block]) -> list[tuple[Block, ...]]:
+    """Blocks, neighbours of one kind together."""
     return [tuple(run) for _, run in groupby(blocks, key=_kind_of)]
 
 

@@ -9,19 +9,19 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
-from typing import ClassVar, final
+from typing import ClassVar, Protocol
 
 from planar_cli.formats import _svg
 from planar_cli.formats._formulas import joined
 from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
-from planar_cli.formats.base import Format, runs
+from planar_cli.formats.base import Pages, runs_of
 from planar_cli.mathml import MathML
 from planar_cli.records import record
 from planar_cli.report.blocks import (
     Answer,
+    Block,
     Bullet,
     Check,
-    Document,
     Drawing,
     Equation,
     Forces,
@@ -34,6 +34,7 @@ from planar_cli.report.blocks import (
     Table,
     Text,
     Title,
+    Typed,
 )
 from planar_cli.report.names import printable
 
@@ -44,7 +45,8 @@ STYLE = """
 --accent:#82b1ff}}
 body{background:var(--page);color:var(--text);font:16px/1.5 "Source Serif 4",Georgia,"Times New Roman",serif;
 max-width:54rem;margin:0 auto;padding:1rem}
-h1{font-size:1.5rem;line-height:1.25;margin:.5rem 0 1rem}h2{font-size:1.1rem;margin:0;display:inline}
+.title{font-size:1.5rem;line-height:1.25;margin:.5rem 0 1rem}summary>:not(.aside){display:inline}
+summary>:not(.aside),.answer>:first-child{font-size:1.1rem;margin:0}h2.title{font-size:1.3rem;margin-top:1.8rem}h3.title{font-size:1.15rem;margin-top:1.5rem}
 summary{cursor:pointer;border-bottom:1px solid var(--line);padding:.3rem 0;margin-top:1rem}
 summary .aside{color:var(--muted);float:right}.case{font-size:1.25rem;margin:1.6rem 0 .4rem;color:var(--accent)}
 p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:auto;overflow-y:hidden}
@@ -60,91 +62,145 @@ display:block}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details,figure,table,.answer{
 break-inside:avoid}:root{--page:#fff;--text:#000;--tint:#fff}}
 """
+_ENTITIES = str.maketrans({c: f"&#{ord(c)};" for c in "$\\{}"})
+"""What would begin a formula, or a place in a template of a course system, where it is a word."""
 _MATH = re.compile(r"\$([^$]*)\$")
 MATHML = MathML()
+LOWEST = 6
+"""The lowest level of headings."""
 
 
-@final
+class Formulas(Protocol):
+    """How formulas in LaTeX get into HTML: in a line, and on a line of their own."""
+
+    def inline(self, latex: str) -> str: ...
+    def display(self, latex: str) -> str: ...
+
+
 @record
-class Html(Format[str]):
+class Html(Pages):
     """One HTML file with everything in it. Each piece is an element, or the tag that opens or closes one."""
 
     kind: ClassVar[str] = "html"
     suffix: ClassVar[str] = ".html"
 
-    def render(self, document: Document) -> str:
+    below: int = 0
+    formulas: Formulas = MATHML
+
+    def part(self, blocks: Sequence[Block]) -> str:
         body: list[str] = []
-        for run in runs(document):
+        for run in runs_of(blocks):
             opens = isinstance(run[0], Title | Heading | Answer)
             if opens and "<details open>" in body and "</details>" not in body[_last(body) :]:
                 body.append("</details>")
             body += self.pieces(run)
         if "<details open>" in body and "</details>" not in body[_last(body) :]:
             body.append("</details>")
+        return "\n".join(body)
+
+    def whole(self, title: str, parts: Sequence[str]) -> str:
         head = (
             '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
             f'<meta http-equiv="Content-Security-Policy" content="{escape(POLICY)}">\n'
             '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-            f"<title>{words(document.title)}</title>\n<style>{STYLE}{_svg.STYLE}</style>\n</head>\n<body>\n"
+            f"<title>{words(title)}</title>\n<style>{STYLE}{_svg.STYLE}</style>\n</head>\n<body>\n"
         )
-        return head + "\n".join(body) + "\n</body>\n</html>\n"
+        return head + "\n".join(p for p in parts if p) + "\n</body>\n</html>\n"
 
     def titles(self, run: Sequence[Title]) -> list[str]:
-        return [f"<h1>{words(t.text)}</h1>" for t in run]
+        return [self.headed(words(t.text), 1 + t.level, "title") for t in run]
 
     def headings(self, run: Sequence[Heading]) -> list[str]:
-        return [piece for h in run for piece in _heading(h)]
+        return [piece for h in run for piece in self.heading(h)]
+
+    def headed(self, text: str, level: int, look: str = "") -> str:
+        """A title or heading of a level."""
+        tag = f"h{min(level + self.below, LOWEST)}"
+        return f"<{tag}{f' class={chr(34)}{look}{chr(34)}' if look else ''}>{text}</{tag}>"
 
     def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:
-        return [_paragraph(inline(p.line)) for p in run]
+        return [_paragraph(self.inline(p.line)) for p in run]
 
     def bullets(self, run: Sequence[Bullet]) -> list[str]:
-        return ["<ul>" + "".join(f"<li>{inline(b.line)}</li>" for b in run) + "</ul>"]
+        return ["<ul>" + "".join(f"<li>{self.inline(b.line)}</li>" for b in run) + "</ul>"]
 
     def equations(self, run: Sequence[Equation]) -> list[str]:
-        return [f"<p>{MATHML.display(equation(e))}</p>" for e in run]
+        return [f"<p>{self.formulas.display(equation(e))}</p>" for e in run]
 
     def results(self, run: Sequence[Result]) -> list[str]:
-        return [f"<p>⇒ {inline(r.line)}</p>" for r in run]
+        return [f"<p>⇒ {self.inline(r.line)}</p>" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
         both = any(f.right and f.right != NOTHING for f in run)
         heads = ("body", *(run[0].heads if both else run[0].heads[:1]))
-        rows = [
-            (f"<strong>{words(f.body)}</strong>", inline(f.left), *([inline(f.right)] if both else [])) for f in run
-        ]
+        sides = [(self.inline(f.left), *([self.inline(f.right)] if both else [])) for f in run]
+        rows = [(f"<strong>{words(f.body)}</strong>", *told) for f, told in zip(run, sides, strict=True)]
         return [_table([words(h) for h in heads], rows, "forces")]
 
     def tables(self, run: Sequence[Table]) -> list[str]:
-        return [_table([inline(c) for c in t.header], [tuple(inline(c) for c in row) for row in t.rows]) for t in run]
+        return [_table(self._cells(t.header), [self._cells(row) for row in t.rows]) for t in run]
+
+    def _cells(self, row: Sequence[Line]) -> list[str]:
+        return [self.inline(cell) for cell in row]
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        listed = "".join(f"<li>{_answer(a)}</li>" for a in run)
-        return [f'<section class="answer"><h2>Answer</h2><ul>{listed}</ul></section>']
+        listed = "".join(f"<li>{self.answer(a)}</li>" for a in run)
+        return [f'<section class="answer">{self.headed("Answer", 2)}<ul>{listed}</ul></section>']
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        told = " · ".join(inline(tuple(q for p in c.line for q in checked(p))) for c in run)
+        told = " · ".join(self.inline(tuple(q for p in c.line for q in checked(p))) for c in run)
         return [f'<p class="foot"><strong>Check</strong> {told}</p>']
 
     def notes(self, run: Sequence[Note]) -> list[str]:
         label = f"<strong>{words(run[0].kind)}</strong>"
         if len(run) == 1:
-            return [f"<p>{label} {inline(run[0].line)}</p>"]
-        return [f"<p>{label}</p>", "<ul>" + "".join(f"<li>{inline(n.line)}</li>" for n in run) + "</ul>"]
+            return [f"<p>{label} {self.inline(run[0].line)}</p>"]
+        return [f"<p>{label}</p>", "<ul>" + "".join(f"<li>{self.inline(n.line)}</li>" for n in run) + "</ul>"]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
         return [f"<figure>{_svg.svg(d.figure, 'page')}</figure>" for d in run]
 
+    def typed(self, run: Sequence[Typed]) -> list[str]:
+        return ["<pre>" + "\n".join(map(_code, t.rows)) + "</pre>" for t in run]
+
+    def heading(self, heading: Heading) -> list[str]:
+        """A heading that folds what is below it, but for that of a case."""
+        text, aside = heading_words(heading), self.aside(heading)
+        if heading.label == "CASE":
+            return [self.headed(text, 2, "case")]
+        beside = f'<span class="aside">{aside}</span>' if aside else ""
+        return ["<details open>", f"<summary>{beside}{self.headed(text, 2)}</summary>"]
+
+    def aside(self, heading: Heading) -> str:
+        """What stands beside a heading; "" where the table below has it at its head."""
+        told = words(heading.aside) if isinstance(heading.aside, str) else self.inline(heading.aside)
+        return "" if heading.aside == DIAGRAMS else told
+
+    def answer(self, answer: Answer) -> str:
+        """One answer with its name."""
+        relation = ": " if answer.relation == ":" else f" {answer.relation} "
+        return self.inline((Name(answer.name), Text(relation), *answer.line))
+
+    def inline(self, line: Line) -> str:
+        """A line with its formulas."""
+        told = joined(line, formula, words, _marked).strip()
+        return _MATH.sub(lambda m: self.formulas.inline(m[1]), told)
+
 
 def words(text: str) -> str:
     """Words without any meaning for HTML, and none for the formulas among them."""
-    return escape(printable(re.sub(r"\s", " ", text)), quote=True).replace("$", "&#36;")
+    return escape(printable(re.sub(r"\s", " ", text)), quote=True).translate(_ENTITIES)
 
 
-def inline(line: Line) -> str:
-    """A line with its formulas in MathML."""
-    told = joined(line, formula, words, _marked).strip()
-    return _MATH.sub(lambda m: MATHML.inline(m[1]), told)
+def heading_words(heading: Heading) -> str:
+    """The words of a heading with its label."""
+    label = heading.label.capitalize() if heading.label.isupper() else heading.label
+    between = ": " if heading.label in NAMING else ". "
+    return words(between.join(t for t in (label, heading.text) if t))
+
+
+def _code(row: str) -> str:
+    return escape(printable(row), quote=True)
 
 
 def _marked(part: Text) -> str:
@@ -157,17 +213,6 @@ def _last(body: Sequence[str]) -> int:
     return len(body) - 1 - body[::-1].index("<details open>")
 
 
-def _heading(heading: Heading) -> list[str]:
-    label = heading.label.capitalize() if heading.label.isupper() else heading.label
-    between = ": " if heading.label in NAMING else ". "
-    text = words(between.join(t for t in (label, heading.text) if t))
-    if heading.label == "CASE":
-        return [f'<h2 class="case">{text}</h2>']
-    aside = words(heading.aside) if isinstance(heading.aside, str) else inline(heading.aside)
-    aside = "" if heading.aside == DIAGRAMS or not aside else f'<span class="aside">{aside}</span>'
-    return ["<details open>", f"<summary>{aside}<h2>{text}</h2></summary>"]
-
-
 def _paragraph(told: str) -> str:
     """What ends with a colon stays on one sheet with what it announces."""
     return f'<p class="lead">{told}</p>' if told.endswith(":") else f"<p>{told}</p>"
@@ -178,8 +223,3 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]], kind: str = "")
     body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
     named = f' class="{kind}"' if kind else ""
     return f"<table{named}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def _answer(answer: Answer) -> str:
-    relation = ": " if answer.relation == ":" else f" {answer.relation} "
-    return inline((Name(answer.name), Text(relation), *answer.line))

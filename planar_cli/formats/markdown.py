@@ -12,13 +12,13 @@ from typing import ClassVar, final
 
 from planar_cli.formats._formulas import joined
 from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
-from planar_cli.formats.base import Format, runs
+from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
 from planar_cli.report.blocks import (
     Answer,
+    Block,
     Bullet,
     Check,
-    Document,
     Drawing,
     Equation,
     Forces,
@@ -31,33 +31,42 @@ from planar_cli.report.blocks import (
     Table,
     Text,
     Title,
+    Typed,
 )
 from planar_cli.report.names import printable
 
 _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
+LOWEST = 6
+"""The lowest level of headings."""
 # What would begin a list, a numbered list or a quotation at the start of a paragraph.
 _OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
 
 
 @final
 @record
-class Markdown(Format[str]):
+class Markdown(Pages):
     """Markdown with formulas in LaTeX. Each piece is a paragraph."""
 
     kind: ClassVar[str] = "markdown"
     suffix: ClassVar[str] = ".md"
 
-    def render(self, document: Document) -> str:
-        return "\n\n".join(piece for run in runs(document) for piece in self.pieces(run)) + "\n"
+    below: int = 0
+
+    def part(self, blocks: Sequence[Block]) -> str:
+        return "\n\n".join(piece for run in runs_of(blocks) for piece in self.pieces(run))
+
+    def whole(self, title: str, parts: Sequence[str]) -> str:
+        return "\n\n".join(p for p in parts if p) + "\n"
 
     def titles(self, run: Sequence[Title]) -> list[str]:
-        return [f"# {escaped(t.text)}" for t in run]
+        return [f"{self._level(1 + t.level)} {escaped(t.text)}" for t in run]
 
     def headings(self, run: Sequence[Heading]) -> list[str]:
         pieces = []
         for heading in run:
             between = ": " if heading.label in NAMING else ". "
-            pieces.append("## " + escaped(between.join(t for t in (_label(heading.label), heading.text) if t)))
+            text = between.join(t for t in (_label(heading.label), heading.text) if t)
+            pieces.append(f"{self._level(2)} {escaped(text)}")
             aside = escaped(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
             # The table below has it at its head.
             aside = "" if heading.aside == DIAGRAMS else aside
@@ -88,7 +97,7 @@ class Markdown(Format[str]):
         return ["\n".join([_row(t.header), "|" + " --- |" * len(t.header), *(_row(r) for r in t.rows)]) for t in run]
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        return ["## Answer", "\n".join(f"- {_answer(a)}" for a in run)]
+        return [f"{self._level(2)} Answer", "\n".join(f"- {_answer(a)}" for a in run)]
 
     def checks(self, run: Sequence[Check]) -> list[str]:
         lines = (tuple(q for p in c.line for q in checked(p)) for c in run)
@@ -103,6 +112,13 @@ class Markdown(Format[str]):
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
         """Text has none; the tables of forces say the same."""
         return []
+
+    def typed(self, run: Sequence[Typed]) -> list[str]:
+        # A row that begins with three of them would end the block.
+        return ["\n".join(["```text", *(printable(r).replace("```", "` ` `") for r in t.rows), "```"]) for t in run]
+
+    def _level(self, level: int) -> str:
+        return "#" * min(level + self.below, LOWEST)
 
 
 def escaped(text: str) -> str:

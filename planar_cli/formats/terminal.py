@@ -29,6 +29,7 @@ from planar_cli.report.blocks import (
     Table,
     Text,
     Title,
+    Typed,
 )
 from planar_cli.report.names import plain_name, printable
 
@@ -243,6 +244,9 @@ class Terminal(Format[Row]):
     def drawings(self, run: Sequence[Drawing]) -> list[Row]:
         """A terminal shows none: the lists of forces say the same."""
         return []
+
+    def typed(self, run: Sequence[Typed]) -> list[Row]:
+        return [(*indent(_BODY), Span(words(row))) for t in run for row in t.rows]
 
     def _labelled(self, label: str, lines: list[list[Span]]) -> list[Row]:
         # One gap less is wide enough behind a longer label: what is told begins in one column on the whole page.

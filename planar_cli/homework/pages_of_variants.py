@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, PlanarError
+from planar_cli.homework.paper import Printed
 from planar_cli.homework.ready import Prepared, Values
 from planar_cli.homework.set_file import HomeworkSet
 from planar_cli.homework.worked_problem import plainly_solved
@@ -14,8 +15,8 @@ from planar_cli.problem.variations import with_first_values, with_values
 from planar_cli.records import record
 from planar_cli.solve.solved_problem import Solution
 
-Page = Callable[[Solution], str]
-"""Writes a worked solution in Markdown."""
+Page = Callable[[Solution], Printed]
+"""Prints a worked solution."""
 Item = tuple[str, Values, Page]
 
 
@@ -61,7 +62,7 @@ def with_pages(
 class Made:
     """A page that was made."""
 
-    page: str
+    page: Printed
 
 
 def _page(item: Item) -> Made | str:

@@ -6,6 +6,9 @@ Numbers are in the unit of their find, as the key tells it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import field
+
 from planar_cli.records import record
 
 # --- what is right ---------------------------------------------------------------------------------------------------
@@ -13,6 +16,12 @@ from planar_cli.records import record
 
 Place = tuple[tuple[str, float], ...]
 """Values of the letters of a problem, in SI units."""
+
+
+Printed = Mapping[str, str]
+"""A part of a page in print, by the formats in which it is wanted: markdown, html, latex; for course systems, which
+have formulas between brackets or between dollars, mathjax and dollars.
+"""
 
 
 @record
@@ -91,8 +100,8 @@ class Task:
     given: tuple[str, ...]
     """Lines such as `m = 2 kg` that stand beside the text, with the numbers of the variant: what it does not tell."""
     expected: tuple[Expected, ...]
-    worked: str = ""
-    """The worked solution in Markdown; "" where it is not wanted."""
+    worked: Printed = field(default_factory=dict)
+    """The worked solution; nothing where it is not wanted."""
     drawn: tuple[str, ...] = ()
     """The same lines of what varies, wherever the student reads it."""
     lead: str = "Given"

@@ -22,9 +22,10 @@ __all__ = ["Inline", "Line", "Math", "Name", "Relation", "Term", "Text", "TextSt
 
 @record
 class Title:
-    """The title of the document."""
+    """The title of the document, or of a part of it; `level`: so many levels below that of the whole."""
 
     text: str
+    level: int = 0
 
 
 @record
@@ -120,13 +121,22 @@ class Note:
 
 
 @record
+class Typed:
+    """Lines as somebody types them into a file."""
+
+    rows: tuple[str, ...]
+
+
+@record
 class Drawing:
     """A figure; a format that cannot show one leaves it out."""
 
     figure: Figure
 
 
-Block = Drawing | Title | Heading | Paragraph | Bullet | Equation | Result | Forces | Table | Answer | Check | Note
+Block = (
+    Drawing | Title | Heading | Paragraph | Bullet | Equation | Result | Forces | Table | Answer | Check | Note | Typed
+)
 
 
 @record

@@ -23,7 +23,6 @@ from planar_cli.homework.exports._asked import (
 )
 from planar_cli.homework.exports._spellings import spellings
 from planar_cli.homework.exports._text import bullets, html, number, one_line, paragraphs, slug, xml
-from planar_cli.homework.exports._worked import LATEX, worked_html
 from planar_cli.homework.exports._xml import DECLARATION, element
 from planar_cli.homework.exports.base import Exported, PaperExport
 from planar_cli.homework.paper import Paper, Task
@@ -178,7 +177,7 @@ def _head(asked: Asked, question: str, seed: int) -> Iterator[str]:
     body = paragraphs(text_of(task)) + bullets(task.given) + question
     yield element("name", _text(name_of(task, expected.find, asked.variant, LONGEST_NAME)))
     yield element("questiontext", _text(body), format="html")
-    yield element("generalfeedback", _text(worked_html(task.worked, LATEX)), format="html")
+    yield element("generalfeedback", _text(task.worked.get("mathjax", "")), format="html")
     yield element("defaultgrade", number(expected.points))
     yield element("penalty", PENALTY)
     yield element("hidden", "0")

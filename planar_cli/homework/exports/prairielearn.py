@@ -26,7 +26,6 @@ from planar_cli.homework.exports._asked import (
 )
 from planar_cli.homework.exports._symbolic import NoFormula, symbolic
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug
-from planar_cli.homework.exports._worked import DOLLARS, worked_html
 from planar_cli.homework.exports._xml import element, paired
 from planar_cli.homework.exports.base import Exported, PaperExport
 from planar_cli.homework.paper import Paper, Task
@@ -102,7 +101,7 @@ class _Row:
         self.variant = variant
         self.elements: list[_Element] = []
         text = paragraphs(text_of(task)) + bullets(task.given)
-        self.params: dict[str, Any] = {"text": text, "worked": worked_html(task.worked, DOLLARS)}
+        self.params: dict[str, Any] = {"text": text, "worked": task.worked.get("dollars", "")}
         self.answers: dict[str, Any] = {}
         self.inputs: dict[str, Any] = {}
         self._names = _InputNames()

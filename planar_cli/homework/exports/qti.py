@@ -23,7 +23,6 @@ from planar_cli.homework.exports._asked import (
     text_of,
 )
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug, xml
-from planar_cli.homework.exports._worked import LATEX, worked_html
 from planar_cli.homework.exports._xml import DECLARATION, element
 from planar_cli.homework.exports.base import Exported, PaperExport
 from planar_cli.homework.paper import Paper
@@ -138,7 +137,7 @@ def _word(content: _Content, word: str, points: float) -> None:
 
 def _item(name: str, asked: Asked, content: _Content) -> str:
     task, expected = asked.task, asked.expected
-    solution = worked_html(task.worked, LATEX)
+    solution = task.worked.get("mathjax", "")
     score = element("defaultValue", element("value", "0"))
     shape = {"identifier": SCORE, "cardinality": "single", "baseType": "float", "normalMinimum": "0"}
     outcomes = [element("outcomeDeclaration", score, **shape, normalMaximum=number(expected.points)), *content.outcomes]
