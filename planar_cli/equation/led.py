@@ -39,6 +39,15 @@ def led(system: System, body: str) -> str:
     return f"{edge.body} turns about {j.place}" if turns_about_a_fixed_point(system, body) else ""
 
 
+def turns_with_an_axis(system: System, body: str) -> bool:
+    """Does a rigid body turn about a point of the ground, itself or fixed to one that does?"""
+    edges = {e.body: e for e in system.tree.edges}
+    edge = edges.get(body)
+    while edge is not None and edge.joining is not None and edge.joining.only_turns and not edge.joining.turns:
+        edge = edges.get(edge.parent)
+    return edge is not None and system.scene.rigid(body) and turns_about_a_fixed_point(system, edge.body)
+
+
 def turns_about_a_fixed_point(system: System, body: str) -> bool:
     """Does a rigid body itself turn about a point of the ground?"""
     edge = root_edge(system, body)

@@ -7,7 +7,7 @@ name of a file has a Greek letter, so that none is taken.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
@@ -36,8 +36,13 @@ def with_mark(expr: sp.Expr, part: str) -> sp.Expr:
     return expr * sp.Symbol(part, positive=True) if _marking.get() and expr != 0 else expr
 
 
-def know_marks(ledger: Ledger) -> None:
+def axis_of(body: str) -> str:
+    """The factor at what the moment of inertia of one body has more about a fixed axis."""
+    return f"{AXIS}_{body}"
+
+
+def know_marks(ledger: Ledger, bodies: Iterable[str]) -> None:
     """The factors are known: they are one."""
     if _marking.get():
-        for part in (CORIOLIS, NORMAL, TANGENTIAL, AXIS):
+        for part in (CORIOLIS, NORMAL, TANGENTIAL, *map(axis_of, bodies)):
             ledger.known(part, sp.S.One, "1")

@@ -152,7 +152,7 @@ class Setup:
             if "g" in letters and "g" not in self.ledger.symbols:
                 self._gravity()
             self.ledger.known(name, known.value, known.unit)
-        know_marks(self.ledger)
+        know_marks(self.ledger, [b.name for b in self.problem.bodies])
         for symbol in self.problem.given:
             self._know(symbol)
         for letter, side in impulse_letters(self.problem).values():

@@ -6,7 +6,6 @@ an angular velocity.
 
 from __future__ import annotations
 
-import math
 import re
 
 from planar_cli.base_units import in_base
@@ -55,7 +54,7 @@ def _base(one: Dimension | None, other: Dimension | None, expected: Expected) ->
         return 1.0
     found = one / other
     foot, slug = float(ATOMS["ft"].factor), float(ATOMS["slug"].factor)
-    return math.prod((foot ** float(found.length), slug ** float(found.mass)))
+    return float(foot ** float(found.length) * slug ** float(found.mass))
 
 
 def _in_words(mine: Dimension | None, expected: Expected) -> str:

@@ -151,8 +151,8 @@ def _part(part: PartSolution, problem: Problem, whole: Problem) -> Part:
         # Instants that have the same letters for other numbers.
         equations = replace(replay.equations, asked=same)
         replay = Replay(equations, replay)
-    why = "" if same else "its equations give other numbers"
-    return Part(part, problem, replay if same else None, why, own)
+    told = "" if same else "its equations give other numbers"
+    return Part(part, problem, replay if same else None, told, own)
 
 
 def _agrees(numbers: Sequence[float], due: Sequence[float]) -> bool:

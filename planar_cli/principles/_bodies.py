@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 
 from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.led import led, rolls, turns_about_a_fixed_point
+from planar_cli.equation.led import led, rolls, turns_with_an_axis
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.parts_of_accelerations import AXIS, with_mark
+from planar_cli.equation.parts_of_accelerations import axis_of, with_mark
 from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Moving, Position
 
@@ -34,7 +34,7 @@ def of_mass_centre(system: System, body: str, amount: sp.Expr) -> sp.Expr:
     """What the velocity of the mass centre brings to an energy or a moment of momentum: about a fixed axis it is what
     the parallel-axis theorem adds.
     """
-    return with_mark(amount, AXIS) if turns_about_a_fixed_point(system, body) else amount
+    return with_mark(amount, axis_of(body)) if turns_with_an_axis(system, body) else amount
 
 
 def joined(position: Position) -> list[tuple[str, ...]]:
