@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,14 +14,15 @@ from worked import name_of, worked
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
-from planar_cli.report.blocks import Text
-from planar_cli.report.marks import Figure, Tag
+from planar_cli.report.blocks import Name, Text, line
+from planar_cli.report.marks import Arrow, Axes, Dimension, Figure, Hatched, Polyline, Symbol, Tag
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
 
 EVERY = 12
 """Of so many problem files one is drawn in each run, as in test_figures.py."""
+DOTS = ("point", "particle", "place", "pin")
 
 
 def named(stem: str) -> Path:
@@ -82,3 +84,34 @@ def far(there: Drawn, first: Drawn, body: str) -> bool:
     here, before = (d.spot(d.scene.bodies[body].center) for d in (there, first))
     size = max(map(abs, before or (0.0, 0.0)))
     return here is not None and before is not None and max(map(abs, here)) > 10 * size + 1e-3
+
+
+@pytest.mark.parametrize("path", [*PROBLEMS[::EVERY], *SEVERAL_REGIMES], ids=name_of)
+def test_no_scene_is_some_dots(path: Path) -> None:
+    """Beside points and names there are at least two marks: what is a particle alone has its way, or its velocity."""
+    found = scene_of(path)
+    if found is None:
+        return
+    (panel,) = found[0].panels
+    seen = [m for m in panel.marks if not isinstance(m, Tag | Axes) and not (isinstance(m, Symbol) and m.kind in DOTS)]
+    assert len(seen) > 1, panel.marks
+
+
+def test_a_throw_has_its_way_its_velocity_its_heights_and_the_ground() -> None:
+    found = scene_of(named("hose-over-a-wall"))
+    assert found is not None
+    marks = found[0].panels[0].marks
+    assert sum(isinstance(m, Polyline) and m.style == "way" for m in marks) == 3
+    assert [m.words for m in marks if isinstance(m, Arrow)] == [line(Name("v_0"))]
+    assert len([m for m in marks if isinstance(m, Dimension)]) == 2
+    assert len([m for m in marks if isinstance(m, Hatched)]) == 1
+
+
+def test_bodies_that_meet_are_side_by_side() -> None:
+    """A comes from the left, B from the right, along a line of 30 degrees."""
+    found = scene_of(named("pucks-at-an-angle"))
+    assert found is not None
+    (first, second) = (m.at for m in found[0].panels[0].marks if isinstance(m, Symbol) and m.kind == "particle")
+    assert first[0] < second[0]
+    assert math.dist(first, second) > 0
+    assert (second[1] - first[1]) / (second[0] - first[0]) == pytest.approx(math.tan(math.radians(30)))

@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.given_motion import Moving, given_motion_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
-from planar_cli.figures.positions import Later, brought_near, position_marks, positions
+from planar_cli.figures.positions import Later, brought_near, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
+from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
 from planar_cli.problem import expression
@@ -19,7 +22,7 @@ from planar_cli.problem.entry import Entry
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Surface
 from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import line
-from planar_cli.report.marks import Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, spots_of
+from planar_cli.report.marks import Angle, Arrow, Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, Turn, spots_of
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
@@ -36,17 +39,29 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     `run`: the motion as it was followed, which tells ways that no formula tells.
     """
     drawn = Drawn.as_in_the_file(instant)
-    problem = drawn.scene.problem
+    problem, system = drawn.scene.problem, instant.trial.system
     if motion is None or not problem.states:
-        return Panel(tuple(_marks(drawn, problem.joints)))
+        moving = Moving(drawn, system.motion) if system.motion is not None else None
+        return _panel(tuple(_marks(drawn, moving, problem.joints)))
     drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
+    systems = {id(r.solution.instant.scene): r.solution.trial.system for r in motion.regimes}
+    led = systems.get(id(drawn.scene), system).motion
+    moving = Moving(drawn, led) if led is not None else None
     joints = motion.problem.joints
-    size = extent([s for m in _marks(drawn, joints) for s in spots_of(m)])
+    size = extent([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
     places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
-    return Panel((*_marks(drawn, joints, places[1:]), *position_marks(places, motion, run)))
+    marks = (*_marks(drawn, moving, joints, places[1:]), *position_marks(places, motion, run))
+    return _panel((*marks, *state_measures(places, problem)))
 
 
-def _marks(drawn: Drawn, joints: Sequence[Joint], later: Sequence[Later] = ()) -> Iterator[Mark]:
+def _panel(marks: tuple[Mark, ...]) -> Panel:
+    """Bodies that meet, and nothing else, are at one point although they are drawn side by side."""
+    placed = extent([s for m in marks for s in spots_of(m)])
+    signs = all(isinstance(m, Symbol | Arrow | Turn | Tag | Angle | Axes) for m in marks)
+    return Panel(marks, least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
+
+
+def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: Sequence[Later] = ()) -> Iterator[Mark]:
     """`joints`: those of the whole file, whenever they hold; `later`: further positions, to which surfaces go on."""
     scene, problem = drawn.scene, drawn.scene.problem
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
@@ -65,19 +80,29 @@ def _marks(drawn: Drawn, joints: Sequence[Joint], later: Sequence[Later] = ()) -
             if isinstance(mark, Hatched):
                 standing.update(_standing(drawn, problem, surface, mark))
     sketches = [(entry, _sketch(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
-    sketched = [m for entry, found in sketches for s in found for m in sketch_marks(drawn, s, line(entry.name))]
+    aside = side_by_side(drawn, moving, joints, extent([*points.values(), *centers]))
+    sketched = [
+        shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
+        for entry, found in sketches
+        for s in found
+        for m in sketch_marks(drawn, s, line(entry.name))
+    ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail")}
     for name, body in scene.bodies.items():
         for mark in body_marks(drawn, body):
-            if isinstance(mark, Symbol) and mark.at in sliding:
+            here = shifted(mark, aside.get(name, (0.0, 0.0)))
+            if isinstance(here, Symbol) and here.at in sliding:
                 continue
-            yield standing.get(name, mark) if isinstance(mark, Symbol) else mark
+            yield standing.get(name, here) if isinstance(here, Symbol) else here
     yield from sketched
     named = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
     shown = {name: points[name] for name in named if name in points}
     yield from (Symbol("point", s) for s in shown.values())
     tagged = {**shown, **_particles(drawn, problem, shown)}
+    tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
     yield from measure_marks(drawn, problem, tagged)
+    if moving is not None:
+        yield from given_motion_marks(moving, problem, aside)
     yield Axes(problem.plane == "vertical")
     yield from _bodies_named(drawn, problem, tagged)
 

@@ -68,7 +68,8 @@ def _line(
     along = drawn.angle(drawn.scene.surface_direction(surface))
     if start is None or along is None:
         return []
-    contacts = [_seen(p, start, along)[0] for p in touching]
+    seen = [_seen(p, start, along) for p in touching]
+    contacts = [ahead for ahead, aside in seen if abs(aside) <= NEAR * size]
     ways = list(contacts)
     for marks in shown:
         foot = _foot(marks, start, along, NEAR * size)

@@ -45,8 +45,8 @@ COUPLE = 17.0
 AXIS, APART = 30.0, 62.0
 """The length of an axis, and how far the axes are beside everything."""
 STEP = math.radians(6)
-LATER = "hidden"
-"""The style of a position that a body has later: its outline alone."""
+LATER, WAY = "hidden", "way"
+"""The style of a position that a body has later, its outline alone, and of the way there."""
 Piece = Stroke | Disc | Words
 
 
@@ -73,7 +73,7 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     if whole is not None:
         pieces += [p for mark in axes for p in _axes(mark, (whole.left - APART, whole.bottom))]
     # What is somewhere only later lies below all that is there.
-    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind != LATER)
+    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind not in (LATER, WAY))
     return Paper(tuple(strokes), tuple(p for p in pieces if isinstance(p, Words) and p.runs))
 
 
@@ -344,4 +344,4 @@ def world_box(panel: Panel) -> tuple[float, float]:
     if not spots:
         return 0.0, 0.0
     xs, ys = zip(*spots, strict=True)
-    return max(xs) - min(xs), max(ys) - min(ys)
+    return max(max(xs) - min(xs), panel.least), max(max(ys) - min(ys), panel.least)

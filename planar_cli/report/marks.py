@@ -158,10 +158,11 @@ Mark = Graph | Axes | Polyline | Arc | Hatched | Coil | Dashpot | Symbol | Arrow
 
 @record
 class Panel:
-    """One drawing, and what stands over it."""
+    """One drawing, and what stands over it. `least`: it is at least so wide, m."""
 
     marks: tuple[Mark, ...]
     head: Line = ()
+    least: float = 0.0
 
 
 @record
