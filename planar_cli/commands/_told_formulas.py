@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import sympy as sp
 
+    from planar_cli.homework.told_formula import ToldFormula
     from planar_cli.solve.solved_problem import Solution
 
 
-def told_formulas(solution: Solution, numbers: Mapping[str, sp.Rational]) -> dict[str, str]:
+def told_formulas(solution: Solution, numbers: Mapping[str, sp.Expr]) -> dict[str, ToldFormula]:
     """By the names of the finds, with `numbers` put in for some letters. Workers find it by its name; what tells a
     formula is loaded there.
     """

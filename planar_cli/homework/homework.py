@@ -5,16 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 import pickle
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-
-import sympy as sp
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.dependence import behind_each
 from planar_cli.homework.followed_mistakes import with_followed
-from planar_cli.homework.given_letters import gravity_told, pure_numbers, with_given
+from planar_cli.homework.given_letters import gravity_told, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.pages_of_variants import Page, with_pages
 from planar_cli.homework.paper import Expected, Paper, Task
@@ -22,6 +20,7 @@ from planar_cli.homework.passing import passing
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.set_file import HomeworkSet, SetProblem
+from planar_cli.homework.told_letters import Formulas, Told
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import Variants, columns, variants_of
 from planar_cli.homework.what_mistakes_give import with_mistakes
@@ -35,10 +34,7 @@ from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
 from planar_cli.problem.placeholders import PLACEHOLDER, put_in, told
 from planar_cli.problem.variations import with_first_values
-from planar_cli.solve.solved_problem import Solution
 
-Formulas = Callable[[Solution, Mapping[str, sp.Rational]], dict[str, str]]
-"""Tells the answers in letters, by their finds, with numbers put in for some letters."""
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
 
@@ -49,7 +45,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     """
     solved = read_and_solve(problem.path, problem.name)
     _check_finds(problem, solved)
-    drawn = variants_of(solved, variants, seed)
+    drawn = variants_of(solved, variants, seed, formulas)
     _demand_fit(problem, drawn)
     base = base_expected(solved)
     expected = [base, *(v.expected for v in drawn.taken)]
@@ -63,7 +59,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     if (same := numbered(solved)) is not None:
         rows = with_wrong_values(solved, same, rows, [dict(d.values) for d in draws])
     rows = with_followed(solved, rows, [dict(d.values) for d in draws])
-    told = _Told(solved, base, formulas)
+    told = Told(solved, base, formulas)
     asked = [
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
         for d, e in zip(draws, rows, strict=True)
@@ -121,39 +117,6 @@ def _check_finds(problem: SetProblem, solved: WorkedProblem) -> None:
     if wrong:
         text = f"{problem.path} has no find '{wrong[0]}'"
         raise FileProblem([Diagnostic(problem.mark, "PL802", text, f"there are {', '.join(names)}")])
-
-
-class _Told:
-    """Answers in letters as a page tells them: where they are those of the file itself, and with the numbers of a
-    variant put in for what its sheet gives.
-    """
-
-    def __init__(self, solved: WorkedProblem, base: Sequence[Expected], formulas: Formulas | None) -> None:
-        self.solved = solved
-        self.same = {e.find: e.formula for e in base if e.formula}
-        self.formulas = formulas if self.same else None
-        self._known: dict[tuple[tuple[str, sp.Rational], ...], dict[str, str]] = {}
-
-    def of(self, expected: Sequence[Expected], values: Mapping[str, str]) -> tuple[Expected, ...]:
-        """The finds of a variant with these values."""
-        if self.formulas is None:
-            return tuple(expected)
-        letters, numbers = self._with({}), self._with(pure_numbers(self.solved, values))
-
-        def text(e: Expected) -> str:
-            if not e.formula or e.find not in letters or e.formula != self.same[e.find]:
-                return e.text
-            same = letters[e.find] == numbers[e.find] or e.kind == "equation"
-            return letters[e.find] if same else f"{letters[e.find]} = {numbers[e.find]}"
-
-        return tuple(replace(e, text=text(e)) for e in expected)
-
-    def _with(self, numbers: Mapping[str, sp.Rational]) -> dict[str, str]:
-        assert self.formulas is not None
-        key = tuple(sorted(numbers.items()))
-        if key not in self._known:
-            self._known[key] = self.formulas(self.solved.solution, numbers)
-        return self._known[key]
 
 
 def _in_words(problem: SetProblem, expected: Sequence[Expected]) -> tuple[Expected, ...]:

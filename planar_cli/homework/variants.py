@@ -17,7 +17,10 @@ from itertools import islice
 import numpy as np
 
 from planar_cli.errors import PlanarError
+from planar_cli.homework.given_letters import with_given
 from planar_cli.homework.paper import Expected
+from planar_cli.homework.same_formula import as_in_file, formula_changes_sign
+from planar_cli.homework.told_letters import Formulas
 from planar_cli.homework.variant_draws import Draw, draws
 from planar_cli.homework.worked_problem import (
     APART,
@@ -93,8 +96,10 @@ def variations(problem: WorkedProblem) -> tuple[Variation, ...]:
     return variations_of(problem.node, Report())
 
 
-def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
-    """So many variants, or as many as there are; the same for the same seed."""
+def variants_of(problem: WorkedProblem, count: int, seed: int, formulas: Formulas | None = None) -> Variants:
+    """So many variants, or as many as there are; the same for the same seed. `formulas`: tells answers in letters, of
+    which the formula is not that of the file.
+    """
     varied = variations(problem)
     found = Variants(combinations=math.prod(len(v.values) for v in varied))
     if not varied or count < 1:
@@ -109,7 +114,7 @@ def variants_of(problem: WorkedProblem, count: int, seed: int) -> Variants:
         note = "solved one by one, as the equations of the file do not fit all values"
         found = Variants(note=note, combinations=found.combinations)
         drawn = draws(varied, f"{seed}/{problem.name}")
-    _take_solved(problem, drawn, count, found)
+    _take_solved(problem, drawn, count, found, formulas)
     return found
 
 
@@ -247,22 +252,29 @@ def _solved_anew_agree(problem: WorkedProblem, taken: Sequence[Variant]) -> bool
 # --- solved one by one -----------------------------------------------------------------------------------------------
 
 
-def _take_solved(problem: WorkedProblem, drawn: Iterator[Draw], count: int, found: Variants) -> None:
-    base = {e.find: e for e in base_expected(problem)}
+def _take_solved(
+    problem: WorkedProblem, drawn: Iterator[Draw], count: int, found: Variants, formulas: Formulas | None
+) -> None:
+    base = with_given(problem, base_expected(problem), {})
     for draw in islice(drawn, AT_MOST * count):
         if len(found.taken) >= count:
             return
         found.tried += 1
+        values = dict(draw.values)
         try:
-            expected = base_expected(with_numbers(problem, dict(draw.values)))
+            solved = with_numbers(problem, values)
+            expected = with_given(problem, base_expected(solved), values)
         except PlanarError:
             found.rejected[UNSOLVED] += 1
             continue
-        reason = next((r for e in expected if (r := _changed(base[e.find], e))), "")
+        pairs = list(zip(base, expected, strict=True))
+        reason = next((r for before, now in pairs if (r := _changed(before, now))), "")
         if reason:
             found.rejected[reason] += 1
             continue
-        found.taken.append(Variant(draw, tuple(replace(e, scale=base[e.find].scale) for e in expected)))
+        told = {} if formulas is None or not any(e.formula for e in expected) else formulas(solved.solution, {})
+        taken = tuple(replace(as_in_file(before, now, told.get(now.find)), scale=before.scale) for before, now in pairs)
+        found.taken.append(Variant(draw, taken))
 
 
 def _changed(before: Expected, now: Expected) -> str:
@@ -272,5 +284,7 @@ def _changed(before: Expected, now: Expected) -> str:
         return OTHER_CASE
     scale = before.scale
     if any(a != b for a, b in zip(_signs(before.values, scale), _signs(now.values, scale), strict=True)):
+        return OTHER_SIGN.format(before.find)
+    if before.kind == "formula" and formula_changes_sign(before, now):
         return OTHER_SIGN.format(before.find)
     return ""

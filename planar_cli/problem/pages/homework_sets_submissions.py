@@ -50,7 +50,8 @@ of a problem that takes a second are five minutes on one core. `--timeout` is fo
 with its variants. A key without worked solutions does not take the place of one that has them.
 
 In a file with `symbols` the names of `given` stay letters in the key, which tells a variant both ways:
-`(1 + e) √(3 g l) / (1 + 3 n) = 3 √(3 g l)/8`. An answer may have the letters, their numbers, or some of each. Such a
+`(1 + e) √(3 g l) / (1 + 3 n) = 3 √(3 g l)/8`, or `= 0.5333 v_0 (v_0 in m/s)` where numbers with units are put in for
+all but the letters, if a product comes of it. An answer may have the letters, their numbers, or some of each. Such a
 file is solved once more with numbers in place of its letters; by these equations wrong formulas are diagnosed, and what
 follows from own ones is carried.
 

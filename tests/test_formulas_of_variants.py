@@ -1,0 +1,53 @@
+"""Answers in letters keep their sign in each variant, and a key tells them by the letters and by the numbers."""
+
+from __future__ import annotations
+
+import pytest
+
+from planar_cli.commands._told_formulas import told_formulas
+from planar_cli.homework.homework import prepared
+from planar_cli.homework.ready import Prepared
+from planar_cli.homework.set_file import read_set
+
+HIT = """
+plane: vertical
+symbols: {v_0: m/s}
+given: {M: 6 kg, m: 1 kg, l: 1.2 m, b: 0.9 m, e: 0.6}
+points: {A: [0, 0], B: [0, -l], P: [0, -b]}
+bodies:
+  rod: {rod: [A, B], mass: M}
+  ball: {particle: P, mass: m}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+  - impact: {between: [ball, rod], restitution: e, normal: 0 deg, during: 1->2}
+states:
+  1: [rod at rest, v(ball).x = v_0, v(ball).y = 0]
+  2: [just after 1]
+find: {J: impulse(A).x @ 1->2, v: v(ball).x @ 2}
+variants: {b: [0.9 m, 0.6 m, 1.2 m]}
+"""
+
+
+@pytest.fixture(scope="module")
+def hit(tmp_path_factory: pytest.TempPathFactory) -> Prepared:
+    folder = tmp_path_factory.mktemp("hit")
+    (folder / "hit.yaml").write_text(HIT)
+    (folder / "set.yaml").write_text("problems: [hit.yaml]\nvariants: {number: 3}")
+    (problem,) = read_set(str(folder / "set.yaml")).problems
+    return prepared(problem, 3, 1, told_formulas)
+
+
+def test_a_formula_that_changes_its_sign_is_no_variant(hit: Prepared) -> None:
+    """J ~ 3 b - 2 l: at b = 0.6 m the hinge pushes the other way."""
+    assert dict(hit.rejected) == {"J changes its sign": 1}
+    assert sorted(dict(v)["b"] for v in hit.values[1:3]) == ["0.9 m", "1.2 m"]
+
+
+def test_the_formula_of_the_file_stands_where_it_holds(hit: Prepared) -> None:
+    """Where b = l the solution has b for 3 b - 2 l."""
+    for task, values in zip(hit.tasks[1:3], hit.values[1:3], strict=True):
+        b = float(dict(values)["b"].split()[0])
+        j, v = task.expected
+        coefficient = 6 * 1.2 * (3 * b - 2.4) * 1.6 / (2 * (6 * 1.44 + 3 * b**2))
+        assert j.text == f"(1 + e) M m v_0 l (3 b - 2 l) / (2 (M l² + 3 m b²)) = {coefficient:.4f} v_0 (v_0 in m/s)"
+        assert v.text.endswith(" v_0"), "a pure number needs no unit"
