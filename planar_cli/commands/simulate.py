@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 STATUS = {"followed": cli.SOLVED, "contradicted": cli.DISAGREES, "not followed": cli.UNDECIDED}
 OUTPUTS = ("table", "csv", "json", "npz")
 PLOTS = ("time", "path", "phase", "energy")
-PICTURES = (".svg", ".png")
+PICTURES, FILMS = (".svg", ".png"), (".svg", ".html")
 
 
 @declared(help=__doc__)
@@ -48,6 +49,8 @@ PICTURES = (".svg", ".png")
 @option("--output", type=Choice(OUTPUTS), default="table", help="How to print.")
 @option("--plot", metavar="FILE", help="Draw the motion into a .svg or .png file, beside what is printed.")
 @option("--plot-of", "plots", type=Choice(PLOTS), multiple=True, help="What to draw: quantities over time, ways ...")
+@option("--animate", metavar="FILE", help="Show the motion in a .svg or .html file, which plays in any browser.")
+@option("--speed", type=FloatRange(1e-9, 1e9), help="How many times as fast as it is; left out, 1 if that can be seen.")
 @option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
 @option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a file; 0: none.")
 def command(
@@ -56,6 +59,8 @@ def command(
     timeout: float,
     plot: str | None,
     plots: tuple[str, ...],
+    animate: str | None,
+    speed: float | None,
     **options: Any,
 ) -> int:
     """Simulate each file; one that fails does not keep the others from being followed."""
@@ -63,7 +68,12 @@ def command(
 
     if options["output"] == "npz" and (file is None or len(files) > 1):
         raise WrongUsage("npz holds numbers for programs: simulate one file, and write `-o motion.npz`")
-    _demand_one(files, plot, plots)
+    if plots and plot is None:
+        raise WrongUsage("--plot-of says what a picture shows: add `--plot motion.svg`")
+    if speed is not None and animate is None:
+        raise WrongUsage("--speed is that of an animation: add `--animate motion.html`")
+    _demand_one(files, plot, PICTURES)
+    _demand_one(files, animate, FILMS)
     request = request_of(**options)
     status, pieces = cli.SOLVED, []
     motions: list[Motion] = []
@@ -77,23 +87,23 @@ def command(
         if piece is not None:
             pieces.append(piece)
     _put(pieces, request, file)
-    if plot is not None and motions:
+    for target, drawn in ((plot, partial(_picture, motions, plots)), (animate, partial(_film, motions, speed))):
+        if target is None or not motions:
+            continue
         try:
             with limits(timeout):
-                write_bytes(_picture(motions, plots, plot), plot)
+                write_bytes(drawn(target), target)
         except PlanarError as error:
             status = max(status, cli.tell(error))
     return status
 
 
-def _demand_one(files: tuple[str, ...], plot: str | None, plots: tuple[str, ...]) -> None:
-    """WrongUsage where no picture can come of the options."""
-    if plot is None:
-        if plots:
-            raise WrongUsage("--plot-of says what a picture shows: add `--plot motion.svg`")
+def _demand_one(files: tuple[str, ...], path: str | None, endings: tuple[str, ...]) -> None:
+    """WrongUsage where no picture of that name can come of these files."""
+    if path is None:
         return
-    if not plot.lower().endswith(PICTURES):
-        raise WrongUsage(f"a picture is written as {' or '.join(PICTURES)}, not as {plot}")
+    if not path.lower().endswith(endings):
+        raise WrongUsage(f"a picture of this kind is written as {' or '.join(endings)}, not as {path}")
     if len(files) > 1:
         raise WrongUsage("a picture shows the motion of one file: simulate one file at a time")
 
@@ -110,6 +120,15 @@ def _picture(motions: Sequence[Motion], plots: Sequence[str], path: str) -> byte
     from planar_cli.typeset import png
 
     return png(svg(figure, "print"))
+
+
+def _film(motions: Sequence[Motion], speed: float | None, path: str) -> bytes:
+    """The motion of a file, or of its first case, as it goes on."""
+    from planar_cli.figures.frames import film
+    from planar_cli.formats._animated import animated, page
+
+    shown = film(motions[0].run, speed)
+    return (animated(shown) if path.lower().endswith(".svg") else page(shown)).encode()
 
 
 def _simulated(path: str, request: Request, motions: list[Motion]) -> tuple[int, Any]:

@@ -69,8 +69,8 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     size = extent([*points.values(), *centers]) or ALONE
     standing: dict[str, Symbol] = {}
     for surface in problem.surfaces:
-        touching = [points[p] for p in _touching(joints, surface) if p in points]
-        partners = [b for b in _partners(joints, surface) if b in scene.bodies]
+        touching = [points[p] for p in touching_points(joints, surface) if p in points]
+        partners = [b for b in partners_of(joints, surface) if b in scene.bodies]
         near = [s for b in partners if (s := drawn.spot(scene.bodies[b].center)) is not None]
         beside = scene.bodies if isinstance(surface.shape, Line | Circle) else partners
         seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
@@ -115,7 +115,7 @@ def _sketch(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
         return ()
 
 
-def _touching(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
+def touching_points(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
     """The points of the file on a surface: where bodies touch it, and through which it is drawn."""
     shape = surface.shape
     if isinstance(shape, Line):
@@ -123,10 +123,10 @@ def _touching(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
     for joint in joints:
         if surface.name in _between(joint):
             yield from (p for p in (getattr(joint, "at", ""), getattr(joint, "point", "")) if p)
-    yield from _partners(joints, surface)
+    yield from partners_of(joints, surface)
 
 
-def _partners(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
+def partners_of(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
     """The bodies that touch a surface, or slide along it."""
     for joint in joints:
         partners = _between(joint)

@@ -22,6 +22,7 @@ from planar_cli.report.marks import (
     Dashpot,
     Dimension,
     Hatched,
+    Mark,
     Panel,
     Polyline,
     Span,
@@ -75,6 +76,11 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     # What is somewhere only later lies below all that is there.
     strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind not in (LATER, WAY))
     return Paper(tuple(strokes), tuple(p for p in pieces if isinstance(p, Words) and p.runs))
+
+
+def pieces_of(mark: Mark, scale: Scale) -> Iterator[Piece]:
+    """One mark on paper."""
+    yield from _drawn(mark, scale)
 
 
 def _axes(mark: Axes, at: Spot) -> Iterator[Piece]:
@@ -147,7 +153,7 @@ def hatching(places: tuple[Spot, ...], right: float = 1.0) -> Iterator[Piece]:
 def _coil(mark: Coil, scale: Scale) -> Iterator[Piece]:
     start, end = scale.spot(mark.start), scale.spot(mark.end)
     length, angle = math.hypot(end[0] - start[0], end[1] - start[1]), math.atan2(start[1] - end[1], end[0] - start[0])
-    lead, turns = length * 0.14, max(min(int(length / 9), 12), 4)
+    lead, turns = length * 0.14, max(min(int((mark.like * scale.pixels or length) / 9), 12), 4)
     inner = length - 2 * lead
     zigzag = [moved(start, angle, lead + inner * (i + 0.5) / (2 * turns), 6.0 * (-1) ** i) for i in range(2 * turns)]
     yield Stroke((start, moved(start, angle, lead), *zigzag, moved(start, angle, length - lead), end), "spring")

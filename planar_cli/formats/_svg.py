@@ -100,16 +100,19 @@ def svg(figure: Figure, look: Look = "own") -> str:
         if left:
             _between(root, figure.between, left - BETWEEN / 2, (bottom - top) / 2)
         # One scale and one height: what is the same in two panels is level.
-        group = ET.SubElement(root, "g", {"transform": f"translate({_n(left - box.left)} {_n(-top)})"})
-        _fill(group, paper)
+        group = ET.SubElement(root, "g", {"transform": f"translate({px(left - box.left)} {px(-top)})"})
+        fill(group, paper)
         if head:
             middle = (box.left + box.right - sum(r.width for r in head)) / 2
-            _write(group, head, (middle, top - HEADED / 3), "head-line")
+            write(group, head, (middle, top - HEADED / 3), "head-line")
         left += box.right - box.left + BETWEEN
     width, height = left - BETWEEN, bottom - top
-    root.set("viewBox", f"{_n(-MARGIN)} {_n(-MARGIN - over)} {_n(width + 2 * MARGIN)} {_n(height + over + 2 * MARGIN)}")
-    root.set("width", _n(width + 2 * MARGIN))
-    root.set("height", _n(height + over + 2 * MARGIN))
+    root.set(
+        "viewBox",
+        f"{px(-MARGIN)} {px(-MARGIN - over)} {px(width + 2 * MARGIN)} {px(height + over + 2 * MARGIN)}",
+    )
+    root.set("width", px(width + 2 * MARGIN))
+    root.set("height", px(height + over + 2 * MARGIN))
     for element in root.iter():
         # A line feed between letters would be a space.
         if element.tag != "tspan":
@@ -137,48 +140,53 @@ def _box(paper: Paper, least: float) -> Box:
 
 
 def _between(root: ET.Element, sign: str, x: float, y: float) -> None:
-    text = ET.SubElement(root, "text", {"x": _n(x), "y": _n(y), "font-size": _n(SIZE * 1.6), "text-anchor": "middle"})
+    text = ET.SubElement(root, "text", {"x": px(x), "y": px(y), "font-size": px(SIZE * 1.6), "text-anchor": "middle"})
     text.text = sign
 
 
-def _fill(group: ET.Element, paper: Paper) -> None:
+def fill(group: ET.Element, paper: Paper) -> None:
+    """Strokes and words into an element."""
     for stroke in paper.strokes:
         if isinstance(stroke, Disc):
             (x, y), kind = stroke.center, f"stroke {stroke.kind}"
-            ET.SubElement(group, "circle", {"cx": _n(x), "cy": _n(y), "r": _n(stroke.radius), "class": kind})
+            ET.SubElement(group, "circle", {"cx": px(x), "cy": px(y), "r": px(stroke.radius), "class": kind})
         else:
-            ET.SubElement(group, "path", {"d": _path(stroke), "class": f"stroke {stroke.kind}"})
+            ET.SubElement(group, "path", {"d": path_of(stroke), "class": f"stroke {stroke.kind}"})
     for placed in paper.placed:
-        _write(group, placed.words.runs, _start(placed), placed.words.kind)
+        write(group, placed.words.runs, start_of(placed), placed.words.kind)
 
 
-def _start(placed: Placed) -> Spot:
+def start_of(placed: Placed) -> Spot:
     """Where the first letter stands: its foot on the base line."""
     return placed.box.left, placed.box.bottom - SIZE * 0.38
 
 
-def _write(group: ET.Element, runs: Sequence[Run], at: Spot, kind: str) -> None:
+def write(group: ET.Element, runs: Sequence[Run], at: Spot, kind: str) -> None:
+    """Words whose first letter stands at a place, with its foot on the base line."""
     text = ET.SubElement(
-        group, "text", {"x": _n(at[0]), "y": _n(at[1]), "class": f"words {kind}-words", "font-size": _n(SIZE)}
+        group,
+        "text",
+        {"x": px(at[0]), "y": px(at[1]), "class": f"words {kind}-words", "font-size": px(SIZE)},
     )
     low = False
     for run in runs:
         piece = ET.SubElement(text, "tspan")
         if run.index != low:
-            piece.set("dy", _n(SIZE * 0.25 * (1 if run.index else -1)))
+            piece.set("dy", px(SIZE * 0.25 * (1 if run.index else -1)))
             low = run.index
         if run.index:
-            piece.set("font-size", _n(SIZE * SMALL))
+            piece.set("font-size", px(SIZE * SMALL))
         if run.formula:
             piece.set("class", "formula")
         piece.text = run.text
 
 
-def _path(stroke: Stroke) -> str:
-    moves = " L".join(f"{_n(x)} {_n(y)}" for x, y in stroke.places)
+def path_of(stroke: Stroke) -> str:
+    """A stroke as the moves of a pen."""
+    moves = " L".join(f"{px(x)} {px(y)}" for x, y in stroke.places)
     return f"M{moves}{' Z' if stroke.closed else ''}"
 
 
-def _n(x: float) -> str:
+def px(x: float) -> str:
     """A number with at most two decimals."""
     return f"{round(x, 2) + 0.0:.2f}".rstrip("0").rstrip(".")

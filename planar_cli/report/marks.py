@@ -54,10 +54,11 @@ class Hatched:
 
 @record
 class Coil:
-    """A helical spring between two places."""
+    """A helical spring between two places; `like`: with as many turns as one of this length has, m (0: its own)."""
 
     start: Spot
     end: Spot
+    like: float = 0.0
 
 
 @record

@@ -30,6 +30,9 @@ planar simulate FILE
       --plot-of phase        the rate over each coordinate, ω over θ of what turns; `-q 'theta(b)'` for some of them
       --plot-of energy       kinetic, potential and spring energy, what is dissipated and supplied, and their sum,
                              kinetic + potential + spring + dissipated - supplied, which stays the same
+    --animate motion.html    the motion as it goes on (or .svg): plays again and again in any browser, without script
+                             and network, in real time where that can be seen; of several cases the first, or `--case`
+      --speed 0.1            so many times as fast as it is
 
 planar accuracy FILE
   For each integrator and tolerance: the error against a reference at the limit of machine numbers, the error that was
