@@ -50,8 +50,11 @@ def graded(homework: Homework, **typed: str) -> dict[str, Graded]:
     ("find", "typed", "mistake", "said"),
     [
         # a_B = -r ω² sin φ + α (e - r cos φ) with α (y_B - r sin φ) = -r ω² cos φ, without the terms of ω_AB².
-        ("a_B", "14.46 m/s^2 down", "centripetal-left-out", "with ω_rod"),
+        ("a_B", "14.46 m/s^2 down", "centripetal-left-out", "the normal acceleration ω_rod² r is missing"),
         ("omega_AB", "41.84 rad/s cw", "given-not-converted", "n was put in with the number of rpm"),
+        # r ω cos φ stands for r ω sin φ, while y_B is right.
+        ("omega_AB", "3.676 rad/s cw", "sine-for-cosine", "exchanged in one place"),
+        ("v_A", "[-0.1532, 0.1285] m/s", "given-not-converted", "2π is missing"),
         ("v_A", "[-9.193, 7.713] m/s", "given-not-converted", "without conversion"),
         ("alpha_AB", "5175 rad/s^2 cw", "given-not-converted", "without conversion"),
         ("alpha_AB", "5180 rad/s^2 cw", "given-not-converted", "without conversion"),

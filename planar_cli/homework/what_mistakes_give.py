@@ -11,13 +11,15 @@ import numpy as np
 from planar_cli.errors import PlanarError
 from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected, Mistaken
-from planar_cli.homework.worked_problem import APART, Carried, WorkedProblem, models_of
+from planar_cli.homework.worked_problem import Carried, WorkedProblem, models_of
 from planar_cli.registry import members
 from planar_cli.replay.numbers import Numbers
 from planar_cli.replay.opened import NotWritten
 
 NOTHING = 1e-6
 """A number below this part of the right one is what is left of zero, and no mistake that somebody makes."""
+TELLING = 1.2
+"""A mistake is told where it gives a number that is off by so many tolerances: less is right, or may be rounding."""
 SAME = 1e-6
 """Relative: two mistakes that give the same number."""
 
@@ -82,7 +84,7 @@ def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tu
     wrong = np.array([np.broadcast_to(n, len(right)) for n in numbers], dtype=float)
     due = np.array([e.values for e in right]).T
     size = np.hypot.reduce(due)
-    least = APART * np.array([e.tolerance for e in right]) * size
+    least = TELLING * np.array([e.tolerance for e in right]) * size
     with np.errstate(all="ignore"):
         off = np.hypot.reduce(wrong - due)
         told = np.isfinite(wrong).all(0) & (np.hypot.reduce(wrong) > NOTHING * size) & wrong.any(0)
@@ -104,7 +106,7 @@ def is_clearly_wrong(right: Expected, values: tuple[float, ...]) -> bool:
     if len(values) != len(right.values) or not all(map(math.isfinite, values)):
         return False
     size = math.hypot(*right.values)
-    least = APART * right.tolerance * size
+    least = TELLING * right.tolerance * size
     if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
         return False
     return any(values) and math.hypot(*values) > NOTHING * size

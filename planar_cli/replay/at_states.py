@@ -102,7 +102,8 @@ def _moving(varying: set[sp.Symbol], defined: Named) -> list[sp.Symbol]:
 
 def _renamed(step: Step, here: Mapping[sp.Symbol, sp.Symbol]) -> Step:
     unknowns = tuple(here.get(u, u) for u in step.unknowns)
-    return Step(unknowns, tuple(sp.sympify(r.xreplace(dict(here))) for r in step.residuals), step.kinds, step.bodies)
+    residuals = tuple(sp.sympify(r.xreplace(dict(here))) for r in step.residuals)
+    return Step(unknowns, residuals, step.kinds, step.bodies, ways=step.ways)
 
 
 class StateNumbers:

@@ -25,6 +25,8 @@ class Step:
     bodies: tuple[tuple[str, ...], ...] = ()
     others: Mapping[sp.Symbol, tuple[float, ...]] = field(default_factory=dict)
     """Other roots of the equation of an unknown, which the solution has left out."""
+    ways: tuple[str, ...] = ()
+    """Of each equation of forces or moments, its direction or point in words: along x, about A; "" of others."""
 
 
 @record
@@ -157,4 +159,5 @@ def _merged(steps: list[Step]) -> Step:
         tuple(k for s in steps for k in s.kinds),
         tuple(b for s in steps for b in s.bodies),
         others,
+        tuple(w for s in steps for w in (s.ways or ("",) * len(s.residuals))),
     )

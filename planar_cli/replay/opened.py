@@ -8,6 +8,7 @@ import sympy as sp
 
 from planar_cli.replay.equations import Step
 from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.written import Written
 
 
 class NotWritten(LookupError):
@@ -22,7 +23,18 @@ def of_block(block: SolvedBlock, defined: Mapping[sp.Symbol, sp.Expr]) -> Step:
     residuals = tuple(opened(w.residual, unknowns, defined) for w in block.equations)
     if len(residuals) != len(unknowns):
         raise NotWritten("a block has not as many equations as unknowns")
-    return Step(unknowns, residuals, tuple(w.law for w in block.equations), tuple(w.bodies for w in block.equations))
+    laws, bodies = tuple(w.law for w in block.equations), tuple(w.bodies for w in block.equations)
+    return Step(unknowns, residuals, laws, bodies, ways=tuple(map(_way, block.equations)))
+
+
+def _way(written: Written) -> str:
+    """The direction or the point of an equation of forces or moments; "" of another, or where none is told."""
+    if written.law == "moment":
+        return f"about {written.lead}" if written.lead else ""
+    told = written.words or written.lead
+    if written.law != "force" or not told:
+        return ""
+    return told if told.startswith("along ") else f"along {told}" if told in ("x", "y") else ""
 
 
 def opened(expr: sp.Expr, unknowns: Iterable[sp.Symbol], defined: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

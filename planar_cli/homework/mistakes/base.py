@@ -121,9 +121,10 @@ def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:
     return sp.Add(*(t for t in terms if not drops(t)))
 
 
-def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Model]:
+def without_part(equations: Equations, mark: str, feedback: str, of_one: Callable[[str, bool], str]) -> Iterator[Model]:
     """The equations without a part of the accelerations, where they have it; what was left out is zero on the page.
-    Where several things turn or move, also without that of each of them alone.
+    Where several things turn or move, also without that of each of them alone: `of_one` tells it by the letter of its
+    rate; does that turn?
     """
     symbol = equations.inputs.get(mark)
     if symbol is None:
@@ -138,7 +139,7 @@ def without_part(equations: Equations, mark: str, feedback: str) -> Iterator[Mod
     if len(rates) < 2:
         return
     for rate in sorted(rates, key=lambda s: s.name):
-        said = feedback.replace(" is missing", f" with {printed(rate.name.partition('__')[0])} is missing")
+        said = of_one(printed(rate.name.partition("__")[0]), equations.turns(rate))
         yield Model(said, _without_rate(equations, symbol, rate))
 
 
@@ -157,8 +158,11 @@ def _rates(equations: Equations, expr: sp.Expr, mark: sp.Symbol) -> set[sp.Symbo
 
 
 def _is_rate(equations: Equations, symbol: sp.Symbol) -> bool:
+    """A velocity or an acceleration, of a point or of a rotation; g is none that moves."""
     unit = equations.units.get(symbol)
-    return unit is not None and unit.dimension.time in (-1, -2)
+    if unit is None or symbol == equations.inputs.get("g"):
+        return False
+    return unit.dimension.mass == 0 and unit.dimension.length in (0, 1) and unit.dimension.time in (-1, -2)
 
 
 def _without_rate(equations: Equations, mark: sp.Symbol, rate: sp.Symbol) -> Equations:

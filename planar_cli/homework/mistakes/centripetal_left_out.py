@@ -22,4 +22,9 @@ class CentripetalLeftOut(Mistake):
     kind: ClassVar[str] = "centripetal-left-out"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        yield from without_part(equations, NORMAL, "the normal acceleration (ω² r or v²/ρ) is missing")
+        yield from without_part(
+            equations,
+            NORMAL,
+            "the normal acceleration (ω² r or v²/ρ) is missing",
+            lambda rate, turns: f"the normal acceleration {f'{rate}² r' if turns else f'{rate}²/ρ'} is missing",
+        )

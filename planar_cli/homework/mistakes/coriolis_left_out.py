@@ -22,4 +22,9 @@ class CoriolisLeftOut(Mistake):
     kind: ClassVar[str] = "coriolis-left-out"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        yield from without_part(equations, CORIOLIS, "the Coriolis acceleration 2 ω v_rel is missing")
+        yield from without_part(
+            equations,
+            CORIOLIS,
+            "the Coriolis acceleration 2 ω v_rel is missing",
+            lambda rate, turns: f"the Coriolis acceleration 2 {f'{rate} v_rel' if turns else f'ω {rate}'} is missing",
+        )

@@ -7,6 +7,7 @@ from typing import ClassVar, final
 
 import sympy as sp
 
+from planar_cli.homework.mistakes._one_equation import in_last_equation
 from planar_cli.homework.mistakes.base import COEFFICIENTS, Mistake, Model, inputs_at, with_put_in
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
@@ -17,7 +18,8 @@ class FrictionLeftOut(Mistake):
     """The friction is left out.
 
     In the equations
-        All given coefficients of friction are zero.
+        All given coefficients of friction are zero; or, of an unknown beside others that are right, those in the
+        equation by which it is told last.
     """
 
     kind: ClassVar[str] = "friction-left-out"
@@ -28,3 +30,5 @@ class FrictionLeftOut(Mistake):
         changed = with_put_in(equations, dict.fromkeys(found.values(), sp.S.Zero))
         if changed is not None:
             yield Model("this is the result without friction", changed)
+        for words, wrong in in_last_equation(equations, lambda t: not t.free_symbols.isdisjoint(found.values())):
+            yield Model(f"this is the result without friction in {words}", wrong)

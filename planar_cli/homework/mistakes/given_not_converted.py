@@ -13,7 +13,7 @@ from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
-from planar_cli.units import PURE, Unit, pretty_unit
+from planar_cli.units import PURE, RATE, Unit, pretty_unit
 
 
 @final
@@ -22,7 +22,7 @@ class GivenNotConverted(Mistake):
 
     In the equations
         Data in rev/min, km/h, inches and the like have their numbers as ones of rad/s, m/s or feet; all data of one
-        such unit together. Units that are a power of ten apart, as mm, are not taken so.
+        such unit together. Units that are a power of ten apart, as mm, are not taken so. Of revolutions 2π is missing.
     """
 
     kind: ClassVar[str] = "given-not-converted"
@@ -39,6 +39,9 @@ class GivenNotConverted(Mistake):
             verb = "was" if len(names) == 1 else "were"
             feedback = f"{told} {verb} put in with the number of {pretty_unit(unit.text)}, without conversion"
             yield Model(feedback, equations, {s: s / in_base(unit, problem.us) for s in names.values()})
+            if unit.dimension == RATE and unit.angle and unit.pi_power == 1:
+                feedback = f"of {told} 2π is missing: a revolution is 2π rad"
+                yield Model(feedback, equations, {s: s / (2 * sp.pi) for s in names.values()})
 
 
 def _is_base(unit: Unit, us: bool) -> bool:

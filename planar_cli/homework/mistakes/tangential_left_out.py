@@ -22,4 +22,9 @@ class TangentialLeftOut(Mistake):
     kind: ClassVar[str] = "tangential-left-out"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        yield from without_part(equations, TANGENTIAL, "the tangential acceleration α r is missing")
+        yield from without_part(
+            equations,
+            TANGENTIAL,
+            "the tangential acceleration α r is missing",
+            lambda rate, turns: f"the tangential acceleration {f'{rate} r' if turns else rate} is missing",
+        )

@@ -1,0 +1,100 @@
+"""Mistakes in one equation of several: a crate hauled up a ramp by a hanging block, and a pendulum given by weights."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.homework.grading import grade
+from planar_cli.homework.homework import assembled, prepared
+from planar_cli.homework.paper import Graded, Submission
+from planar_cli.homework.ready import Homework
+from planar_cli.homework.rules import Rules
+from planar_cli.homework.set_file import read_set
+
+HAUL = """
+plane: vertical
+given: {m: 10 kg, beta: 30 deg, mu: 0.15, M: 6 kg, d: 350 mm, m_B: 18 kg}
+points:
+  C: [0, 0]
+  T: {from: C, distance: 3 m, angle: beta}
+  O: {from: T, distance: d/2, angle: beta - 90 deg}
+  S: {from: O, distance: d/2, angle: 0 deg}
+  B: {from: S, distance: 1 m, angle: -90 deg}
+surfaces: {ramp: {through: C, angle: beta}}
+bodies:
+  crate: {particle: C, mass: m}
+  pulley: {disk: O, radius: d/2, mass: M}
+  block: {particle: B, mass: m_B}
+joints:
+  - contact: {between: [crate, ramp], at: C, mu: mu}
+  - pin: {at: O, between: [ground, pulley]}
+  - rope: {path: [C, T on pulley], name: rope1}
+  - rope: {path: [B, S on pulley], name: rope2}
+instant: [at rest]
+find: {a: a(crate).along(beta), T_1: tension(rope1)}
+"""
+# By hand: a = (m_B g - m g sin β - μ m g cos β)/(m + m_B + M/2) = 3.703 m/s², T_1 = m (a + g sin β) + μ m g cos β.
+GATE = """
+plane: vertical
+given: {W: 14 lbf, l: 3.5 ft, W_D: 8 lbf, D: 20 in, beta: 30 deg, g: 32.2 ft/s^2}
+points:
+  A: [0, 0]
+  B: {from: A, distance: l, angle: beta}
+bodies:
+  arm: {rod: [A, B], weight: W}
+  disk: {disk: B, radius: D/2, weight: W_D}
+joints:
+  - pin: {at: A, between: [ground, arm]}
+  - weld: {at: B, between: [arm, disk]}
+states:
+  1: [at rest]
+  2: [theta(arm) = -90 deg]
+find: {omega: omega(arm) @ 2, A: reaction(A) @ 2}
+"""
+# By hand: ω = 5.667 rad/s, A = W + W_D + (W/2 + W_D) l ω²/g.
+
+
+@pytest.fixture(scope="module")
+def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
+    path: Path = tmp_path_factory.mktemp("one") / "set.yaml"
+    (path.parent / "haul.yaml").write_text(HAUL)
+    (path.parent / "gate.yaml").write_text(GATE)
+    path.write_text("problems: [haul.yaml, gate.yaml]\n")
+    homework_set = read_set(str(path))
+    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+
+
+def graded(homework: Homework, place: str, typed: str) -> Graded:
+    problem, find = place.split(".")
+    result = grade(Submission("ann", 0, ((problem, find, typed),)), homework.papers, Rules())
+    return next(g for g in result.graded if (g.problem, g.find) == (problem, find))
+
+
+CRATE = "the equation of crate along the contact at C"
+
+
+@pytest.mark.parametrize(
+    ("place", "typed", "mistake", "said"),
+    [
+        ("haul.a", "2.544 m/s^2", "sine-for-cosine", f"sine and cosine of β are exchanged in {CRATE}"),
+        ("haul.a", "2.718 m/s^2", "sine-for-cosine", "sine and cosine of β are exchanged"),
+        ("haul.a", "5.285 m/s^2", "weight-left-out", f"this is the result without the weight in {CRATE}"),
+        # It is 1.7 % off.
+        ("haul.a", "3.639 m/s^2", "normal-force-is-weight", "the whole weight stands where its component"),
+        ("haul.T_1", "86.08 N", "friction-left-out", f"this is the result without friction in {CRATE}"),
+        ("haul.T_1", "73.33 N", "friction-reversed", f"the friction acts the other way in {CRATE}"),
+        ("haul.T_1", "49.77 N", "weight-left-out", f"this is the result without the weight in {CRATE}"),
+        ("gate.A", "52.35 lbf up", "weight-left-out", "the weight is missing in the forces"),
+        ("gate.A", "22.0 lbf up", "centripetal-left-out", "the normal acceleration (ω² r or v²/ρ) is missing"),
+        ("gate.omega", "4.138 rad/s cw", "weight-left-out", "this is the result without the weight of arm"),
+        ("gate.omega", "5.523 rad/s cw", "diameter-for-radius", "D where D/2 belongs"),
+        ("gate.omega", "3.128 rad/s cw", "gravity-in-metres", "g was put in as 9.81"),
+    ],
+)
+def test_it_is_named(homework: Homework, place: str, typed: str, mistake: str, said: str) -> None:
+    one = graded(homework, place, typed)
+    assert one.verdict == "wrong"
+    assert one.mistakes == (mistake,)
+    assert said in one.feedback
