@@ -6,21 +6,19 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Moving, given_motion_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
+from planar_cli.figures.outlines import edges, lying
+from planar_cli.figures.partners import partners, sketch_of, touching
 from planar_cli.figures.positions import Later, brought_near, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
-from planar_cli.problem import expression
-from planar_cli.problem.entry import Entry
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Surface
-from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Angle, Arrow, Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, Turn, spots_of
 from planar_cli.solve.between.trace import MotionTrace
@@ -67,19 +65,23 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
     centers = [s for b in scene.bodies.values() if (s := drawn.spot(b.center)) is not None]
     size = extent([*points.values(), *centers]) or ALONE
-    standing: dict[str, Symbol] = {}
+    spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
+    standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
+    shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
-        touching = [points[p] for p in touching_points(joints, surface) if p in points]
-        partners = [b for b in partners_of(joints, surface) if b in scene.bodies]
-        near = [s for b in partners if (s := drawn.spot(scene.bodies[b].center)) is not None]
-        beside = scene.bodies if isinstance(surface.shape, Line | Circle) else partners
+        if surface.name in shaped:
+            continue
+        places = [points[p] for p in touching(problem, surface, joints) if p in points]
+        near_it = [b for b in partners(problem, surface, joints) if b in scene.bodies]
+        near = [s for b in near_it if (s := drawn.spot(scene.bodies[b].center)) is not None]
+        beside = scene.bodies if isinstance(surface.shape, Line | Circle) else near_it
         seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
         seen += [p.marks(b) for p in later for b in beside if b in p.spots]
-        for mark in surface_marks(drawn, surface, touching, seen, near or centers, size):
+        for mark in surface_marks(drawn, surface, places, seen, near or centers, size):
             yield mark
             if isinstance(mark, Hatched):
                 standing.update(_standing(drawn, problem, surface, mark))
-    sketches = [(entry, _sketch(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
+    sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
     aside = side_by_side(drawn, moving, joints, extent([*points.values(), *centers]))
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
@@ -87,7 +89,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         for s in found
         for m in sketch_marks(drawn, s, line(entry.name))
     ]
-    sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail")}
+    sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
     for name, body in scene.bodies.items():
         for mark in body_marks(drawn, body):
             here = shifted(mark, aside.get(name, (0.0, 0.0)))
@@ -105,41 +107,6 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         yield from given_motion_marks(moving, problem, aside)
     yield Axes(problem.plane == "vertical")
     yield from _bodies_named(drawn, problem, tagged)
-
-
-def _sketch(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
-    try:
-        return entry.sketch(drawn.scene)
-    except PlanarError:
-        # Where a joint does not hold yet, or a direction rests on what moves, the drawing has no sign of it.
-        return ()
-
-
-def touching_points(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
-    """The points of the file on a surface: where bodies touch it, and through which it is drawn."""
-    shape = surface.shape
-    if isinstance(shape, Line):
-        yield shape.through
-    for joint in joints:
-        if surface.name in _between(joint):
-            yield from (p for p in (getattr(joint, "at", ""), getattr(joint, "point", "")) if p)
-    yield from partners_of(joints, surface)
-
-
-def partners_of(joints: Sequence[Joint], surface: Surface) -> Iterator[str]:
-    """The bodies that touch a surface, or slide along it."""
-    for joint in joints:
-        partners = _between(joint)
-        if surface.name in partners:
-            yield from (p for p in partners if p != surface.name)
-
-
-def _between(joint: Joint) -> tuple[str, ...]:
-    """What a joint is between, by name."""
-    along = getattr(joint, "along", None)
-    track = along if isinstance(along, str) else along.name if isinstance(along, expression.Name) else ""
-    named = (*getattr(joint, "between", ()), track, getattr(joint, "body", None))
-    return tuple(n for n in named if isinstance(n, str) and n)
 
 
 def _standing(drawn: Drawn, problem: Problem, surface: Surface, mark: Hatched) -> dict[str, Symbol]:

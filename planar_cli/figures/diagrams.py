@@ -7,16 +7,18 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from itertools import groupby
 
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.rings import meets
+from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Forces, Inline, Line, Name, Text, Way, line
-from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Spot, Style, Symbol, Tag, Turn
+from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
 
 BREAK = ",  "
 """Between two vectors of a list."""
@@ -69,13 +71,15 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
         marks.append(Symbol("centre", center))
     taken: dict[tuple[float, ...], int] = {}
     tags: dict[str, Spot] = {}
+    areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
     for vector in vectors:
         at = _spot(drawn, vector.way, vector.way.place)
         if at is None:
             continue
         if (named := _AT.search(vector.told)) is not None:
             tags[named[1]] = at
-        marks += _mark(drawn, vector, at, center, style, taken)
+        beside = named is None and at != center
+        marks += (_on_edge(m, areas) if beside else m for m in _mark(drawn, vector, at, center, style, taken))
     marks += [Symbol("point", at) for at in tags.values() if at != center]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
     return Panel(tuple(marks), line(head))
@@ -103,6 +107,18 @@ def _mark(
     key = (round(at[0], 9), round(at[1], 9), round(angle, 3), inward)
     again = taken[key] = taken.get(key, -1) + 1
     yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward)
+
+
+def _on_edge(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:
+    """A force at no named place, such as that of a floor, brought along its line to the edge on which it presses."""
+    if not isinstance(mark, Arrow):
+        return mark
+    found = [far for ring in areas for far in meets(ring, mark.at, mark.angle)]
+    behind = [far for far in found if far < 1e-9]
+    if not found:
+        return mark
+    far = max(behind) if behind else min(found)
+    return replace(mark, at=moved(mark.at, mark.angle, far), inward=True)
 
 
 def _spot(drawn: Drawn, way: Way, place: Vec) -> Spot | None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Negate, Number, Side
@@ -73,6 +74,35 @@ class Drawn:
     def length(self, side: Side) -> float | None:
         """A length of the file."""
         return self.number(self.scene.value(side))
+
+    def at_rest(self) -> Drawn:
+        """The scene where the file draws it; where it is now, if that does not tell where all bodies are."""
+        moves = self.scene.displacement.coordinates if self.scene.displacement is not None else ()
+        rest = Drawn(self.scene, self.value, {c.symbol: c.drawn for c in moves if c.drawn is not None})
+        return rest if all(rest.spot(b.center) is not None for b in self.scene.bodies.values()) else self
+
+    def body(self, name: str) -> BodyModel | None:
+        """A body as it is drawn; None: there is none of that name."""
+        return self.scene.bodies.get(name)
+
+    def named(self, name: str) -> Spot | None:
+        """A point of the file, or a particle, by its name."""
+        problem = self.scene.problem
+        known = {*(p.name for p in problem.points), *(b.name for b in problem.bodies if b.is_particle)}
+        return self.spot(self.scene.point(name)) if name in known else None
+
+    def center(self, body: str) -> Spot | None:
+        """The mass centre of a body."""
+        return self.spot(self.scene.center(body))
+
+    def everything(self) -> list[Spot]:
+        """All points and mass centres of the scene."""
+        problem = self.scene.problem
+        places = [
+            *map(self.named, (p.name for p in problem.points)),
+            *map(self.center, (b.name for b in problem.bodies)),
+        ]
+        return [s for s in places if s is not None]
 
     def carried(self, body: str | None, point: str) -> Spot | None:
         """A named point that goes with a body, or stays with the ground."""

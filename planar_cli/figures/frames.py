@@ -8,8 +8,10 @@ from dataclasses import replace
 from typing import Any, cast
 
 from planar_cli.errors import PlanarError
-from planar_cli.figures.arrangement import ALONE, extent, partners_of, touching_points
+from planar_cli.figures.arrangement import ALONE, extent
 from planar_cli.figures.joints_drawn import sketch_marks
+from planar_cli.figures.outlines import edges, lying
+from planar_cli.figures.partners import partners, touching
 from planar_cli.figures.posed import Pose, Posed, carried, variables_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks
@@ -87,8 +89,13 @@ class _Stage:
 
     def things(self) -> Iterator[Thing]:
         """Surfaces, bodies, what joins and moves them, points with their names."""
-        standing: dict[str, Symbol] = {}
+        first_pose, models = self.poses[0], [self.poses[0].model(b) for b in self.problem.bodies]
+        lie = {n: (first_pose.spot(self.run.model.scene.center(n)), a) for n, a in lying(first_pose).items()}
+        standing = {n: Symbol("block", spot, angle) for n, (spot, angle) in lie.items() if spot is not None}
+        shaped = frozenset[str]().union(*(edges(first_pose, model) for model in models))
         for surface in self.problem.surfaces:
+            if surface.name in shaped:
+                continue
             marks = self._surface(surface)
             yield self._with_carrier(surface.body, marks)
             for mark in marks:
@@ -96,7 +103,7 @@ class _Stage:
                     standing |= {name: _block(mark) for name in self._standing(surface)}
         entries = [(entry, self._sketched(entry)) for entry in (*self.problem.joints, *self.problem.loads)]
         first = [m for _, shots in entries for m in shots[0]]
-        sliding = {m.at for m in first if isinstance(m, Symbol) and m.kind in ("slider", "rail")}
+        sliding = {m.at for m in first if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
         for body in self.problem.bodies:
             marks = list(self._body(self.poses[0], body, standing))
             hidden = len(marks) == 1 and isinstance(marks[0], Symbol) and marks[0].at in sliding
@@ -120,21 +127,21 @@ class _Stage:
         """A surface where it is at first, as far as bodies come to it."""
         first = self.poses[0]
         home = first.pose(surface.body)
-        partners = set(partners_of(self.problem.joints, surface))
+        near_it = set(partners(self.problem, surface))
         seen = [
             carried(body_marks(pose, pose.model(b)), pose.pose(surface.body), home)
             for pose in self.strobed
             for b in self.problem.bodies
-            if b.name != surface.body and (b.name in partners or surface.body is None)
+            if b.name != surface.body and (b.name in near_it or surface.body is None)
         ]
-        points = [p for p in touching_points(self.problem.joints, surface) if p not in partners]
-        touching = [s for p in points if (s := first.spot(first.moving.point(p))) is not None]
-        bodies = [s for b in self.problem.bodies if b.name in partners for s in _center(first, b)]
+        points = [p for p in touching(self.problem, surface) if p not in near_it]
+        places = [s for p in points if (s := first.spot(first.moving.point(p))) is not None]
+        bodies = [s for b in self.problem.bodies if b.name in near_it for s in _center(first, b)]
         if isinstance(surface.shape, Curve):
-            spots = [home.seen(s) for marks in seen for m in marks for s in spots_of(m)] + [*map(home.seen, touching)]
+            spots = [home.seen(s) for marks in seen for m in marks for s in spots_of(m)] + [*map(home.seen, places)]
             return self._curve(surface, surface.shape, spots, bodies or [*self._centers(first)])
         near = bodies or [*self._centers(first)]
-        return list(surface_marks(first, surface, touching, seen, near, self.size))
+        return list(surface_marks(first, surface, places, seen, near, self.size))
 
     def _curve(self, surface: Surface, shape: Curve, spots: Sequence[Spot], bodies: Sequence[Spot]) -> list[Mark]:
         """A curve, along the part of its variable that is passed."""
@@ -188,10 +195,11 @@ class _Stage:
         except PlanarError:
             return [() for _ in self.poses]
         name = line(entry.name)
-        return [
+        shots = [
             tuple(m for s in sketches for m in sketch_marks(pose, s, name)) if self._acts(entry, t) else ()
             for t, pose in zip(self.times, self.poses, strict=True)
         ]
+        return list(_with_still_floors(shots))
 
     def _acts(self, entry: Entry, t: float) -> bool:
         if entry.during is None:
@@ -232,6 +240,23 @@ def _spoke(pose: Posed, body: Body, rim: Round | None) -> Iterator[Mark]:
     radius = None if rim is None else pose.length(rim.radius)
     if center is not None and radius:
         yield Polyline((center, moved(center, pose.pose(body.name).turn, radius)), "thin")
+
+
+def _with_still_floors(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark, ...]]:
+    """The floor of what slides stays where it is, as far as that comes."""
+    floors = [[m for m in marks if isinstance(m, Hatched)] for marks in shots]
+    first = next((f for f in floors if f), [])
+    if any(f and len(f) != len(first) for f in floors):
+        yield from shots
+        return
+    whole = []
+    for i, floor in enumerate(first):
+        (x0, y0), (x1, y1) = floor.places[0], floor.places[-1]
+        along = math.atan2(y1 - y0, x1 - x0)
+        ends = [moved((0.0, 0.0), -along, x - x0, y - y0)[0] for f in floors if f for x, y in f[i].places]
+        whole.append(Hatched((moved((x0, y0), along, min(ends)), moved((x0, y0), along, max(ends)))))
+    for marks in shots:
+        yield (*(whole if marks else ()), *(m for m in marks if not isinstance(m, Hatched)))
 
 
 def _with_even_turns(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark, ...]]:

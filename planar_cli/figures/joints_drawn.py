@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from planar_cli.figures.drawn import Drawn, size_of, words_of
+from planar_cli.figures.floors import slide_marks
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.keys import Table
@@ -51,9 +52,7 @@ def _hinge(sketch: Hinge, drawn: Drawn, name: Line) -> Iterator[Mark]:
 
 @_drawn.register
 def _slide(sketch: Slide, drawn: Drawn, name: Line) -> Iterator[Mark]:
-    at, along = drawn.spot(sketch.at), drawn.angle(sketch.along)
-    if at is not None and along is not None:
-        yield Symbol("rail" if sketch.grounded else "slider", at, along)
+    yield from slide_marks(drawn, sketch)
 
 
 @_drawn.register

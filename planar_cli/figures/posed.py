@@ -47,6 +47,12 @@ class Posed(Drawn):
         found = known[expr]
         return found if math.isfinite(found) else None
 
+    def at_rest(self) -> Posed:
+        return self
+
+    def body(self, name: str) -> BodyModel | None:
+        return next((self.model(b) for b in self.moving.problem.bodies if b.name == name), None)
+
     def pose(self, body: str | None) -> Pose:
         """Where a body is; of the ground and of particles, no turning."""
         place = self.moving.places.get(body or GROUND)

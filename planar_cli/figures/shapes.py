@@ -9,8 +9,9 @@ from typing import Any
 
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.outlines import outlines
+from planar_cli.figures.rings import around
 from planar_cli.problem.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
-from planar_cli.problem.shapes import drawn_by
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Style, Symbol
 
 SMOOTH = 36
@@ -30,7 +31,9 @@ def _shape(shape: Any, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[
 @_shape.register
 def _particle(shape: Particle, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
     at = drawn.spot(body.center)
-    if at is not None:
+    found = outlines(drawn, body)
+    yield from (Polyline(c.places, style, c.closed) for c in found)
+    if at is not None and not found:
         yield Symbol("particle", at)
 
 
@@ -81,11 +84,7 @@ def _any(shape: Outline, drawn: Drawn, body: BodyModel, style: Style) -> Iterato
     if shape.rim is not None:
         yield from _round(shape.rim, drawn, body, style)
         return
-    written = next(b for b in drawn.scene.problem.bodies if b.name == body.name)
-    places = [p for name in drawn_by(written) if (p := drawn.carried(body.name, name)) is not None]
-    ring = _around(places)
-    if len(ring) > 1:
-        yield Polyline(tuple(ring), style, closed=len(ring) > 2)
+    yield from (Polyline(c.places, style, c.closed) for c in outlines(drawn, body))
 
 
 @_shape.register
@@ -99,7 +98,7 @@ def _composite(shape: Composite, drawn: Drawn, body: BodyModel, style: Style) ->
     points = [p.shape.place for p in shape.pieces if isinstance(p.shape, Particle) and isinstance(p.shape.place, str)]
     places = [s for name in points if (s := drawn.carried(body.name, name)) is not None]
     if len(places) > 1:
-        yield Polyline(tuple(_around(places)), "thin", closed=len(places) > 2)
+        yield Polyline(tuple(around(places)), "thin", closed=len(places) > 2)
 
 
 def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
@@ -113,26 +112,6 @@ def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
         if other is piece:
             return center
     return body.center
-
-
-def _around(places: list[Spot]) -> list[Spot]:
-    """The corners of the smallest convex outline round some places, counterclockwise."""
-    ordered = sorted(set(places))
-    if len(ordered) < 3:
-        return ordered
-    halves: list[list[Spot]] = []
-    for way in (ordered, ordered[::-1]):
-        half: list[Spot] = []
-        for p in way:
-            while len(half) > 1 and _turn(half[-2], half[-1], p) <= 0:
-                half.pop()
-            half.append(p)
-        halves.append(half[:-1])
-    return halves[0] + halves[1]
-
-
-def _turn(a: Spot, b: Spot, c: Spot) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def moved(start: Spot, along: float, ahead: float, left: float = 0.0) -> Spot:

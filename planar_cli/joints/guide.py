@@ -96,7 +96,9 @@ class Guide(Joint):
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         joining, _ = self._joining(scene)
         along = joining.path.tangent if joining.path is not None else Vec(1, 0)
-        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover)),)
+        whole = self.body or (None if joining.mover == GROUND or scene.rigid(joining.mover) else joining.mover)
+        drawn = joining.base == GROUND and scene.names_carrier(self._track())
+        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover), whole, drawn),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)
@@ -116,9 +118,13 @@ class Guide(Joint):
         pushes.append(self._push(f"F_{self.name}", "friction", joining, tangent))
         return self._rough(scene, joining, turning, tuple(pushes), scene.value(static), scene.value(kinetic))
 
+    def _track(self) -> str:
+        """The name of the surface or body along which it runs; "": a direction is given."""
+        return self.along if isinstance(self.along, str) else getattr(self.along, "name", "")
+
     def _joining(self, scene: Setting) -> tuple[Joining, Vec]:
-        along = self.along if isinstance(self.along, str) else getattr(self.along, "name", None)
-        base = scene.carrier(along) if along is not None and scene.names_carrier(along) else "ground"
+        along = self._track()
+        base = scene.carrier(along) if scene.names_carrier(along) else "ground"
         if self.body is not None:
             mover, point, place = self.body, scene.center(self.body), scene.center_name(self.body)
         else:
@@ -138,7 +144,7 @@ class Guide(Joint):
 
     def _demand_slot_told(self, scene: Setting, joining: Joining) -> None:
         """A body that is drawn by points alone has no line: its slot lies at 0 deg, as its points have to tell."""
-        along = self.along if isinstance(self.along, str) else getattr(self.along, "name", "")
+        along = self._track()
         names = scene.drawn_by(along) if along == joining.base else ()
         places = [scene.point(name) for name in names]
         # A block lies somewhere on a cart, but a slot in which a point runs goes through the point.

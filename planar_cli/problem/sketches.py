@@ -24,11 +24,15 @@ class Hinge:
 
 @record
 class Slide:
-    """A slider at a place on a straight track along a direction. `grounded`: the track is fixed."""
+    """A slider at a place on a straight track along a direction. `grounded`: the track is fixed. `body`: the whole body
+    that slides, unable to turn, or the particle. `drawn`: its track is a surface of the file.
+    """
 
     at: Vec
     along: Vec
     grounded: bool
+    body: str | None = None
+    drawn: bool = False
 
 
 @record

@@ -1,0 +1,97 @@
+"""What a guided body stands on, where the file names no surface: a floor under its outline, or rails."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.outlines import level, lying
+from planar_cli.figures.partners import sketch_of
+from planar_cli.figures.rings import extent_of, turned_by
+from planar_cli.figures.shapes import body_marks
+from planar_cli.problem.scene import Particle, Rod
+from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Slide, Spiral
+from planar_cli.report.marks import Hatched, Mark, Spot, Symbol, spots_of
+
+BEYOND, SHORT = 0.15, 0.08
+"""A floor goes on behind a body by this part of the scene, and is at least so long on either side of it."""
+STEEP = 0.7
+"""The sine of the angle from which on a track is no floor."""
+
+
+def slide_marks(drawn: Drawn, slide: Slide) -> Iterator[Mark]:
+    """The floor or the rails of a guide, and a block for a particle that stands on them."""
+    at, along = drawn.spot(slide.at), drawn.angle(slide.along)
+    if at is None or along is None:
+        return
+    body = drawn.body(slide.body) if slide.body is not None else None
+    if body is not None and body.name in lying(drawn):
+        return
+    if body is None or (isinstance(body.shape, Particle) and not _stands(drawn, body, at, along)):
+        yield Symbol("rail" if slide.grounded and not slide.drawn else "slider", at, along)
+        return
+    shape = [s for m in body_marks(drawn, body) if not isinstance(m, Symbol) for s in spots_of(m)]
+    lies = [turned_by((x - at[0], y - at[1]), -along)[1] for x, y in shape]
+    if isinstance(body.shape, Rod) and max(map(abs, lies)) < 1e-6:
+        # A rod that slides along itself runs through a sleeve.
+        yield Symbol("rail" if slide.grounded and not slide.drawn else "slider", at, along)
+        return
+    if not shape:
+        yield Symbol("block", at, level(along))
+    if slide.grounded and not slide.drawn:
+        yield from _floor(drawn, shape or [at], along)
+
+
+def _stands(drawn: Drawn, body: BodyModel, at: Spot, along: float) -> bool:
+    """Is a particle a block or a carriage on a floor, and no piston or collar? It is none on a steep track, nor where
+    something holds it that does not lie along the track.
+    """
+    if abs(math.sin(along)) > STEEP:
+        return False
+    return not any(_holds(drawn, sketch, at, along) for sketch in _sketches(drawn))
+
+
+def _sketches(drawn: Drawn) -> Iterator[object]:
+    problem = drawn.scene.problem
+    for entry in (*problem.joints, *problem.loads):
+        yield from sketch_of(drawn, entry)
+
+
+def _holds(drawn: Drawn, sketch: object, at: Spot, along: float) -> bool:
+    """Does something pull or push at a place across a track?"""
+    match sketch:
+        case Hinge(at=place):
+            return _is_at(drawn.spot(place), at)
+        case Bar(start=a, end=b) | Spiral(start=a, end=b) | Absorber(start=a, end=b):
+            pairs = [(a, b), (b, a)]
+        case Cord(stops=stops):
+            places = [stop.center for stop in stops]
+            pairs = [(places[0], places[1]), (places[-1], places[-2])]
+        case _:
+            return False
+    for one, other in pairs:
+        here, there = drawn.spot(one), drawn.spot(other)
+        if there is not None and _is_at(here, at):
+            x, y = turned_by((there[0] - at[0], there[1] - at[1]), -along)
+            if abs(y) > 0.1 * math.hypot(x, y):
+                return True
+    return False
+
+
+def _is_at(place: Spot | None, at: Spot) -> bool:
+    return place is not None and math.dist(place, at) < 1e-9
+
+
+def _floor(drawn: Drawn, shape: Sequence[Spot], along: float) -> Iterator[Mark]:
+    """A floor under an outline; beside one that goes up and down, a wall on either side."""
+    size = extent_of(drawn.at_rest().everything()) or 1.0
+    up = level(along) if abs(math.sin(along)) <= STEEP else along
+    seen = [turned_by(s, -up) for s in shape]
+    low, high = min(x for x, _ in seen), max(x for x, _ in seen)
+    more = BEYOND * size if abs(math.sin(along)) <= STEEP else 0.0
+    for below in (True, False) if abs(math.sin(along)) > STEEP else (True,):
+        y = min(y for _, y in seen) if below else max(y for _, y in seen)
+        ends = [turned_by(p, up) for p in ((low - more, y), (high + more, y))]
+        yield Hatched(tuple(ends if below else ends[::-1]))

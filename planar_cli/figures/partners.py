@@ -1,0 +1,54 @@
+"""What the joints and loads of a file say of a drawing: what touches a surface or slides along it, and their signs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from planar_cli.errors import PlanarError
+from planar_cli.figures.drawn import Drawn
+from planar_cli.joints.base import Joint
+from planar_cli.problem import expression
+from planar_cli.problem.entry import Entry
+from planar_cli.problem.scene import Line, Particle, Problem, Surface
+from planar_cli.problem.sketches import Sketch
+
+
+def touching(problem: Problem, surface: Surface, joints: Sequence[Joint] | None = None) -> Iterator[str]:
+    """The points of the file on a surface: where bodies touch it, and through which it is drawn. `joints`: those of the
+    whole file, whenever they hold.
+    """
+    shape = surface.shape
+    if isinstance(shape, Line):
+        yield shape.through
+    for joint in problem.joints if joints is None else joints:
+        if surface.name in between(joint):
+            yield from (p for p in (getattr(joint, "at", ""), getattr(joint, "point", "")) if p)
+    yield from partners(problem, surface, joints)
+
+
+def partners(problem: Problem, surface: Surface, joints: Sequence[Joint] | None = None) -> Iterator[str]:
+    """The bodies that touch a surface, or slide along it."""
+    for joint in problem.joints if joints is None else joints:
+        named = between(joint)
+        if surface.name in named:
+            yield from (p for p in named if p != surface.name)
+            point = getattr(joint, "point", None)
+            yield from (
+                b.name for b in problem.bodies if point and isinstance(b.shape, Particle) and b.shape.place == point
+            )
+
+
+def between(joint: Joint) -> tuple[str, ...]:
+    """What a joint is between, by name."""
+    along = getattr(joint, "along", None)
+    track = along if isinstance(along, str) else along.name if isinstance(along, expression.Name) else ""
+    named = (*getattr(joint, "between", ()), track, getattr(joint, "body", None))
+    return tuple(n for n in named if isinstance(n, str) and n)
+
+
+def sketch_of(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
+    """What a joint or load looks like; nothing where it does not hold yet, or its direction rests on what moves."""
+    try:
+        return entry.sketch(drawn.scene)
+    except PlanarError:
+        return ()

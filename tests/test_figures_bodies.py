@@ -1,0 +1,65 @@
+"""Bodies in figures: each has an outline, what it stands on lies under it, and forces begin on it."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.figures.outlines import outlines
+from planar_cli.figures.rings import inside, meets
+from planar_cli.report.marks import Arrow, Figure, Hatched, Polyline, Spot, Symbol
+from planar_cli.report.narrate import narrate
+
+
+def drawings(name: str) -> dict[str, Figure]:
+    path = next(p for p in PROBLEMS if p.match(f"{name}.yaml"))
+    solution = worked(path)[0]
+    return dict(figures_of(illustrated(narrate(solution), solution)))
+
+
+def areas(figure: Figure) -> list[tuple[Spot, ...]]:
+    return [m.places for m in figure.panels[0].marks if isinstance(m, Polyline) and m.closed and m.style == "body"]
+
+
+def test_a_wedge_reaches_from_its_face_to_the_floor_under_it() -> None:
+    found = drawings("particles/block-on-wedge")
+    (wedge,) = areas(found["scene"])
+    (floor,) = (m.places for m in found["scene"].panels[0].marks if isinstance(m, Hatched))
+    assert min(y for _, y in wedge) == pytest.approx(floor[0][1]) == pytest.approx(floor[1][1])
+    assert inside(wedge, (0.0, 0.0), 0.01), "the mass centre"
+    assert any(abs(d) < 1e-9 for d in meets(wedge, (0.0, 1.0), 0.0)), "the block stands on the face"
+    assert [m.kind for m in found["scene"].panels[0].marks if isinstance(m, Symbol) and m.kind == "block"]
+    (drawn,) = areas(found["wedge"])
+    for arrow in (m for m in found["wedge"].panels[0].marks if isinstance(m, Arrow)):
+        on_edge = any(abs(d) < 1e-6 for d in meets(drawn, arrow.at, arrow.angle))
+        assert on_edge or inside(drawn, arrow.at), arrow
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "center"),
+    [("textbook/ex-4-18", "frame", "G"), ("friction/car-with-locked-wheels", "car", "G")],
+)
+def test_a_carrier_is_a_box_with_its_mass_centre_inside(name: str, body: str, center: str) -> None:
+    path = next(p for p in PROBLEMS if p.match(f"{name}.yaml"))
+    instant = next(i for part in worked(path)[0].parts for i in part.instants)
+    drawn = Drawn.as_in_the_file(instant)
+    (box,) = outlines(drawn, drawn.scene.bodies[body])
+    at = drawn.spot(drawn.scene.points[center])
+    assert len(box.places) == 4
+    assert at is not None
+    assert inside(box.places, at, 0.01)
+
+
+def test_a_guided_box_stands_on_a_floor_and_no_rail_runs_through_it() -> None:
+    (panel,) = drawings("friction/crate-on-cart")["scene"].panels
+    assert not [m for m in panel.marks if isinstance(m, Symbol) and m.kind in ("rail", "slider")]
+    (floor,) = (m.places for m in panel.marks if isinstance(m, Hatched))
+    assert floor[0][1] == pytest.approx(-0.15)
+
+
+def test_a_piston_keeps_its_rails() -> None:
+    (panel,) = drawings("kinematics/slider-crank-offset")["scene"].panels
+    assert [m.kind for m in panel.marks if isinstance(m, Symbol)].count("rail") == 1
