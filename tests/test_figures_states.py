@@ -15,7 +15,7 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
 from planar_cli.report.blocks import Name, Text, line
-from planar_cli.report.marks import Arrow, Axes, Dimension, Figure, Hatched, Polyline, Symbol, Tag
+from planar_cli.report.marks import Angle, Arrow, Axes, Dimension, Figure, Hatched, Polyline, Symbol, Tag
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
@@ -115,3 +115,21 @@ def test_bodies_that_meet_are_side_by_side() -> None:
     assert first[0] < second[0]
     assert math.dist(first, second) > 0
     assert (second[1] - first[1]) / (second[0] - first[0]) == pytest.approx(math.tan(math.radians(30)))
+
+
+@pytest.mark.parametrize(
+    ("stem", "letter", "start", "sense"),
+    [
+        ("ladder-leaving-the-wall", "theta", 0.0, 1),
+        ("simple-pendulum", "theta", -math.pi / 2, 1),
+        ("bob-on-a-cart", "phi", -math.pi / 2, 1),
+        ("rod-in-a-carriage", "beta", -math.pi / 2, -1),
+    ],
+)
+def test_an_angle_is_drawn_from_its_zero(stem: str, letter: str, start: float, sense: int) -> None:
+    found = scene_of(named(stem))
+    assert found is not None
+    (angle,) = (m for m in found[0].panels[0].marks if isinstance(m, Angle))
+    assert letter in str(angle.words)
+    assert angle.start == pytest.approx(start)
+    assert angle.sweep * sense > 0

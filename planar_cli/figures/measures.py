@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from planar_cli.figures.angles import angle_from_its_zero, angles_of_coordinates
 from planar_cli.figures.drawn import Drawn, size_of, words_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import At, Body, Line, Point, Polar, Problem, Rod, Round, TwoFacts
 from planar_cli.problem.shapes import rim_of
 from planar_cli.report.blocks import Name, line
@@ -46,7 +46,8 @@ def _measures(drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot]) -> Ite
         if isinstance(surface.shape, Line) and surface.body is None:
             start = drawn.carried(None, surface.shape.through)
             if start is not None:
-                yield from _angle(drawn, start, surface.shape.angle)
+                yield from angle_from_its_zero(drawn, start, surface.shape.angle)
+    yield from angles_of_coordinates(drawn)
     for point in problem.points:
         if point.name in tagged and isinstance(point.place, At | TwoFacts):
             yield from _coordinates(tagged[point.name], point.place)
@@ -62,7 +63,7 @@ def _polar(drawn: Drawn, point: Point, place: Polar, tagged: Mapping[str, Spot])
         return
     if words:
         yield Dimension(origin, spot, words)
-    yield from _angle(drawn, origin, place.angle)
+    yield from angle_from_its_zero(drawn, origin, place.angle)
 
 
 def _all_radii(drawn: Drawn) -> Iterator[Dimension]:
@@ -70,16 +71,6 @@ def _all_radii(drawn: Drawn) -> Iterator[Dimension]:
         rim = rim_of(body.shape)
         if rim is not None:
             yield from _radii(drawn, body, rim)
-
-
-def _angle(drawn: Drawn, vertex: Spot, side: Side) -> Iterator[Angle]:
-    """An angle from the x axis that is no multiple of 90°."""
-    size = drawn.length(side)
-    if size is None:
-        return
-    turned = math.remainder(size, 2 * math.pi)
-    if abs(math.remainder(turned, RIGHT)) > NEAR and (words := size_of(side)):
-        yield Angle(vertex, 0.0, turned, words)
 
 
 def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
@@ -90,7 +81,7 @@ def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
     if words := words_of(shape.length):
         yield Dimension(start, (2 * center[0] - start[0], 2 * center[1] - start[1]), words)
     if shape.angle is not None:
-        yield from _angle(drawn, start, shape.angle)
+        yield from angle_from_its_zero(drawn, start, shape.angle)
 
 
 def _radii(drawn: Drawn, body: Body, rim: Round) -> Iterator[Dimension]:
