@@ -41,7 +41,7 @@ def test_paragraphs_stay_apart_on_sheets(form: str, tmp_path: Path) -> None:
     (tmp_path / "stone.yaml").write_text(TWO)
     (tmp_path / "set.yaml").write_text("text: |\n  Hand in.\n\n  By Friday.\nproblems: [stone.yaml]\n")
     assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", form]) == 0
-    (handed_out,) = (tmp_path / "out").glob("sheet*")
+    (handed_out,) = (tmp_path / "out").glob("sheet*.[mh]*")
     text = handed_out.read_text()
     assert "x0a" not in text
     between = "\n\n" if form == "markdown" else "</p>\n<p>"
@@ -53,7 +53,7 @@ def test_a_sheet_does_not_repeat_what_its_text_tells_and_the_key_has_what_varies
     (tmp_path / "stone.yaml").write_text(TWO.replace("falls\n  from {h}", "falls"))
     (tmp_path / "set.yaml").write_text("variants: {number: 1, seed: 1}\nproblems: [stone.yaml]\n")
     assert run(["key", str(tmp_path / "set.yaml"), "-o", str(tmp_path / "out"), "--format", "markdown"]) == 0
-    (handed_out,) = (tmp_path / "out").glob("sheet*")
+    (handed_out,) = (tmp_path / "out").glob("sheet*.[mh]*")
     assert "Also given: $h = 3.5$ m" in handed_out.read_text()
     assert "m = " not in handed_out.read_text()
     key = (tmp_path / "out" / "key.md").read_text()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,9 @@ if TYPE_CHECKING:
 
 SUFFIX = {"markdown": "md", "html": "html", "latex": "tex", "pdf": "pdf", "json": "json", "csv": "csv"}
 PDF = "pdf"
+PICTURE = ".svg"
+CALLED = re.compile(rf"\]\(([0-9a-f]{{16}}{re.escape(PICTURE)})\)")
+"""A picture in the text of Markdown, by the name that tells what is in it."""
 PAGES = ("markdown", "html", "pdf")
 """Formats of pages to be read, which can hold worked solutions."""
 
@@ -24,12 +28,28 @@ def printed_as(form: str) -> str:
 
 def page(pieces: Iterable[Piece], title: str, form: str) -> bytes:
     """One page; the same for the same pieces. `title`: of the file. PlanarError: a PDF cannot be made here."""
+    (made,) = [data for name, data in files(pieces, title, form, "").items() if not name.endswith(PICTURE)]
+    return made
+
+
+def files(pieces: Iterable[Piece], title: str, form: str, name: str) -> dict[str, bytes]:
+    """One page as a file, with the pictures that its text calls beside it. `name`: without the ending."""
     pages: Any = member("formats", printed_as(form))()
     parts: list[str] = []
+    pictures: dict[str, str] = {}
     for is_printed, some in groupby(pieces, lambda piece: isinstance(piece, dict)):
         run = list(some)
-        parts += [p[pages.kind] for p in run if isinstance(p, dict)] if is_printed else [pages.part(run)]
-    return in_form(pages.whole(title, parts), form)
+        printed = [p for p in run if isinstance(p, dict)]
+        parts += [p.get(pages.kind, "") for p in printed] if is_printed else [pages.part(run)]
+        pictures |= {own: drawn for p in printed for own, drawn in p.items() if own.endswith(PICTURE)}
+    text = pages.whole(title, parts)
+    called = list(dict.fromkeys(n for n in CALLED.findall(text) if n in pictures))
+    names = {own: f"{name}-{i}{PICTURE}" for i, own in enumerate(called, 1)}
+    text = CALLED.sub(lambda m: f"]({names.get(m[1], m[1])})", text) if names else text
+    return {
+        f"{name}.{SUFFIX[form]}": in_form(text, form),
+        **{names[own]: pictures[own].encode() for own in called},
+    }
 
 
 def in_form(text: str, form: str) -> bytes:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from planar_cli import cli
 from planar_cli.commands._counter import counter
 from planar_cli.commands._earlier_sheets import MANIFEST, clear, demand_no_loss, manifest
-from planar_cli.commands._handed_out import PAGES, PDF, SUFFIX, page, printed_as
+from planar_cli.commands._handed_out import PAGES, PDF, SUFFIX, files, printed_as
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import visible
@@ -33,7 +33,7 @@ def key_of_set(
 ) -> int:
     """Sheets, key and exports of a set."""
     from planar_cli.commands._told_formulas import told_formulas
-    from planar_cli.commands._worked_pages import FOR_COURSES, WorkedPages
+    from planar_cli.commands._worked_pages import Pressed
     from planar_cli.homework.homework import made_ready
     from planar_cli.homework.set_file import read_set
     from planar_cli.homework.sheets import handed
@@ -53,25 +53,27 @@ def key_of_set(
         variants=homework_set.variants if variants is None else variants,
         seed=homework_set.seed if seed is None else seed,
     )
-    forms = (*((printed_as(style),) if holds_worked else ()), *(FOR_COURSES if exports else ()))
-    worked_pages = WorkedPages(forms, 2 if homework_set.variants else 1) if forms else None
-    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, worked_pages, counter, told_formulas)
+    own = printed_as(style) if style in PAGES and (holds_worked or output is not None) else ""
+    solves = holds_worked or bool(exports)
+    below = 2 if homework_set.variants else 1
+    press = Pressed(own, bool(exports), solves, below, output is not None) if own or exports else None
+    homework = made_ready(homework_set, os.cpu_count() or 1, timeout, press, counter, told_formulas)
     for warning in homework.warnings:
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]
-    key = _key(homework, handed_out, style, worked or both, not worked or both)
+    steps = worked or both, not worked or both
     if output is None:
+        (key,) = _key(homework, handed_out, style, *steps).values()
         write(key.decode(), None)
         return cli.SOLVED
-    files = {f"{one.name}.{suffix}": _sheet(homework, one, style) for one in handed(homework, handed_out)}
-    keys = {f"key.{suffix}": key}
+    data: dict[str, bytes] = {}
+    for one in handed(homework, handed_out):
+        data |= _sheet(homework, one, style)
+    data |= _key(homework, handed_out, style, *steps)
     if len(handed_out) > 1:
         width = len(str(max(handed_out)))
-        keys |= {
-            f"key-{k:0{width}d}.{suffix}": _key(homework, [k], style, worked or both, not worked or both)
-            for k in handed_out
-        }
-    data = {**files, **keys}
+        for k in handed_out:
+            data |= _key(homework, [k], style, *steps, f"key-{k:0{width}d}")
     clear(output, data)
     write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if holds_worked else "")}, output)
     for name in exports:
@@ -79,26 +81,28 @@ def key_of_set(
     return cli.SOLVED
 
 
-def _sheet(homework: Homework, one: Handed, form: str) -> bytes:
+def _sheet(homework: Homework, one: Handed, form: str) -> dict[str, bytes]:
     from planar_cli.homework import sheets
     from planar_cli.report.handed_out import sheet
 
     if form == "json":
-        return sheets.as_json(sheets.sheet_data(homework, one)).encode()
+        return {f"{one.name}.json": sheets.as_json(sheets.sheet_data(homework, one)).encode()}
     if form == "csv":
-        return sheets.sheet_csv(homework, one.variant).encode()
-    return page(sheet(homework, one), one.title(homework), form)
+        return {f"{one.name}.csv": sheets.sheet_csv(homework, one.variant).encode()}
+    return files(sheet(homework, one), one.title(homework), form, one.name)
 
 
-def _key(homework: Homework, variants: list[int], form: str, worked: bool, short: bool) -> bytes:
+def _key(
+    homework: Homework, variants: list[int], form: str, worked: bool, short: bool, name: str = "key"
+) -> dict[str, bytes]:
     from planar_cli.homework import sheets
     from planar_cli.report.handed_out import key
 
     if form == "json":
-        return sheets.as_json(sheets.key_data(homework, variants)).encode()
+        return {f"{name}.json": sheets.as_json(sheets.key_data(homework, variants)).encode()}
     if form == "csv":
-        return sheets.key_csv(homework, variants).encode()
-    return page(key(homework, variants, worked, short), f"{homework.title}: key", form)
+        return {f"{name}.csv": sheets.key_csv(homework, variants).encode()}
+    return files(key(homework, variants, worked, short), f"{homework.title}: key", form, name)
 
 
 def _export(homework: Homework, name: str, seed: int, output: str) -> None:

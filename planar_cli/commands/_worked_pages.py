@@ -1,23 +1,48 @@
-"""Worked solutions as a homework has them: parts of its key, and of what is exported."""
+"""What rests on a problem alone, of the pages of a homework: the figure of its sheet, and its worked solution."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 from planar_cli.homework.paper import Printed
+from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.registry import member
 from planar_cli.solve.solved_problem import Solution
 
+if TYPE_CHECKING:
+    from planar_cli.report.blocks import Block
+
 FOR_COURSES = ("mathjax", "dollars")
+MARKDOWN = "markdown"
 
 
 @record
-class WorkedPages:
-    """Prints a worked solution in some formats, so many levels of headings below the page that it is part of."""
+class Pressed:
+    """Prints in the form of sheets and key ("": none) and, if `exports`, of course systems; `below`: so many levels of
+    headings a worked solution stands below the key; `pictures`: the text of Markdown has files beside it.
+    """
 
-    forms: tuple[str, ...]
+    form: str
+    exports: bool
+    solves: bool
     below: int
+    pictures: bool
 
-    def __call__(self, solution: Solution) -> Printed:
+    def scene(self, problem: Problem) -> Printed:
+        """The figure of a sheet."""
+        from planar_cli.figures.handed_out import handed_out, letters_told
+        from planar_cli.report.blocks import Drawing, Paragraph
+
+        figure = handed_out(problem) if self.form else None
+        if figure is None:
+            return {}
+        letters = letters_told(figure, problem)
+        return self._printed([Drawing(figure), *([Paragraph(letters)] if letters else [])])
+
+    def worked(self, solution: Solution) -> Printed:
+        """A worked solution."""
         from planar_cli.figures.illustrated import illustrated
         from planar_cli.formats._course_html import course_html
         from planar_cli.report.blocks import Title
@@ -25,9 +50,18 @@ class WorkedPages:
 
         page = illustrated(narrate(solution), solution)
         blocks = (Title(page.title), *page.blocks)
+        for_courses = {way: course_html(blocks, way) for way in FOR_COURSES} if self.exports else {}
+        return {**for_courses, **self._printed(blocks)}
 
-        def printed(form: str) -> str:
-            text: str = member("formats", form)(self.below).part(blocks)
-            return text
+    def _printed(self, blocks: Sequence[Block]) -> dict[str, str]:
+        """In the form of sheets and key."""
+        from planar_cli.formats._svg import picture
+        from planar_cli.report.blocks import Drawing
 
-        return {form: course_html(blocks, form) if form in FOR_COURSES else printed(form) for form in self.forms}
+        if not self.form:
+            return {}
+        called = self.pictures and self.form == MARKDOWN
+        form: Any = member("formats", self.form)
+        text = (form(self.below, called) if called else form(self.below)).part(blocks)
+        drawn = dict(picture(b.figure) for b in blocks if isinstance(b, Drawing)) if called else {}
+        return {self.form: text, **drawn} if text else {}

@@ -40,7 +40,7 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     problem, system = drawn.scene.problem, instant.trial.system
     if motion is None or not problem.states:
         moving = Moving(drawn, system.motion) if system.motion is not None else None
-        return _panel(tuple(_marks(drawn, moving, problem.joints)))
+        return arranged(drawn, moving)
     drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
     systems = {id(r.solution.instant.scene): r.solution.trial.system for r in motion.regimes}
     led = systems.get(id(drawn.scene), system).motion
@@ -50,6 +50,11 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
     marks = (*_marks(drawn, moving, joints, places[1:]), *position_marks(places, motion, run))
     return _panel((*marks, *state_measures(places, problem)))
+
+
+def arranged(drawn: Drawn, moving: Moving | None = None) -> Panel:
+    """A scene in one position."""
+    return _panel(tuple(_marks(drawn, moving, drawn.scene.problem.joints)))
 
 
 def _panel(marks: tuple[Mark, ...]) -> Panel:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from hashlib import sha256
 from typing import Literal
 from xml.etree import ElementTree as ET
 
@@ -118,6 +119,12 @@ def svg(figure: Figure, look: Look = "own") -> str:
         if element.tag != "tspan":
             element.tail = "\n"
     return ET.tostring(root, encoding="unicode")
+
+
+def picture(figure: Figure) -> tuple[str, str]:
+    """A figure as a file: a name that tells what is in it, and its text."""
+    drawn = svg(figure)
+    return f"{sha256(drawn.encode()).hexdigest()[:16]}.svg", drawn
 
 
 def papers_of(figure: Figure) -> list[Paper]:

@@ -12,6 +12,7 @@ from typing import ClassVar, final
 
 from planar_cli.formats._formulas import joined
 from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
+from planar_cli.formats._svg import picture
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
 from planar_cli.report.blocks import (
@@ -51,6 +52,8 @@ class Markdown(Pages):
     suffix: ClassVar[str] = ".md"
 
     below: int = 0
+    pictures: bool = False
+    """Are figures called, as files beside the text whose names tell what is in them?"""
 
     def part(self, blocks: Sequence[Block]) -> str:
         return "\n\n".join(piece for run in runs_of(blocks) for piece in self.pieces(run))
@@ -110,8 +113,8 @@ class Markdown(Pages):
         return [label, "\n".join(f"- {_inline(n.line)}" for n in run)]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
-        """Text has none; the tables of forces say the same."""
-        return []
+        """Text alone has none; the tables of forces say the same."""
+        return [f"![{escaped(d.figure.words)}]({picture(d.figure)[0]})" for d in run] if self.pictures else []
 
     def typed(self, run: Sequence[Typed]) -> list[str]:
         # A row that begins with three of them would end the block.

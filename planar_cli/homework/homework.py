@@ -14,7 +14,7 @@ from planar_cli.homework.dependence import behind_each
 from planar_cli.homework.followed_mistakes import with_followed
 from planar_cli.homework.given_letters import gravity_told, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
-from planar_cli.homework.pages_of_variants import Page, with_pages
+from planar_cli.homework.pages_of_variants import Press, with_pages
 from planar_cli.homework.paper import Expected, Paper, Task
 from planar_cli.homework.passing import passing
 from planar_cli.homework.printed_names import printed
@@ -192,11 +192,11 @@ def made_ready(
     homework: HomeworkSet,
     jobs: int,
     timeout: float,
-    page: Page | None,
+    press: Press | None,
     counter: Callable[[int, str], Callable[[int], None]],
     formulas: Formulas | None = None,
 ) -> Homework:
-    """A set made ready on several workers, which import `page` and `formulas` by their names; `counter`: of a total,
+    """A set made ready on several workers, which import `press` and `formulas` by their names; `counter`: of a total,
     hears how many are done. PlanarError: a problem of it is no good.
     """
     from planar_cli.homework.supervisor import Supervisor
@@ -217,8 +217,8 @@ def made_ready(
         wrong += diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}")]
     if wrong:
         raise FileProblem(wrong)
-    if page is not None:
-        found = with_pages(homework, found, page, (jobs, timeout), lambda total: counter(total, "worked pages made"))
+    if press is not None:
+        found = with_pages(homework, found, press, (jobs, timeout), lambda total: counter(total, "pages made"))
     return assembled(homework, found)
 
 

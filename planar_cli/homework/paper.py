@@ -20,7 +20,8 @@ Place = tuple[tuple[str, float], ...]
 
 Printed = Mapping[str, str]
 """A part of a page in print, by the formats in which it is wanted: markdown, html, latex; for course systems, which
-have formulas between brackets or between dollars, mathjax and dollars.
+have formulas between brackets or between dollars, mathjax and dollars. Pictures that its Markdown calls are under the
+names by which it calls them.
 """
 
 
@@ -102,6 +103,8 @@ class Task:
     expected: tuple[Expected, ...]
     worked: Printed = field(default_factory=dict)
     """The worked solution; nothing where it is not wanted."""
+    scene: Printed = field(default_factory=dict)
+    """The figure of the sheet; nothing where it is not wanted, or there is none."""
     drawn: tuple[str, ...] = ()
     """The same lines of what varies, wherever the student reads it."""
     lead: str = "Given"

@@ -109,12 +109,12 @@ def worked(path: str, name: str, node: Node) -> WorkedProblem:
     return WorkedProblem(name, path, node, problem, solution, parts)
 
 
-def plainly_solved(path: str, node: Node) -> Solution:
-    """The solution of a tree as `planar solve` has it."""
+def plainly_read(path: str, node: Node) -> Problem:
+    """The problem of a tree as `planar solve` has it."""
     problem, wrong = problem_of(path, node, [])
     if problem is None or wrong:
         raise FileProblem(wrong)
-    return solve_problem(problem, problem.method)
+    return problem
 
 
 def _solved(problem: Problem) -> Solution:

@@ -36,6 +36,7 @@ def sheet(homework: Homework, one: Handed) -> Iterator[Piece]:
     for number, task in enumerate(homework.papers[one.variant].tasks, 1):
         yield Title(f"{number}. {_plain(task.title)}", 1)
         yield from _paragraphs(task.text)
+        yield task.scene
         if task.given:
             yield Paragraph(line(f"{task.lead}: ", *_listed(task.given)))
         yield from (Bullet(_asked(e)) for e in task.expected)

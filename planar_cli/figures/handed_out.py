@@ -1,0 +1,93 @@
+"""The figure of a sheet: the scene as the file gives it, with nothing in it that is to be found.
+
+No solution is asked: the scene is set up from the file alone. What stands where something sought would tell is left
+out, as is every direction that is sought; later states and paths are not drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.setup import Setup
+from planar_cli.equation.system import Statements
+from planar_cli.errors import PlanarError
+from planar_cli.figures.arrangement import arranged
+from planar_cli.figures.drawn import Drawn, words_of
+from planar_cli.problem import expression
+from planar_cli.problem.placeholders import PLACEHOLDER
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
+from planar_cli.records import record
+from planar_cli.report.blocks import Inline, Line, Math, Name, Text
+from planar_cli.report.marks import Axes, Dimension, Figure, Panel, Symbol, Tag
+
+
+@record
+class GivenDrawn(Drawn):
+    """A scene in numbers as far as the file gives them."""
+
+    def number(self, expr: Any) -> float | None:
+        placed = sp.sympify(expr)
+        return None if _rests_on_sought(self.scene.ledger, placed) else Drawn.number(self, placed)
+
+
+def handed_out(problem: Problem) -> Figure | None:
+    """What a sheet shows of a problem; None: hardly anything can be drawn of what is given."""
+    # What is told by the time is open here, as any place is that is sought.
+    laws = (law.statement for law in problem.motion)
+    always = tuple(s for s in laws if not any(isinstance(n, expression.Name) and n.name == "t" for n in walk(s)))
+    now = problem.instant or (problem.states[0].relations if problem.states else ())
+    try:
+        scene = Setup(problem, Statements.of(always, now), {}, open_form=False).scene
+        panel = arranged(GivenDrawn(scene, scene.valuations[0], {}))
+    except PlanarError:
+        # Where places rest on what an earlier case finds, the text has to tell the scene.
+        return None
+    if not _is_seen(panel):
+        return None
+    return Figure((panel,), problem.title, name="scene")
+
+
+def letters_told(figure: Figure, problem: Problem) -> Line:
+    """The letters of a figure with their values, of those that the text of the sheet tells by their values alone."""
+    said = set(PLACEHOLDER.findall(problem.text))
+    drawn = {n for panel in figure.panels for m in panel.marks for p in getattr(m, "words", ()) for n in _names(p)}
+    told: list[Inline] = []
+    for one in problem.given:
+        words = words_of(one.value) if one.value is not None else ()
+        if one.name in said & drawn and words:
+            told += [Text(", " if told else "In the figure: "), Name(one.name), Text(" = "), *words]
+    return tuple(told)
+
+
+def _names(piece: Inline) -> Iterator[str]:
+    match piece:
+        case Name(name):
+            yield name
+        case Math(expr):
+            yield from (str(s) for s in expr.free_symbols)
+
+
+def _is_seen(panel: Panel) -> bool:
+    """Is there more to be seen than one thing at its place?"""
+    told = [m for m in panel.marks if not isinstance(m, Axes | Tag | Dimension)]
+    return len({m.at for m in told if isinstance(m, Symbol)}) > 1 or any(not isinstance(m, Symbol) for m in told)
+
+
+def _rests_on_sought(ledger: Any, expr: Any) -> bool:
+    """Does an expression rest on something that is sought, or on what has no value at all?"""
+    known = {**ledger.values, **ledger.definitions}
+    open_, seen = list(expr.free_symbols), set()
+    while open_:
+        symbol = open_.pop()
+        if symbol in seen:
+            continue
+        seen.add(symbol)
+        if symbol in known:
+            open_ += known[symbol].free_symbols
+        elif symbol not in ledger.letters:
+            return True
+    return False

@@ -1,0 +1,115 @@
+"""What is handed out, in every format of pages: sheets with figures, nothing of the key in them, keys with drawings."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from conftest import PROBLEMS, ROOT
+from worked import name_of, worked
+
+from planar_cli.cli import run
+from planar_cli.commands._handed_out import PAGES, PDF
+from planar_cli.figures.handed_out import handed_out, letters_told
+from planar_cli.problem.structure import load_text
+from planar_cli.report.blocks import Name, Value
+from planar_cli.report.marks import Arrow, Dimension, Figure, Tag
+
+PROBLEM = ROOT / "tests" / "homework" / "slope.yaml"
+EVERY = 12
+"""Of so many problem files one is drawn in each run."""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Sheets and keys with worked solutions in every format, each in a folder of its own, twice."""
+    whole = tmp_path_factory.mktemp("handed_out")
+    homework_set = whole / "set.yaml"
+    homework_set.write_text(f"problems: [{PROBLEM}]\nvariants: {{number: 1, seed: 7}}\n")
+    for form in PAGES:
+        for again in ("once", "again"):
+            line = ["key", str(homework_set), "--both", "--format", form, "--timeout", "0"]
+            assert run([*line, "-o", str(whole / form / again)]) == 0
+    return whole
+
+
+@pytest.mark.parametrize("form", PAGES)
+def test_the_same_seed_gives_the_same_bytes(folder: Path, form: str) -> None:
+    once, again = ({p.name: p.read_bytes() for p in (folder / form / n).iterdir()} for n in ("once", "again"))
+    assert once == again
+    assert len(once) > 2
+
+
+@pytest.mark.parametrize("form", [f for f in PAGES if f != PDF])
+def test_figures_stand_in_sheets_and_keys(folder: Path, form: str) -> None:
+    for name, least in (("sheet-1", 1), ("key", 2)):
+        (page,) = (p for p in (folder / form / "once").glob(f"{name}.*"))
+        text = page.read_text()
+        pattern = {"markdown": r"!\[[^\]]*\]\(([\w-]+\.svg)\)", "html": "(<svg )", "latex": r"(\\begin\{tikzpicture\})"}
+        found = re.findall(pattern[form], text)
+        assert len(found) >= least
+        if form == "markdown":
+            assert all((page.parent / picture).read_text().startswith("<svg") for picture in found)
+
+
+def test_the_figure_of_a_sheet_has_nothing_that_is_found() -> None:
+    problem, _ = load_text(SOUGHT)
+    assert problem is not None
+    figure = handed_out(problem)
+    assert figure is not None
+    marks = figure.panels[0].marks
+    # The place of A, the force whose way is asked, and the angle are sought.
+    assert [m.words for m in marks if isinstance(m, Tag)] == [(Name("O"),), (Name("B"),)]
+    assert [m for m in marks if isinstance(m, Arrow)] == []
+    assert {w.number for m in marks if isinstance(m, Dimension) for w in m.words if isinstance(w, Value)} <= {2}
+
+
+SOUGHT = """
+plane: horizontal
+coordinates: {s: m}
+points: {O: [0, 0], A: [s, 0], B: [0, 2 m]}
+bodies: {a: {particle: A, mass: 1 kg}, b: {particle: B, mass: 1 kg}}
+loads:
+  - spring: {between: [O, A], stiffness: 10 N/m, natural_length: 1 m}
+  - force: {body: a, magnitude: 5 N, angle: 0}
+instant: [equilibrium]
+find: {s: s}
+"""
+
+
+def test_letters_of_a_figure_have_their_values_on_the_sheet() -> None:
+    text = "text: A slope of {beta}.\ngiven: {beta: 25 deg, mu: 0.2}\n" + SLOPE
+    problem, wrong = load_text(text)
+    assert not wrong
+    assert problem is not None
+    figure = handed_out(problem)
+    assert figure is not None
+    told = letters_told(figure, problem)
+    assert [p.name for p in told if isinstance(p, Name)] == ["beta"]
+
+
+SLOPE = """
+plane: vertical
+points: {P: [0, 0]}
+surfaces: {slope: {through: P, angle: beta}}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints: [{contact: {between: [block, slope], mu: mu}}]
+instant: [at rest]
+find: {a: a(block).mag}
+"""
+
+
+def numbers_of(figure: Figure) -> set[str]:
+    words = [w for panel in figure.panels for m in panel.marks for w in getattr(m, "words", ())]
+    return {f"{w.number:.4g}" for w in words if isinstance(w, Value)}
+
+
+@pytest.mark.parametrize("path", PROBLEMS[::EVERY], ids=name_of)
+def test_no_answer_stands_in_the_figure_of_a_sheet(path: Path) -> None:
+    """Every number in it is one of the file."""
+    problem = worked(path)[0].problem
+    figure = handed_out(problem)
+    if figure is not None:
+        file = path.read_text()
+        assert all(n in file or n.lstrip("-0") in file for n in numbers_of(figure))
