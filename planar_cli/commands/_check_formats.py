@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
@@ -14,7 +14,6 @@ from planar_cli.homework.checking import AGREES, Checked
 from planar_cli.problem.show import harmless, spreadsheet_cell
 
 NO_ANSWERS = "no answers"
-FORMS = ("jsonl", "csv", "junit", "github", "markdown")
 
 
 def told(checked: Checked) -> str:
@@ -39,26 +38,20 @@ def as_record(one: Checked) -> dict[str, Any]:
     }
 
 
-def written(checked: Sequence[Checked], form: str) -> str:
-    """All files in one of the forms."""
-    return {"jsonl": _jsonl, "csv": _csv, "junit": _junit, "github": _github, "markdown": _markdown}[form](checked)
+def _jsonl(one: Checked, first: bool) -> str:
+    return f"{json.dumps(as_record(one), ensure_ascii=False, default=float)}\n"
 
 
-def _jsonl(checked: Sequence[Checked]) -> str:
-    lines = (json.dumps(as_record(c), ensure_ascii=False, default=float) for c in checked)
-    return "".join(f"{line}\n" for line in lines)
-
-
-def _csv(checked: Sequence[Checked]) -> str:
+def _csv(one: Checked, first: bool) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(("file", "outcome", "find", "stated", "solved", "agrees", "message"))
-    for one in checked:
-        if not one.verdicts:
-            writer.writerow((spreadsheet_cell(one.path), told(one), "", "", "", "", spreadsheet_cell(one.message)))
-        for v in one.verdicts:
-            cells = (one.path, told(one), v.find, v.stated, v.solved, "yes" if v.agrees else "no", v.message)
-            writer.writerow([spreadsheet_cell(c) for c in cells])
+    if first:
+        writer.writerow(("file", "outcome", "find", "stated", "solved", "agrees", "message"))
+    if not one.verdicts:
+        writer.writerow((spreadsheet_cell(one.path), told(one), "", "", "", "", spreadsheet_cell(one.message)))
+    for v in one.verdicts:
+        cells = (one.path, told(one), v.find, v.stated, v.solved, "yes" if v.agrees else "no", v.message)
+        writer.writerow([spreadsheet_cell(c) for c in cells])
     return out.getvalue()
 
 
@@ -96,18 +89,15 @@ def _clean(text: str, kept: str = "") -> str:
     return harmless(text, kept=kept)
 
 
-def _github(checked: Sequence[Checked]) -> str:
+def _github(one: Checked, first: bool) -> str:
     """`::error file=…,line=…::…`, one for each thing that is wrong."""
     lines = []
-    for one in checked:
-        if one.diagnostics:
-            for d in one.diagnostics:
-                place = f"file={_property(d.mark.file)},line={d.mark.line},col={d.mark.column},title={d.code}"
-                lines.append(f"::error {place}::{_data(d.message)}")
-            continue
-        for message in _messages(one):
-            level = "warning" if one.outcome == "undecided" else "error"
-            lines.append(f"::{level} file={_property(one.path)}::{_data(message)}")
+    for d in one.diagnostics:
+        place = f"file={_property(d.mark.file)},line={d.mark.line},col={d.mark.column},title={d.code}"
+        lines.append(f"::error {place}::{_data(d.message)}")
+    for message in _messages(one) if not one.diagnostics else []:
+        level = "warning" if one.outcome == "undecided" else "error"
+        lines.append(f"::{level} file={_property(one.path)}::{_data(message)}")
     return "".join(f"{line}\n" for line in lines)
 
 
@@ -129,3 +119,9 @@ def _markdown(checked: Sequence[Checked]) -> str:
         lines.append(f"| {plain(one.path)} | {plain(told(one))} | {answers} |")
     notes = [f"- {plain(one.path)}: {plain(m)}" for one in checked for m in _messages(one)]
     return "\n".join([*lines, "", *notes, ""] if notes else [*lines, ""])
+
+
+STREAMED: Mapping[str, Callable[[Checked, bool], str]] = {"jsonl": _jsonl, "csv": _csv, "github": _github}
+"""Forms in which a file is told as soon as all before it are known, and whether it is the first."""
+WHOLE: Mapping[str, Callable[[Sequence[Checked]], str]] = {"junit": _junit, "markdown": _markdown}
+"""Forms that tell all files at once."""

@@ -143,7 +143,8 @@ class _Class:
             from planar_cli.homework.results import as_data
             from planar_cli.homework.sheets import as_json
 
-            data = [as_data(r) for r in sorted(self.kept, key=lambda r: (r.student, r.source))]
+            kept = sorted(self.kept, key=lambda r: (r.student, r.source))
+            data = [_without_key(as_data(r)) if self.options["for_student"] else as_data(r) for r in kept]
             echo(as_json({"title": self.homework.title, "results": data}), end="")
         elif self.form == "markdown":
             echo(_report_markdown(self.homework.title, self.report), end="")
@@ -191,9 +192,16 @@ def _for_student(text: str) -> str:
     import json
 
     data = json.loads(text)
-    for one in data["result"]["graded"]:
-        one["expected"] = ""
-    return json.dumps(data, ensure_ascii=True, separators=(",", ":"))
+    return json.dumps({**data, "result": _without_key(data["result"])}, ensure_ascii=True, separators=(",", ":"))
+
+
+def _without_key(result: dict[str, Any]) -> dict[str, Any]:
+    """A result as data, with nothing of the key, nor of several mistakes that give one number."""
+    graded = [{name: value for name, value in one.items() if name != "expected"} for one in result["graded"]]
+    for one in graded:
+        if len(one.get("mistakes", ())) > 1:
+            del one["mistakes"]
+    return {**result, "graded": graded}
 
 
 def rows_of(result: Result, for_student: bool) -> str:
@@ -208,7 +216,8 @@ def rows_of(result: Result, for_student: bool) -> str:
     for g in result.graded:
         told = f"{g.message}; {g.feedback}" if g.feedback else g.message
         cells = (result.student, result.variant, g.problem, g.find, g.submitted, g.told, g.score, g.max_score)
-        row = (*cells, " or ".join(g.mistakes), told)
+        mistakes = "" if for_student and len(g.mistakes) > 1 else " or ".join(g.mistakes)
+        row = (*cells, mistakes, told)
         writer.writerow([spreadsheet_cell(c) if isinstance(c, str) else c for c in row])
     for sentence in result.wrong:
         writer.writerow((spreadsheet_cell(result.student), result.variant, *[""] * 7, spreadsheet_cell(sentence)))

@@ -6,14 +6,15 @@ With --set FILES are submissions: YAML, JSON or CSV files or folders of them. Ea
 sign and precision; a wrong number that a typical mistake gives is told so. See `planar explain homework`.
 The exit status is 0 when all agree, 1 when an answer disagrees or a problem has no solution, 2 for a bad file, 3 when
 something was not decided in time, 4 for a fault of planar; of several, the highest. A graded class is 0 whatever its
-answers are, unless submissions could not be graded within their limits.
+answers are, unless submissions could not be graded within their limits. Ctrl-C and SIGTERM end a run early: what is
+done is printed, and the status is 130 or 143.
 """
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from planar_cli import cli
@@ -35,12 +36,10 @@ STATUS = {
 NO_ANSWERS = "no answers"
 FORMS = ("terminal", "json", "jsonl", "csv", "junit", "github", "markdown")
 ONLY_SET = {
-    "--results": "results",
     "--feedback": "feedback",
     "--export": "exports",
     "--output": "output",
     "--student": "for_student",
-    "--shard": "shard",
     "--cluster": "cluster",
     "--false-matches": "matches",
 }
@@ -52,12 +51,12 @@ COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad fil
 @argument("files", required=False)
 @option("--set", "homework", metavar="SET", help="A homework set against which FILES are graded.")
 @option("--format", "form", type=Choice(FORMS), default="terminal", help="How to print.")
-@option("--results", metavar="FILE", help="With --set: lines of JSON as they come; a second run takes up there.")
+@option("--results", metavar="FILE", help="Lines of JSON as they come; a second run takes up there.")
 @option("--export", "exports", multiple=True, metavar="NAME", help="With --set: gradebook, canvas or gradescope.")
 @option("--feedback", metavar="FOLDER", help="With --set: a text for each student, with nothing of the key.")
 @option("-o", "--output", metavar="FOLDER", help="Where exports are written.")
 @option("--student", "for_student", is_flag=True, help="With --set: nothing of the key is printed.")
-@option("--shard", metavar="K/N", default="1/1", help="With --set: only the Kth of N parts of the submissions.")
+@option("--shard", metavar="K/N", default="1/1", help="Only the Kth of N parts of the files.")
 @option("--cluster", metavar="ADDRESS", help="With --set: grade on a dask cluster: `tcp://host:8786`.")
 @option("--tolerance-report", "tolerances", is_flag=True, help="What rounding on the way does to each find.")
 @option("--false-matches", "matches", is_flag=True, help="With --set: how often a random wrong number is diagnosed.")
@@ -82,27 +81,47 @@ def command(
         from planar_cli.commands._tolerances import tolerances_of
 
         return tolerances_of(files, timeout)
-    return _checked(files, form, jobs or os.cpu_count() or 1, timeout)
+    return _checked(files, form, jobs or os.cpu_count() or 1, timeout, options)
 
 
-def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float) -> int:
+def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float, options: Mapping[str, Any]) -> int:
+    from planar_cli.commands._check_formats import STREAMED
     from planar_cli.commands._counter import counter
-    from planar_cli.homework.checking import check_files
+    from planar_cli.homework.batches import in_shard, shard_of
+    from planar_cli.homework.checked_files import check_files
     from planar_cli.problem.files import problem_files
 
-    paths = list(problem_files(files))
-    checked = check_files(paths, jobs, timeout, counter(len(paths), "problems checked"))
+    shard = shard_of(options["shard"])
+    paths = list(dict.fromkeys(p for p in problem_files(files) if in_shard(p, shard)))
+    checked: list[Checked] = []
+
+    def hear(one: Checked) -> None:
+        checked.append(one)
+        if form in STREAMED:
+            echo(STREAMED[form](one, len(checked) == 1), end="")
+
+    told = counter(len(paths), "problems checked")
+    interrupted = check_files(paths, jobs, timeout, hear, told, options["results"])
+    _print(checked, form)
+    if interrupted:
+        echo(f"interrupted: {len(checked)} of {len(paths)} problems were checked", err=True)
+        return 128 + interrupted
+    return max((STATUS[c.outcome] for c in checked), default=cli.SOLVED)
+
+
+def _print(checked: Sequence[Checked], form: str) -> None:
+    """All that can be printed only when everything is known."""
+    from planar_cli.commands._check_formats import WHOLE
+
     if form == "json":
         _print_json(checked)
     elif form == "terminal":
-        _print_table(checked)
+        if checked:
+            _print_table(checked)
         _print_differences(checked)
         _print_count(checked)
-    else:
-        from planar_cli.commands._check_formats import written
-
-        echo(written(checked, form), end="")
-    return max(STATUS[c.outcome] for c in checked)
+    elif form in WHOLE:
+        echo(WHOLE[form](checked), end="")
 
 
 def _row(checked: Checked) -> tuple[str, str, str, str]:

@@ -13,20 +13,18 @@ import itertools
 import os
 import pickle
 import re
-import signal
 import threading
 import zlib
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
-from types import FrameType
 
 from planar_cli.errors import PlanarError, Undecided
 from planar_cli.homework.grader import Batch, Begun, Grader, Grading, Piece, Told, given_up
 from planar_cli.homework.in_order import InOrder
+from planar_cli.homework.interrupts import number_of, terminated
 from planar_cli.homework.results import Index, Line, ResultsFile
 from planar_cli.homework.submissions import contents, submission_files
 from planar_cli.homework.supervisor import Heard, Supervisor
@@ -80,7 +78,7 @@ def grade_files(
     lines = graded_here(grading, batches, jobs) if executor is None else graded_by(executor, batches, grading)
     interrupted = 0
     try:
-        with _terminated(), contextlib.closing(lines):
+        with terminated(), contextlib.closing(lines):
             for line in lines:
                 if written is not None:
                     written.write(line)
@@ -89,29 +87,12 @@ def grade_files(
                 ended[line.ended] += 1
                 order.hear(line)
     except KeyboardInterrupt as stop:
-        interrupted = stop.args[0] if stop.args else signal.SIGINT
+        interrupted = number_of(stop)
     finally:
         if written is not None:
             written.close()
         order.close()
     return Ran(sum(ended.values()), sum(before), dict(sorted(ended.items())), tuple(index.twice()), interrupted)
-
-
-@contextmanager
-def _terminated() -> Iterator[None]:
-    """SIGTERM ends the block as Ctrl-C does."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def stop(number: int, frame: FrameType | None) -> None:
-        raise KeyboardInterrupt(number)
-
-    before = signal.signal(signal.SIGTERM, stop)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 # --- what is to be done ----------------------------------------------------------------------------------------------

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
-
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.answers import compare
 from planar_cli.homework.verdict import Verdict
@@ -14,9 +10,6 @@ from planar_cli.problem.structure import load
 from planar_cli.records import record
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
-
-if TYPE_CHECKING:
-    from planar_cli.homework.supervisor import Ended
 
 AGREES, DISAGREES, NO_SOLUTION, BAD, UNDECIDED, FAULT = (
     "agrees",
@@ -75,20 +68,3 @@ def _failed(path: str, title: str, error: PlanarError) -> Checked:
         case FileProblem():
             return Checked(path, title, BAD, (), str(error), error.diagnostics)
     return Checked(path, title, UNDECIDED, (), str(error))
-
-
-def check_files(paths: Sequence[str], jobs: int, timeout: float, told: Callable[[int], None]) -> list[Checked]:
-    """All files, in their order, each within its limits."""
-    # Only who checks many files needs processes.
-    from planar_cli.homework.supervisor import Supervisor
-
-    ended = Supervisor(check_file, jobs, timeout, told).run(paths)
-    return [_checked(path, end) for path, end in zip(paths, ended, strict=True)]
-
-
-def _checked(path: str, end: Ended) -> Checked:
-    if isinstance(end.result, Checked):
-        return replace(end.result, seconds=end.seconds)
-    outcome = FAULT if end.verdict in ("fault", "crashed") else UNDECIDED
-    more = "; `planar solve` tells what it was working on" if end.verdict == "timeout" else ""
-    return Checked(path, "", outcome, (), f"{end.result}{more}", (), end.seconds)

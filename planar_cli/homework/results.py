@@ -76,6 +76,8 @@ def result_of(text: str | bytes) -> Result:
     """The result of a line."""
     line = json.loads(text)
     data = line["result"]
+    if "graded" not in data:
+        raise PlanarError(f"{visible(line['file'])}: the results are of problem files, not of submissions")
     graded = tuple(_graded(one) for one in data["graded"])
     return Result(data["student"], data["variant"], graded, line["file"], tuple(data["wrong"]))
 
@@ -142,7 +144,9 @@ class Index:
 
 
 def _lines(stream: BinaryIO, name: str) -> Iterator[tuple[int, bytes, dict[str, Any]]]:
-    """Offset, text and content of each line; a last one that was cut off is none."""
+    """Offset, text and content of each line, of a submission or of a problem file (a `result` of nobody); a last one
+    that was cut off is none.
+    """
     offset = 0
     for number, text in enumerate(stream, 1):
         if not text.endswith(b"\n"):
@@ -239,6 +243,13 @@ def results(names: Sequence[str]) -> Iterator[Result]:
     """What results files hold, one by one, in the order of their submissions; errors as of `merge`."""
     for text in merge(names):
         yield result_of(text)
+
+
+def lines_of(name: str) -> Iterator[dict[str, Any]]:
+    """The lines of a results file as they stand in it."""
+    with _opened(name) as stream:
+        for _, _, data in _lines(stream, name):
+            yield data
 
 
 def handed_in_twice(names: Iterable[str]) -> list[str]:
