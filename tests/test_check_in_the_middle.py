@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -67,10 +68,10 @@ def test_a_second_run_solves_what_is_missing_or_changed(
     assert [Path(p).name for p in second] == ["a.yaml", "b.yaml", "d.yaml", "e.yaml", "f.yaml"]
 
 
-def _noted(solved: list[str]):  # type: ignore[no-untyped-def]
+def _noted(solved: list[str]) -> Callable[..., Iterator[tuple[int, Checked]]]:
     plain = checked_files._as_they_end
 
-    def as_they_end(items, jobs, timeout):  # type: ignore[no-untyped-def]
+    def as_they_end(items: Sequence[checked_files._Item], jobs: int, timeout: float) -> Iterator[tuple[int, Checked]]:
         solved.extend(item.path for item in items)
         return plain(items, jobs, timeout)
 
