@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from html import escape
+from itertools import groupby
 
 from planar_cli.greek import GREEK
 from planar_cli.records import record
 
-LONG = 40
-"""A piece with more characters may also break before a plus or minus."""
+LONG, SHORT = 24, 8
+"""A piece with more characters than the first may also break before a plus or minus, not so near to each other."""
 FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh ln exp max min".split())
 RELATIONS = {"ne": "≠", "lt": "<", "le": "≤", "gt": ">", "ge": "≥", "approx": "≈", "to": "→"}
 OPERATORS = {"cdot": "·", "times": "×", "sim": "~", "wedge": "^", "backslash": "\\"}
@@ -24,6 +26,7 @@ SLANTED = {"nearrow": "↗", "nwarrow": "↖", "searrow": "↘", "swarrow": "↙
 SIGNS = {"circlearrowleft": "↺", "circlearrowright": "↻", "infty": "∞", "circ": "°", "prime": "′"} | ARROWS | SLANTED
 OPENING = {"(": "(", "lbrack": "[", "lbrace": "{", "lvert": "|"}
 CLOSING = {")": ")", "rbrack": "]", "rbrace": "}", "rvert": "|"}
+BREAK = "<wbr/>"
 SPACES = {"~": 0.17, " ": 0.25, ",": 0.17, "quad": 1.0, "qquad": 2.0}
 """Their widths in em."""
 OVER = {"dot": "˙", "ddot": "¨", "vec": "→"}
@@ -51,14 +54,30 @@ class MathML:
         number = re.search(r" ?\\tag\{([^{}]*)\}", latex)
         items = _Reader(latex.replace(number[0], "") if number else latex).row()
         tag = f'<span class="number">({escape(number[1])})</span>' if number else ""
-        return f'<span class="equation">{tag}{"".join(map(_math, _pieces(items)))}</span>'
+        shown = "".join(map(_shown, _pieces(items))).removeprefix(BREAK)
+        return f'<span class="equation">{tag}{shown}</span>'
 
 
-def _math(items: Sequence[Item]) -> str:
-    """A piece, behind a space at which the line may break: a wide one where the formula has that."""
-    wide = items[0].kind == "break"
-    gap = "\N{EM SPACE} " if wide else " "
-    return f'{gap}<math><mstyle displaystyle="true">{_joined(items)}</mstyle></math>'
+def _shown(piece: Sequence[Item]) -> str:
+    """A piece, behind a place at which the line may break: a wide space where the formula has that.
+
+    A long one breaks inside, at its signs, only where it does not fit into a line of its own.
+    """
+    gap = "\N{EM SPACE} " if piece[0].kind == "break" else BREAK
+    parts = [_told(part) for part in _at_signs(piece)]
+    return gap + (parts[0] if len(parts) == 1 else f'<span class="long">{BREAK.join(parts)}</span>')
+
+
+def _told(items: Sequence[Item]) -> str:
+    """Formulas as MathML, and words between them, which may go on in the next line, as words."""
+    told = ""
+    for wordy, group in groupby(items, lambda i: i.kind == "words"):
+        found = list(group)
+        if wordy:
+            told += re.sub("</?mtext>", "", _joined(found)).replace("\N{NO-BREAK SPACE}", " ")
+        elif mathml := _joined(found):
+            told += f'<math><mstyle displaystyle="true">{mathml}</mstyle></math>'
+    return told
 
 
 def _joined(items: Sequence[Item]) -> str:
@@ -66,24 +85,28 @@ def _joined(items: Sequence[Item]) -> str:
 
 
 def _pieces(items: Sequence[Item]) -> list[list[Item]]:
-    """Where a line may break: at a wide space, before the relations behind the first, in what is long before a sign."""
+    """Where a line breaks first: at a wide space, before the relations behind the first."""
     pieces: list[list[Item]] = [[]]
     for item in items:
         if item.kind == "break" or (item.kind == "relation" and any(i.kind == "relation" for i in pieces[-1])):
             pieces.append([item])
         else:
             pieces[-1].append(item)
-    return [part for piece in pieces for part in _at_signs(piece) if part]
+    return [piece for piece in pieces if piece]
 
 
 def _at_signs(piece: Sequence[Item]) -> list[list[Item]]:
+    """A long piece in parts, each but the first with its sign."""
     parts: list[list[Item]] = [[]]
-    size = 0
+    long, size = sum(i.size for i in piece) > LONG, 0
     for item in piece:
-        if item.kind == "sum" and size > LONG:
-            parts.append([])
+        if long and item.kind == "sum" and size > SHORT:
+            # At the head of a formula a browser takes it for the sign of a number.
+            infix = item.mathml.replace("<mo>", '<mo form="infix">')
+            parts.append([replace(item, mathml=infix)])
             size = 0
-        parts[-1].append(item)
+        else:
+            parts[-1].append(item)
         size += item.size
     return parts
 
@@ -221,7 +244,9 @@ class _Reader:
             self.place += 1
         text = self.latex[start:stop]
         shown = re.sub(r"^\s|\s$", "\N{NO-BREAK SPACE}", text)
-        return Item("term", f"<mtext>{escape(shown)}</mtext>", len(text))
+        # arctan( is part of a formula.
+        kind = "words" if " " in text or text.endswith(":") else "term"
+        return Item(kind, f"<mtext>{escape(shown)}</mtext>", len(text))
 
     def _stretched(self) -> Item:
         """What stands between brackets of its own height."""
@@ -258,6 +283,9 @@ class _Reader:
             items.append(Item("term", f'<mrow>{base.mathml}<mo lspace="0" rspace="0">′</mo></mrow>', base.size + 1))
             return
         script = self._argument()
+        if script.mathml == _upright("°").mathml and base.kind == "words":
+            items.append(Item("words", base.mathml.replace("</mtext>", "°</mtext>"), base.size + 1))
+            return
         if script.mathml == _upright("°").mathml:
             items += [base, script]
             return
@@ -267,7 +295,7 @@ class _Reader:
         else:
             tag = "msup" if place == "^" else "msub"
             mathml = f"<{tag}>{base.mathml}{script.mathml}</{tag}>"
-        items.append(Item("term" if base.kind == "letters" else base.kind, mathml, base.size + script.size))
+        items.append(Item("term" if base.kind in ("letters", "words") else base.kind, mathml, base.size + script.size))
 
 
 def _row(items: Sequence[Item]) -> Item:

@@ -22,7 +22,7 @@ ALONE = b"""#set page(width: auto, height: auto, margin: 6pt, fill: white)
 """
 KEPT = ("class", "form", "mathvariant", "width")
 """The attributes that the template looks at."""
-VOID = frozenset({"meta", "br", "hr", "img", "link"})
+VOID = frozenset({"meta", "br", "hr", "img", "link", "wbr"})
 LINES = " \t\r\n"
 """What HTML takes for one space; those of other widths stand for themselves."""
 Node = dict[str, Any]

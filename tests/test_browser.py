@@ -60,7 +60,7 @@ def demand_shown(path: Path, folder: Path) -> None:
     shown, said = opened(page, folder)
     assert said == []
     assert "<script" not in shown
-    assert shown.count("<svg") == sum(isinstance(b, Drawing) for b in document.blocks)
+    assert shown.count("<svg") == sum(len(b.figure.panels) for b in document.blocks if isinstance(b, Drawing))
     displays = sum(isinstance(b, Equation) for b in document.blocks)
     assert len(re.findall('class="equation"', shown)) == displays
 

@@ -14,10 +14,10 @@ from worked import name_of, worked
 from planar_cli.commands.draw import command
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._labels import clashes
-from planar_cli.formats._svg import PRINT, papers_of, svg
+from planar_cli.formats._svg import PRINT, panels, papers_of, svg
 from planar_cli.formats.html import Html
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Document, Drawing, Forces, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Document, Drawing, Forces, Heading, Name, Paragraph, Text, line
 from planar_cli.report.marks import Arc, Arrow, Figure, Panel, Polyline, Tag, Turn
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
@@ -58,7 +58,14 @@ def demand_whole(path: Path) -> None:
 
 
 def demand_inside(figure: Figure) -> None:
-    root = ET.fromstring(svg(figure))
+    """In the whole figure, and in each of its panels; all words have a look, in dark colours too."""
+    for drawn in (svg(figure), *panels(figure)):
+        root = ET.fromstring(drawn)
+        _demand_inside(root)
+        assert all("words" in e.attrib["class"].split() for e in root.iter(f"{SPACE}text"))
+
+
+def _demand_inside(root: ET.Element) -> None:
     left, top, width, height = map(float, root.attrib["viewBox"].split())
     for x, y in _spots(root):
         assert left <= x <= left + width
@@ -106,6 +113,19 @@ def test_what_is_somewhere_only_later_covers_nothing() -> None:
     marks = (Polyline(box, "body", closed=True), Polyline(box, "hidden", closed=True), Arc((0.0, 0.0), 1.0, "hidden"))
     kinds = [s.kind for s in papers_of(Figure((Panel(marks),), ""))[0].strokes]
     assert kinds == ["hidden", "hidden", "body area"]
+
+
+def test_two_diagrams_of_a_page_can_stand_below_each_other() -> None:
+    page = Html().render(illustrated_page(next(p for p in PROBLEMS if p.stem == "ex-4-05")))
+    assert re.search('(?s)<figure class="panels"><svg.*?</svg>\\s*<span class="between">=</span><svg', page)
+
+
+def test_what_folds_is_a_step_with_all_that_is_under_it() -> None:
+    """The part of a motion stands over several of them."""
+    heads = (Heading("MOTION", "from 1 to 2"), Heading("STEP 1", "Kinetics", "states 1, 2"), Heading("STEP 2", "Work"))
+    page = Html().render(Document("t", (heads[0], Paragraph(line("a")), *heads[1:], Paragraph(line("b")))))
+    assert '<h2 class="part">Motion: from 1 to 2</h2>\n<p>a</p>\n<details' in page
+    assert '<summary><h2>Step 1. Kinetics</h2><span class="aside">states 1, 2</span></summary>\n</details>' in page
 
 
 def test_the_same_input_gives_the_same_bytes() -> None:

@@ -25,6 +25,7 @@ from planar_cli.formats._paper import (
     box_of,
     runs_of,
 )
+from planar_cli.records import record
 from planar_cli.report.marks import Figure
 
 SPACE = "http://www.w3.org/2000/svg"
@@ -85,33 +86,63 @@ PRINT = re.sub(r"var\(--(\w+)\)", lambda m: LIGHT[m[1]], RULES)
 """For paper, and for readers of SVG that know no variables."""
 
 
+@record
+class _Laid:
+    """A panel with the box that it fills, as high as those beside it, and what stands over it."""
+
+    paper: Paper
+    box: Box
+    head: tuple[Run, ...]
+
+
 def svg(figure: Figure, look: Look = "own") -> str:
     """A figure as one SVG element."""
+    return _element(_laid(figure), figure.words, figure.between, look)
+
+
+def panels(figure: Figure, look: Look = "own") -> list[str]:
+    """Each panel of a figure as an SVG element of its own; set side by side they are in one scale and level."""
+    laid = _laid(figure)
+    if len(laid) == 1:
+        return [svg(figure, look)]
+    over = any(one.head for one in laid)
+    heads = ["".join(r.text for r in one.head) for one in laid]
+    told = [f"{figure.words}: {head}" if head else figure.words for head in heads]
+    return [_element([one], words, "", look, over) for one, words in zip(laid, told, strict=True)]
+
+
+def _laid(figure: Figure) -> list[_Laid]:
     papers = papers_of(figure)
-    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": figure.words})
-    ET.SubElement(root, "title").text = figure.words
-    if look != "page":
-        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
     heads = [runs_of(p.head) for p in figure.panels]
-    over = HEADED if any(heads) else 0.0
     boxes = [_box(p, sum(r.width for r in head)) for p, head in zip(papers, heads, strict=True)]
     top, bottom = min(b.top for b in boxes), max(b.bottom for b in boxes)
-    left = 0.0
-    for paper, box, head in zip(papers, boxes, heads, strict=True):
+    return [
+        _Laid(paper, Box(box.left, top, box.right, bottom), head)
+        for paper, box, head in zip(papers, boxes, heads, strict=True)
+    ]
+
+
+def _element(laid: Sequence[_Laid], words: str, between: str, look: Look, headed: bool = False) -> str:
+    """Panels side by side. `headed`: there is room for a head, though none of these may have one."""
+    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
+    ET.SubElement(root, "title").text = words
+    if look != "page":
+        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+    over = HEADED if headed or any(one.head for one in laid) else 0.0
+    height, left = laid[0].box.bottom - laid[0].box.top, 0.0
+    for one in laid:
         if left:
-            _between(root, figure.between, left - BETWEEN / 2, (bottom - top) / 2)
+            _between(root, between, left - BETWEEN / 2, height / 2)
         # One scale and one height: what is the same in two panels is level.
-        group = ET.SubElement(root, "g", {"transform": f"translate({px(left - box.left)} {px(-top)})"})
-        fill(group, paper)
-        if head:
-            middle = (box.left + box.right - sum(r.width for r in head)) / 2
-            write(group, head, (middle, top - HEADED / 3), "head-line")
+        box = one.box
+        group = ET.SubElement(root, "g", {"transform": f"translate({px(left - box.left)} {px(-box.top)})"})
+        fill(group, one.paper)
+        if one.head:
+            middle = (box.left + box.right - sum(r.width for r in one.head)) / 2
+            write(group, one.head, (middle, box.top - HEADED / 3), "head-line")
         left += box.right - box.left + BETWEEN
-    width, height = left - BETWEEN, bottom - top
-    root.set(
-        "viewBox",
-        f"{px(-MARGIN)} {px(-MARGIN - over)} {px(width + 2 * MARGIN)} {px(height + over + 2 * MARGIN)}",
-    )
+    width = left - BETWEEN
+    root.set("viewBox", f"{px(-MARGIN)} {px(-MARGIN - over)} {px(width + 2 * MARGIN)} {px(height + over + 2 * MARGIN)}")
     root.set("width", px(width + 2 * MARGIN))
     root.set("height", px(height + over + 2 * MARGIN))
     for element in root.iter():
@@ -147,7 +178,8 @@ def _box(paper: Paper, least: float) -> Box:
 
 
 def _between(root: ET.Element, sign: str, x: float, y: float) -> None:
-    text = ET.SubElement(root, "text", {"x": px(x), "y": px(y), "font-size": px(SIZE * 1.6), "text-anchor": "middle"})
+    look = {"class": "words", "font-size": px(SIZE * 1.6), "text-anchor": "middle"}
+    text = ET.SubElement(root, "text", {"x": px(x), "y": px(y), **look})
     text.text = sign
 
 

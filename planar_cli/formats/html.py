@@ -36,6 +36,7 @@ from planar_cli.report.blocks import (
     Title,
     Typed,
 )
+from planar_cli.report.marks import Figure
 from planar_cli.report.names import printable
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
@@ -48,22 +49,29 @@ max-width:54rem;margin:0 auto;padding:1rem}
 .title{font-size:1.5rem;line-height:1.25;margin:.5rem 0 1rem}summary>:not(.aside){display:inline}
 summary>:not(.aside),.answer>:first-child{font-size:1.1rem;margin:0}h2.title{font-size:1.3rem;margin-top:1.8rem}h3.title{font-size:1.15rem;margin-top:1.5rem}
 summary{cursor:pointer;border-bottom:1px solid var(--line);padding:.3rem 0;margin-top:1rem}
-summary .aside{color:var(--muted);float:right}.case{font-size:1.25rem;margin:1.6rem 0 .4rem;color:var(--accent)}
-p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:auto;overflow-y:hidden}
+summary .aside{color:var(--muted);float:right}.case,.part{display:block;margin:1.6rem 0 .4rem;
+color:var(--accent)}.case{font-size:1.25rem}.part{font-size:1.15rem}
+p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:auto;overflow-y:hidden;line-height:1.7}
+.long{display:inline-block;max-width:100%}
 .number{float:right;color:var(--muted);margin-left:1rem}.note dt,.check dt{font-weight:600}
 table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,td{border:1px solid var(--line);
 padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:var(--tint)}
 .answer{border:1.5px solid var(--accent);border-radius:6px;padding:.4rem .8rem;margin:1rem 0;background:var(--tint)}
 .answer ul{margin:.2rem 0;padding-left:1.2rem}.foot{color:var(--muted);font-size:.92rem}
 figure{margin:.8rem 0;text-align:center;overflow-x:auto}figure svg{max-width:100%;height:auto}
-.muted{color:var(--muted)}math{font-size:1.05em}
+.panels{display:flex;flex-wrap:wrap;justify-content:center;align-items:center;gap:.5rem 1rem}.between{font-size:1.4rem}
+.muted{color:var(--muted)}math{font-size:1.05em;font-family:"STIX Two Math","Cambria Math","Latin Modern Math",
+"Libertinus Math","Noto Sans Math",math}
 @media (max-width:36rem){body{padding:.6rem;font-size:15px}.equation{margin-left:.4rem}summary .aside{float:none;
-display:block}}
+display:block;font-size:.92rem}.panels{flex-direction:column}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details,figure,table,.answer{
 break-inside:avoid}:root{--page:#fff;--text:#000;--tint:#fff}}
 """
 _ENTITIES = str.maketrans({c: f"&#{ord(c)};" for c in "$\\{}"})
 """What would begin a formula, or a place in a template of a course system, where it is a word."""
+FOLD = "<details open>"
+BEGINS = (FOLD, "<h", "<section")
+"""With these ends what folds before them."""
 _MATH = re.compile(r"\$([^$]*)\$")
 MATHML = MathML()
 LOWEST = 6
@@ -89,13 +97,13 @@ class Html(Pages):
 
     def part(self, blocks: Sequence[Block]) -> str:
         body: list[str] = []
-        for run in runs_of(blocks):
-            opens = isinstance(run[0], Title | Heading | Answer)
-            if opens and "<details open>" in body and "</details>" not in body[_last(body) :]:
+        folds = False
+        for piece in (p for run in runs_of(blocks) for p in self.pieces(run)):
+            if folds and piece.startswith(BEGINS):
                 body.append("</details>")
-            body += self.pieces(run)
-        if "<details open>" in body and "</details>" not in body[_last(body) :]:
-            body.append("</details>")
+            folds = piece == FOLD or (folds and not piece.startswith(BEGINS))
+            body.append(piece)
+        body += ["</details>"] if folds else []
         return "\n".join(body)
 
     def whole(self, title: str, parts: Sequence[str]) -> str:
@@ -158,18 +166,18 @@ class Html(Pages):
         return [f"<p>{label}</p>", "<ul>" + "".join(f"<li>{self.inline(n.line)}</li>" for n in run) + "</ul>"]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
-        return [f"<figure>{_svg.svg(d.figure, 'page')}</figure>" for d in run]
+        return [_figure(d.figure) for d in run]
 
     def typed(self, run: Sequence[Typed]) -> list[str]:
         return ["<pre>" + "\n".join(map(_code, t.rows)) + "</pre>" for t in run]
 
     def heading(self, heading: Heading) -> list[str]:
-        """A heading that folds what is below it, but for that of a case."""
+        """A heading that folds what is below it, but for one over several steps, which fold each by itself."""
         text, aside = heading_words(heading), self.aside(heading)
-        if heading.label == "CASE":
-            return [self.headed(text, 2, "case")]
+        if heading.label in NAMING:
+            return [self.headed(text, 2, "case" if heading.label == "CASE" else "part")]
         beside = f'<span class="aside">{aside}</span>' if aside else ""
-        return ["<details open>", f"<summary>{beside}{self.headed(text, 2)}</summary>"]
+        return [FOLD, f"<summary>{self.headed(text, 2)}{beside}</summary>"]
 
     def aside(self, heading: Heading) -> str:
         """What stands beside a heading; "" where the table below has it at its head."""
@@ -208,9 +216,13 @@ def _marked(part: Text) -> str:
     return f"<{tag}>{words(part.text)}</{tag.partition(' ')[0]}>"
 
 
-def _last(body: Sequence[str]) -> int:
-    """Where the last part that folds begins."""
-    return len(body) - 1 - body[::-1].index("<details open>")
+def _figure(figure: Figure) -> str:
+    """The panels of a figure stand side by side where there is room, one below the other on a telephone."""
+    panels = _svg.panels(figure, "page")
+    if len(panels) == 1:
+        return f"<figure>{panels[0]}</figure>"
+    sign = f'<span class="between">{words(figure.between)}</span>' if figure.between else ""
+    return f'<figure class="panels">{sign.join(panels)}</figure>'
 
 
 def _paragraph(told: str) -> str:

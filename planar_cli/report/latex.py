@@ -80,8 +80,14 @@ def words(text: str) -> str:
     signs = shown.removesuffix(unit)
     if shown == "-":
         return shown
-    found = "".join(_SPOKEN[m[1]] if m[1] else m[2] or " " for m in _SPLIT.finditer(signs))
+    found = "".join(_sign(m[0]) if m[1] else m[2] or " " for m in _SPLIT.finditer(signs))
     return found + (_said(unit) if unit else "")
+
+
+def _sign(text: str) -> str:
+    """A sign between words; behind a colon the space stays."""
+    sign = _SPOKEN[text.strip()]
+    return r":\ " if sign == ":" and text[-1].isspace() else sign
 
 
 def _said(text: str) -> str:
