@@ -12,6 +12,8 @@ from planar_cli.homework.carried_errors import Carrier
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.ready import Prepared
 from planar_cli.homework.set_file import read_set
+from planar_cli.homework.solved_anew import to_check
+from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_numbers
 
 
@@ -84,3 +86,37 @@ def test_an_own_error_is_carried_with_what_the_case_gives(tmp_path: Path) -> Non
         due = carrier.for_variant(k)(task, one, {"N": (392.4,)})
         assert due is not None
         assert due[0] == pytest.approx([(300 * math.cos(math.radians(20)) - 39.24) / 40])
+
+
+ROLLS = """
+plane: vertical
+given: {m: 4 kg, R: 0.2 m, beta: {one_of: [20 deg, 24 deg, 55 deg]}, mu: 0.2, d: 5 m}
+coordinates: {s: m}
+points: {O: [0, 0], C: {from: O, distance: s, angle: -beta}, G: {from: C, distance: R, angle: 90 deg - beta}}
+surfaces: {slope: {through: O, angle: -beta}}
+bodies: {cyl: {disk: G, radius: R, mass: m}}
+joints:
+  - contact: {between: [cyl, slope], at: C, mu: mu}
+states:
+  0: [s = 0, at rest, t = 0]
+  1: [s = d]
+find: {v: v(G).mag @ 1, omega: omega(cyl) @ 1}
+"""
+
+
+def test_a_variant_of_a_motion_has_the_modes_of_the_file(tmp_path: Path) -> None:
+    """At 55° the cylinder slips, as tan 55° > 3 mu."""
+    worked, made = ready(tmp_path, ROLLS, 3)
+    assert {dict(v)["beta"] for v in made.values[1:]} == {"20 deg", "24 deg"}
+    assert_solved_anew_the_same(worked, made)
+
+
+def test_each_value_is_solved_anew_where_few_variants_are_enough(tmp_path: Path) -> None:
+    worked, _ = ready(tmp_path, HARDER, 1)
+    drawn = [Draw((("m", f"{m} kg"), ("P", f"{p} N"))) for m in (40, 45, 50, 55, 60) for p in (100, 200, 300)]
+    checked = [dict(drawn[k].values) for k in to_check(worked, drawn)]
+    assert {d["m"] for d in checked} >= {"45 kg", "50 kg", "55 kg", "60 kg"}
+    assert {d["P"] for d in checked} >= {"200 N", "300 N"}
+    assert len(checked) <= 5
+    many = [Draw((("m", f"{m} kg"), ("P", f"{m + 60} N"))) for m in range(40, 100)]
+    assert {dict(many[k].values)["m"] for k in to_check(worked, many)} == {"40 kg", "99 kg"}

@@ -16,47 +16,49 @@ from itertools import islice
 
 import numpy as np
 
-from planar_cli.errors import PlanarError
+from planar_cli.homework.course import course_of
+from planar_cli.homework.fit_variants import (
+    ILL,
+    NO_VALUE,
+    NUDGE,
+    OTHER_CASE,
+    OTHER_SIGN,
+    STEEP,
+    TOO_CLOSE,
+    UNSOLVED,
+    Judge,
+    in_equations,
+    is_of_physics,
+    objection,
+    signs,
+    variant_solved,
+)
 from planar_cli.homework.given_letters import with_given
 from planar_cli.homework.paper import Expected
-from planar_cli.homework.same_formula import as_in_file, formula_changes_sign
+from planar_cli.homework.same_formula import as_in_file
+from planar_cli.homework.solved_anew import REFUSED, is_same, to_check
 from planar_cli.homework.told_letters import Formulas
 from planar_cli.homework.variant_draws import Draw, draws
 from planar_cli.homework.worked_problem import (
     APART,
     Carried,
+    Part,
     WorkedProblem,
     base_expected,
     base_numbers,
     expected_of,
     models_of,
-    scale_of,
-    with_numbers,
 )
 from planar_cli.problem.reading import Report
 from planar_cli.problem.variations import Variation, variations_of
 from planar_cli.records import changing, record
 from planar_cli.replay.numbers import Numbers
+from planar_cli.solve.solution import Found
 
 AT_MOST = 4
 """So many combinations are tried for each variant that is wanted, where each is solved by itself."""
 SPARE, AT_LEAST = 1.5, 500
 """Carried out together are so many for each variant that is wanted, and no fewer than that."""
-NUDGE, STEEP = 1e-5, 40.0
-"""A datum is changed by the first part of it; an answer may change by so many times as much."""
-SAME = 1e-7
-"""Relative: a variant solved anew gives the same."""
-CHECKED = 2
-"""So many variants are solved anew, to see that carrying the equations out gives the same."""
-
-ZERO, LEAST = 1e-9, 1e-3
-"""A component below the first part of its vector is zero but for rounding; a vector counts as large as the second part
-of the largest given quantity of its dimension at least.
-"""
-
-OTHER_CASE, UNSOLVED = "another case holds", "it has no solution"
-OTHER_SIGN, NO_VALUE, ILL = "{} changes its sign", "{} has no value", "{} hangs on the last digits of {}"
-TOO_CLOSE = "the mistake {} gives nearly the right {}"
 
 
 @record
@@ -79,6 +81,8 @@ class Variants:
     """Each value of a name that was tried: how many combinations with it are fit, "", or are not, by the reason."""
     combinations: int = 0
     """So many there are of the values that the file allows."""
+    refused: dict[tuple[str, str], tuple[Draw, str]] = field(default_factory=dict)
+    """By each value of a name, the first combination with it that is not fit by the equations, and why."""
 
     @property
     def never(self) -> tuple[tuple[tuple[str, str], Counter[str]], ...]:
@@ -109,7 +113,7 @@ def variants_of(problem: WorkedProblem, count: int, seed: int, formulas: Formula
         together = max(int(SPARE * count), AT_LEAST)
         while len(found.taken) < count and (some := list(islice(drawn, together))):
             _take_written(problem, some, count, found)
-        if _solved_anew_agree(problem, found.taken):
+        if _solved_anew_agree(problem, found):
             return found
         note = "solved one by one, as the equations of the file do not fit all values"
         found = Variants(note=note, combinations=found.combinations)
@@ -128,15 +132,13 @@ def columns(problem: WorkedProblem, drawn: Sequence[Draw]) -> dict[str, Numbers]
 
 
 def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, found: Variants) -> None:
-    values = columns(problem, drawn)
-    base = {e.find: e for e in base_expected(problem)}
-    carried = Carried(problem, values)
-    numbers = {f.name: carried.asked(p, f) for p, f in problem.finds if _is_number(base[f.name], problem, f.name)}
-    why = _objections(problem, values, base, numbers, carried, len(drawn))
-    signs = {find: _signs(base[find].values, base[find].scale) for find in numbers}
+    out = _CarriedOut(problem, drawn)
+    why = _objections(problem, out.values, out.base, out.numbers, out.carried, len(drawn))
     for k, draw in enumerate(drawn):
         for pair in draw.values:
             found.met.setdefault(pair, Counter())[why[k]] += 1
+            if why[k]:
+                found.refused.setdefault(pair, (draw, why[k]))
     for k, draw in enumerate(drawn):
         if len(found.taken) >= count:
             return
@@ -144,22 +146,31 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
         if why[k]:
             found.rejected[why[k]] += 1
             continue
-        expected = []
-        for part, one in problem.finds:
-            if one.name not in numbers:
-                expected.append(base[one.name])
-                continue
-            own = tuple(float(n[k]) if due else 0.0 for n, due in zip(numbers[one.name], signs[one.name], strict=True))
-            scale = scale_of(part, one.unit, problem.problem.us)
-            data = {name: float(column[k]) for name, column in values.items()}
-            expected.append(expected_of(problem, part, one, own, scale, data))
-        found.taken.append(Variant(draw, tuple(expected)))
+        found.taken.append(Variant(draw, out.expected(k)))
 
 
-def _is_number(expected: Expected, problem: WorkedProblem, find: str) -> bool:
-    return expected.kind in ("number", "vector") and any(
-        p.replay is not None and find in p.replay.equations.asked for p in problem.parts
-    )
+class _CarriedOut:
+    """The equations of a problem carried out for some combinations."""
+
+    def __init__(self, problem: WorkedProblem, drawn: Sequence[Draw]) -> None:
+        self.problem, self.values = problem, columns(problem, drawn)
+        self.base = {e.find: e for e in base_expected(problem)}
+        self.carried = Carried(problem, self.values)
+        self.numbers = {f.name: self.carried.asked(p, f) for p, f in in_equations(problem)}
+        self._signs = {n: signs(self.base[n].values, self.base[n].scale) for n in self.numbers}
+
+    def expected(self, k: int) -> tuple[Expected, ...]:
+        """The finds of one combination."""
+        data = {name: float(column[k]) for name, column in self.values.items()}
+
+        def of(part: Part, one: Found) -> Expected:
+            if one.name not in self.numbers:
+                return self.base[one.name]
+            pairs = zip(self.numbers[one.name], self._signs[one.name], strict=True)
+            own = tuple(float(n[k]) if due else 0.0 for n, due in pairs)
+            return expected_of(self.problem, part, one, own, self.base[one.name].scale, data)
+
+        return tuple(of(part, one) for part, one in self.problem.finds)
 
 
 def _objections(
@@ -183,8 +194,8 @@ def _objections(
     for run in carried.runs.values():
         object_where(~np.broadcast_to(run.holds(), count), OTHER_CASE)
     for find, parts in numbers.items():
-        here = _signs(parts, base[find].scale)
-        for sign, due in zip(here, _signs(base[find].values, base[find].scale), strict=True):
+        here = signs(parts, base[find].scale)
+        for sign, due in zip(here, signs(base[find].values, base[find].scale), strict=True):
             object_where(sign != due, OTHER_SIGN.format(find))
     for name, column in values.items():
         nudged = Carried(problem, {**values, name: column * (1 + NUDGE)})
@@ -196,13 +207,6 @@ def _objections(
     for mistake, find, close in _too_close(problem, values, base, numbers):
         object_where(close, TOO_CLOSE.format(mistake, find))
     return why
-
-
-def _signs(parts: Sequence[Numbers | float], scale: float) -> list[Numbers]:
-    """-1, 0 or 1 of each component; what rounding leaves of a zero is one. `scale`: of the find."""
-    rows = [np.asarray(p, dtype=float) for p in parts]
-    size = np.sqrt(sum((row**2 for row in rows), np.float64(0)))
-    return [np.where(np.abs(row) <= ZERO * np.maximum(size, LEAST * scale), 0.0, np.sign(row)) for row in rows]
 
 
 def _too_close(
@@ -230,23 +234,28 @@ def _too_close(
             yield name, one.name, off <= APART * tolerance * size
 
 
-def _solved_anew_agree(problem: WorkedProblem, taken: Sequence[Variant]) -> bool:
-    """Does solving some of the variants anew give the same?"""
-    for variant in (*taken[: CHECKED - 1], *taken[CHECKED - 1 :][-1:]):
-        try:
-            anew = {e.find: e for e in base_expected(with_numbers(problem, dict(variant.draw.values)))}
-        except PlanarError:
+def _solved_anew_agree(problem: WorkedProblem, found: Variants) -> bool:
+    """Does solving some of the variants anew give the same, by the same course of modes? And are combinations that are
+    not fit by the equations not fit when they are solved?
+    """
+    course = course_of(problem.solution)
+    drawn = [v.draw for v in found.taken]
+    for k in to_check(problem, drawn):
+        anew = variant_solved(problem, drawn[k])
+        if anew is None or course_of(anew.solution) != course:
             return False
-        for expected in variant.expected:
-            if expected.kind in ("number", "vector"):
-                other = anew[expected.find]
-                size = max(*map(abs, expected.values), 1e-6 * expected.scale)
-                pairs = zip(expected.values, other.values, strict=False)
-                if len(other.values) != len(expected.values) or any(abs(a - b) > SAME * size for a, b in pairs):
-                    return False
-            elif anew[expected.find].text != expected.text:
-                return False
-    return True
+        if not is_same(found.taken[k].expected, base_expected(anew)):
+            return False
+    refused = {why: draw for draw, why in (found.refused[pair] for pair, _ in found.never) if is_of_physics(why)}
+    return not any(_is_fit_after_all(problem, draw, why) for why, draw in islice(refused.items(), REFUSED))
+
+
+def _is_fit_after_all(problem: WorkedProblem, draw: Draw, why: str) -> bool:
+    """A combination that was not taken: is it fit when it is solved, or does it come to other numbers?"""
+    anew = variant_solved(problem, draw)
+    if anew is None or objection(problem, anew, draw):
+        return False
+    return why == OTHER_CASE or not is_same(_CarriedOut(problem, [draw]).expected(0), base_expected(anew))
 
 
 # --- solved one by one -----------------------------------------------------------------------------------------------
@@ -255,36 +264,19 @@ def _solved_anew_agree(problem: WorkedProblem, taken: Sequence[Variant]) -> bool
 def _take_solved(
     problem: WorkedProblem, drawn: Iterator[Draw], count: int, found: Variants, formulas: Formulas | None
 ) -> None:
+    judge = Judge(problem)
     base = with_given(problem, base_expected(problem), {})
     for draw in islice(drawn, AT_MOST * count):
         if len(found.taken) >= count:
             return
         found.tried += 1
-        values = dict(draw.values)
-        try:
-            solved = with_numbers(problem, values)
-            expected = with_given(problem, base_expected(solved), values)
-        except PlanarError:
-            found.rejected[UNSOLVED] += 1
-            continue
-        pairs = list(zip(base, expected, strict=True))
-        reason = next((r for before, now in pairs if (r := _changed(before, now))), "")
-        if reason:
+        anew = variant_solved(problem, draw)
+        reason = UNSOLVED if anew is None else objection(problem, anew, draw) or judge.objection(anew, draw)
+        if anew is None or reason:
             found.rejected[reason] += 1
             continue
-        told = {} if formulas is None or not any(e.formula for e in expected) else formulas(solved.solution, {})
+        expected = with_given(problem, base_expected(anew), dict(draw.values))
+        told = {} if formulas is None or not any(e.formula for e in expected) else formulas(anew.solution, {})
+        pairs = zip(base, expected, strict=True)
         taken = tuple(replace(as_in_file(before, now, told.get(now.find)), scale=before.scale) for before, now in pairs)
         found.taken.append(Variant(draw, taken))
-
-
-def _changed(before: Expected, now: Expected) -> str:
-    if before.kind != now.kind or (now.kind == "word" and before.text != now.text):
-        return OTHER_CASE
-    if len(before.values) != len(now.values):
-        return OTHER_CASE
-    scale = before.scale
-    if any(a != b for a, b in zip(_signs(before.values, scale), _signs(now.values, scale), strict=True)):
-        return OTHER_SIGN.format(before.find)
-    if before.kind == "formula" and formula_changes_sign(before, now):
-        return OTHER_SIGN.format(before.find)
-    return ""

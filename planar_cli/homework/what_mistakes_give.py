@@ -58,7 +58,7 @@ def with_mistakes(
                     # What a step of the solution gives is more to the point than a slip at its end.
                     before = [values for _, _, values in found[k][i]]
                     for feedback, slip in mistake.slips(one_expected):
-                        if not any(_is_same(slip, other) for other in before):
+                        if not _is_among(slip, before):
                             _add(found[k][i], one_expected, name, feedback, slip)
     return [
         tuple(
@@ -69,10 +69,12 @@ def with_mistakes(
     ]
 
 
-def _is_same(one: Sequence[float], other: Sequence[float]) -> bool:
-    if len(one) == len(other) == 1:
-        return abs(one[0] - other[0]) <= SAME * abs(one[0])
-    return len(one) == len(other) and math.dist(one, other) <= SAME * math.hypot(*one)
+def _is_among(one: Sequence[float], others: Iterable[Sequence[float]]) -> bool:
+    least = SAME * math.hypot(*one)
+    if len(one) == 1:
+        (number,) = one
+        return any(abs(number - other[0]) <= least for other in others if len(other) == 1)
+    return any(len(one) == len(other) and math.dist(one, other) <= least for other in others)
 
 
 def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...], bool]]:
