@@ -23,6 +23,7 @@ COMMON = {
     "later",
     "mathml",
     "near",
+    "plain_letters",
     "records",
     "registry",
     "seldom",
@@ -36,7 +37,7 @@ MEMBERS_SEE = {
     "loads": {"problem"},
     "principles": {"problem", "equation"},
     "integrators": set[str](),
-    "formats": {"report", "mathml"},
+    "formats": {"report", "mathml", "plain_letters"},
     "exports": {"report", "homework"},
 }
 MOST_LINES, LONGEST_FUNCTION = 400, 60

@@ -90,7 +90,7 @@ class _Class:
         grading = Grading(grading_of(self.homework_set, self.homework), self.homework.digest)
         shard = shard_of(self.options["shard"])
         if self.form == "csv":
-            echo(",".join(HEADER))
+            echo(",".join(HEADER), exact=True)
         with _executor(self.options["cluster"]) as executor:
             ran = grade_files(files, grading, jobs, self.options["results"], shard, executor, self._take)
         if self.options["results"]:
@@ -123,9 +123,9 @@ class _Class:
             folder = self.options["feedback"]
             write_files({file_of(result.student, folder, self.names): text.encode()}, folder)
         if self.form == "jsonl":
-            echo(line.text if not self.options["for_student"] else _for_student(line.text))
+            echo(line.text if not self.options["for_student"] else _for_student(line.text), exact=True)
         elif self.form == "csv":
-            echo(rows_of(result, self.options["for_student"]), end="")
+            echo(rows_of(result, self.options["for_student"]), end="", exact=True)
         elif self.form == "terminal":
             for told in _lines(result, self.options["for_student"]):
                 echo(told)
@@ -145,9 +145,9 @@ class _Class:
 
             kept = sorted(self.kept, key=lambda r: (r.student, r.source))
             data = [_without_key(as_data(r)) if self.options["for_student"] else as_data(r) for r in kept]
-            echo(as_json({"title": self.homework.title, "results": data}), end="")
+            echo(as_json({"title": self.homework.title, "results": data}), end="", exact=True)
         elif self.form == "markdown":
-            echo(_report_markdown(self.homework.title, self.report), end="")
+            echo(_report_markdown(self.homework.title, self.report), end="", exact=True)
         elif self.form == "terminal":
             _print_report(self.report)
         if absent := self._absent():

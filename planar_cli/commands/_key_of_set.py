@@ -64,7 +64,7 @@ def key_of_set(
     steps = worked or both, not worked or both
     if output is None:
         (key,) = _key(homework, handed_out, style, *steps).values()
-        write(key.decode(), None)
+        write(key.decode(), None, exact=True)
         return cli.SOLVED
     data: dict[str, bytes] = {}
     for one in handed(homework, handed_out):

@@ -18,14 +18,15 @@ DEVICES = (("/", "dev"), ("/", "proc"))
 NO_FILE = "it is a pipe or a device, no ordinary file; leave `-o` out and write `> FILE` behind the command"
 
 
-def write(text: str, output: str | None, styled: bool = False) -> None:
+def write(text: str, output: str | None, styled: bool = False, exact: bool = False) -> None:
     """Write to the file `output`, or to standard output where there is none or it is `-`.
 
     `styled`: the text has colours for a terminal, put there by a format that took care of what the text says.
+    `exact`: data for programs, which keep all letters wherever they go.
     """
     shown = text if styled else harmless(text)
     if output in (None, "-"):
-        echo(shown, end="")
+        echo(shown, end="", exact=exact)
         return
     write_bytes(shown.encode(), output or "")
 

@@ -67,7 +67,7 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
         status = max(status, more)
         told += [one] if one is not None else []
     if told:
-        write(_text(told, form, len(paths) > 1), output)
+        write(_text(told, form, len(paths) > 1), output, exact=form != "table")
     if plot is not None:
         write_bytes(picture([(one.title, one.study) for one in told if one.study is not None], plot), plot)
     return status

@@ -121,7 +121,7 @@ def _print(checked: Sequence[Checked], form: str) -> None:
         _print_differences(checked)
         _print_count(checked)
     elif form in WHOLE:
-        echo(WHOLE[form](checked), end="")
+        echo(WHOLE[form](checked), end="", exact=True)
 
 
 def _row(checked: Checked) -> tuple[str, str, str, str]:
@@ -184,4 +184,4 @@ def _print_json(checked: Sequence[Checked]) -> None:
     from planar_cli.commands._check_formats import as_record
     from planar_cli.formats.json import dumps
 
-    echo(dumps({"files": [as_record(c) for c in checked]}), end="")
+    echo(dumps({"files": [as_record(c) for c in checked]}), end="", exact=True)

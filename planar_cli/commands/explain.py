@@ -9,11 +9,12 @@ from __future__ import annotations
 import click
 
 from planar_cli.manual import explanation, topics
+from planar_cli.streams import echo
 
 
 @click.command(help=__doc__)
 @click.argument("topic", required=False)
 def command(topic: str | None) -> int:
     """Print one page, or the list of pages."""
-    click.echo(topics() if topic is None else explanation(topic))
+    echo(topics() if topic is None else explanation(topic))
     return 0

@@ -103,7 +103,7 @@ def _write(text: str, style: str, output: str | None) -> None:
     if style == PDF:
         write_bytes(in_form(text, style), output or "")
     else:
-        write(text, output)
+        write(text, output, exact=True)
 
 
 def _is_set(path: str) -> bool:

@@ -27,7 +27,7 @@ def command(folders: tuple[str, ...], form: str) -> int:
 
 def _kinds(form: str) -> int:
     if form == "json":
-        write(dumps({shelf: kinds(shelf) for shelf in SHELVES}), None)
+        write(dumps({shelf: kinds(shelf) for shelf in SHELVES}), None, exact=True)
         return 0
     for shelf in SHELVES:
         click.echo(f"{shelf}:")
@@ -54,7 +54,7 @@ def _problems(folders: tuple[str, ...], form: str) -> int:
         finds = [f.name for p in (problem, *(case.problem for case in problem.cases)) for f in p.find]
         rows.append({"file": path, "title": problem.title, "find": finds})
     if form == "json":
-        write(dumps({"problems": rows}), None)
+        write(dumps({"problems": rows}), None, exact=True)
     for row in [] if form == "json" else rows:
         asked = row["find"] if isinstance(row["find"], list) else []
         line = f"{row['file']}  {row['title']}  ({', '.join(asked)})"

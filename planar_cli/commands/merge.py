@@ -19,5 +19,5 @@ def command(files: tuple[str, ...], output: str | None) -> int:
     """One results file out of several."""
     from planar_cli.homework.results import merge
 
-    write("".join(f"{line}\n" for line in merge(files)), output)
+    write("".join(f"{line}\n" for line in merge(files)), output, exact=True)
     return cli.SOLVED

@@ -163,6 +163,6 @@ def _put(pieces: list[Any], request: Request, file: str | None) -> None:
         from planar_cli.formats.json import dumps
 
         if pieces:
-            write(dumps(pieces[0] if len(pieces) == 1 else {"simulations": pieces}), file)
+            write(dumps(pieces[0] if len(pieces) == 1 else {"simulations": pieces}), file, exact=True)
     elif pieces:
-        write("\n".join(pieces), file)
+        write("\n".join(pieces), file, exact=request.output != "table")

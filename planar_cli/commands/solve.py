@@ -101,7 +101,7 @@ def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
         return status
     text = _joined(reports, wanted)
     if text:
-        write(text, wanted.output, styled=not wanted.json)
+        write(text, wanted.output, styled=not wanted.json, exact=wanted.form != "terminal")
     return status
 
 
@@ -111,7 +111,7 @@ def _write_pages(pages: Sequence[Document], wanted: Wanted) -> None:
 
     text: str = member("formats", "html")().render(in_one(pages))
     if wanted.form != PDF:
-        write(text, wanted.output)
+        write(text, wanted.output, exact=True)
         return
     from planar_cli.formats._svg import PRINT
     from planar_cli.typeset import pdf

@@ -43,7 +43,7 @@ def command(files: tuple[str, ...], form: str) -> int:
 def _report(read: list[str], wrong: list[Diagnostic], form: str) -> None:
     """The whole result for programs, or one closing line for people."""
     if form == "json":
-        write(dumps({"files": read, "diagnostics": [as_data(d) for d in wrong]}), None)
+        write(dumps({"files": read, "diagnostics": [as_data(d) for d in wrong]}), None, exact=True)
     elif form == "github":
         for diagnostic in wrong:
             click.echo(as_annotation(diagnostic))

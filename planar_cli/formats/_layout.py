@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from planar_cli.plain_letters import letters
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Relation, Text, Value
 from planar_cli.report.names import plain_name, printable
@@ -52,16 +53,24 @@ def row_cells(row: Iterable[Span]) -> int:
 
 def words(text: str) -> str:
     """Text of a file made harmless: white space is a space, steering characters are replaced."""
+    return letters(_harmless(text))
+
+
+def _harmless(text: str) -> str:
     return printable(re.sub(r"\s", " ", text))
 
 
 def spans(line: Line) -> list[Span]:
     """A line as styled text; spaces inside formulas, and inside a vector of two numbers, are marked as firm."""
+    return [replace(s, text=letters(s.text)) for s in _marked(line)]
+
+
+def _marked(line: Line) -> list[Span]:
     firm = _in_vectors(line)
     made = [
         (
             isinstance(part, Text),
-            Span(words(part.text).replace(" ", FIRM), part.style) if i in firm and isinstance(part, Text) else span,
+            Span(_harmless(part.text).replace(" ", FIRM), part.style) if i in firm and isinstance(part, Text) else span,
         )
         for i, part in enumerate(line)
         for span in _spans(part)
@@ -152,13 +161,13 @@ def side_spans(side: Inline | Line) -> list[Span]:
 def _spans(part: Inline) -> list[Span]:
     match part:
         case Text(text, style):
-            return [Span(words(text), style)]
+            return [Span(_harmless(text), style)]
         case Name(name):
-            return [Span(plain_name(words(name)).replace(" ", FIRM), "math")]
+            return [Span(plain_name(_harmless(name)).replace(" ", FIRM), "math")]
         case Value(number, unit, figures):
             return [Span(quantity(number, unit, figures).replace(" ", FIRM), "math")]
         case Relation(left, relation, right):
-            return [*_spans(left), Span(f"{FIRM}{words(relation)}{FIRM}", "math"), *_spans(right)]
+            return [*_spans(left), Span(f"{FIRM}{_harmless(relation)}{FIRM}", "math"), *_spans(right)]
         case Math(expr, values):
             from planar_cli.report.notation import plain  # SymPy is loaded only where there is a formula
 

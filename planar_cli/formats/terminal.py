@@ -11,6 +11,7 @@ from typing import ClassVar, TextIO, final
 
 from planar_cli.formats._layout import FIRM, Row, Span, fill, indent, row_cells, settled, side_spans, spans, words
 from planar_cli.formats.base import Format, runs
+from planar_cli.plain_letters import in_plain, is_poor, letters
 from planar_cli.records import record
 from planar_cli.report.blocks import (
     Answer,
@@ -66,17 +67,23 @@ class Terminal(Format[Row]):
 
     width: int = PIPE_WIDTH
     colour: bool = False
+    plain: bool = False
+    """In ASCII alone?"""
 
     @classmethod
     def on(cls, stream: TextIO) -> Terminal:
-        """Fitted to a stream: its width and colours if it is a terminal, else plain and `PIPE_WIDTH` wide."""
+        """Fitted to a stream: its letters, and its width and colours if it is a terminal; else `width_of` a pipe."""
+        plain = is_poor(stream)
         if not stream.isatty():
-            return cls(colour=bool(os.environ.get("FORCE_COLOR")))
-        columns = min(shutil.get_terminal_size().columns, _LARGEST_WIDTH)
+            return cls(width_of(stream), bool(os.environ.get("FORCE_COLOR")), plain)
         colour = not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
-        return cls(max(columns, SMALLEST_WIDTH), colour)
+        return cls(width_of(stream), colour, plain)
 
     def render(self, document: Document) -> str:
+        with in_plain(self.plain):
+            return self._rendered(document)
+
+    def _rendered(self, document: Document) -> str:
         rows: list[Row] = []
         before: Block | None = None
         for run in runs(document):
@@ -103,10 +110,10 @@ class Terminal(Format[Row]):
         return [r for p in run for r in fill(indent(_BODY), spans(p.line), _BODY, self.width)]
 
     def bullets(self, run: Sequence[Bullet]) -> list[Row]:
-        return [r for b in run for r in self._marked("•", b.line, _BODY)]
+        return [r for b in run for r in self._marked(letters("•"), b.line, _BODY)]
 
     def results(self, run: Sequence[Result]) -> list[Row]:
-        return [r for b in run for r in self._marked("⇒", b.line, _NUMBER)]
+        return [r for b in run for r in self._marked(letters("⇒"), b.line, _NUMBER)]
 
     def _marked(self, mark: str, line: Line, column: int) -> list[Row]:
         head = [*indent(column), Span(mark + " ")]
@@ -215,7 +222,7 @@ class Terminal(Format[Row]):
         sizes = [max(row_cells(c) for c in column) for column in zip(*grid, strict=True)]
         if _BODY + sum(sizes) + _GAP * (len(sizes) - 1) > self.width:
             return self._stacked(table)
-        rule = [*indent(_BODY), Span("   ".join("─" * s for s in sizes), "muted")]
+        rule = [*indent(_BODY), Span("   ".join(letters("─") * s for s in sizes), "muted")]
         rows = [tuple(indent(_BODY)) + _padded(cells_of, sizes) for cells_of in grid]
         return [rows[0], tuple(rule), *rows[1:]]
 
@@ -235,7 +242,7 @@ class Terminal(Format[Row]):
     def checks(self, run: Sequence[Check]) -> list[Row]:
         joined: list[Span] = []
         for check in run:
-            joined += [Span(" · "), *spans(check.line)] if joined else spans(check.line)
+            joined += [Span("; " if self.plain else " · "), *spans(check.line)] if joined else spans(check.line)
         return self._labelled("Check", [joined])
 
     def notes(self, run: Sequence[Note]) -> list[Row]:
@@ -260,6 +267,14 @@ class Terminal(Format[Row]):
         for line in lines:
             rows += fill(indent(hang) if rows else head, line, hang, self.width)
         return rows
+
+
+def width_of(stream: TextIO) -> int:
+    """The columns of a terminal; of anything else those that COLUMNS says, else `PIPE_WIDTH`."""
+    told = os.environ.get("COLUMNS", "")
+    if not stream.isatty() and not (told.isdecimal() and int(told)):
+        return PIPE_WIDTH
+    return max(min(shutil.get_terminal_size().columns, _LARGEST_WIDTH), SMALLEST_WIDTH)
 
 
 def _alike(run: Sequence[Equation]) -> list[list[Equation]]:
@@ -317,7 +332,7 @@ class _Columns:
 
 def _answer(answer: Answer) -> list[Span]:
     relation = ":" + FIRM if answer.relation == ":" else f"{FIRM}{words(answer.relation)}{FIRM}"
-    content = [Span(plain_name(words(answer.name)) + relation, "math"), *spans(answer.line)]
+    content = [Span(letters(plain_name(words(answer.name))) + relation, "math"), *spans(answer.line)]
     return [Span(s.text, "answer" if s.style == "math" else s.style) for s in content]
 
 
