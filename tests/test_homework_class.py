@@ -92,7 +92,7 @@ def test_a_sheet_holds_nothing_of_the_key(homework: Homework) -> None:
         expected = [e for t in homework.papers[k].tasks for e in t.expected]
         (one,) = handed(homework, [k])
         pages = [page(sheet(homework, one), "", form).decode() for form in PAGES if form != PDF]
-        texts = (*pages, sheet_csv(homework, k), str(sheet_data(homework, one)))
+        texts = (*pages, sheet_csv(homework, one), str(sheet_data(homework, one)))
         for text in texts:
             assert not [e.text for e in expected if e.text in text and len(e.text) > 8]
     assert all(e.text in key_csv(homework, [1]) for t in homework.papers[1].tasks for e in t.expected)

@@ -149,7 +149,7 @@ def test_what_cannot_be_read_is_told_once(tmp_path: Path, capfd: pytest.CaptureF
 def test_a_filled_in_sheet_is_a_submission(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["key", SET, "--format", "csv", "--variants", "1", "-o", str(tmp_path / "out")]) == 0
     sheet = (tmp_path / "out" / "sheet-1.csv").read_text()
-    assert sheet.splitlines()[0] == "problem,find,answer,unit,variant"
+    assert sheet.splitlines()[0] == "variant,problem,find,answer,unit"
     name = tmp_path / "mia.csv"
     name.write_text(sheet.replace(",,", ",1,"))
     (handed,) = submissions(contents(str(name)))

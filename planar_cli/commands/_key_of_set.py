@@ -17,6 +17,7 @@ from planar_cli.streams import echo
 
 if TYPE_CHECKING:
     from planar_cli.homework.ready import Homework
+    from planar_cli.homework.set_file import HomeworkSet
     from planar_cli.homework.sheets import Handed
 
 
@@ -26,12 +27,13 @@ def key_of_set(
     both: bool,
     output: str | None,
     timeout: float,
+    voice: tuple[int, str],
     variants: int | None,
     seed: int | None,
     form: str | None,
     exports: tuple[str, ...],
 ) -> int:
-    """Sheets, key and exports of a set."""
+    """Sheets, key and exports of a set. `voice`: figures and audience of worked solutions."""
     from planar_cli.commands._told_formulas import told_formulas
     from planar_cli.commands._worked_pages import Pressed
     from planar_cli.homework.homework import made_ready
@@ -47,7 +49,7 @@ def key_of_set(
     holds_worked = (worked or both) and style in PAGES
     if output is not None and not holds_worked:
         demand_no_loss(output, "add --both" if style in PAGES else "")
-    homework_set = read_set(path)
+    of_file = homework_set = read_set(path)
     homework_set = replace(
         homework_set,
         variants=homework_set.variants if variants is None else variants,
@@ -56,9 +58,9 @@ def key_of_set(
     own = printed_as(style) if style in PAGES and (holds_worked or output is not None) else ""
     solves = holds_worked or bool(exports)
     below = 2 if homework_set.variants else 1
-    press = Pressed(own, bool(exports), solves, below, output is not None) if own or exports else None
+    press = Pressed(own, bool(exports), solves, below, output is not None, *voice) if own or exports else None
     homework = made_ready(homework_set, os.cpu_count() or 1, timeout, press, counter, told_formulas)
-    for warning in homework.warnings:
+    for warning in (*homework.warnings, *_drawn_otherwise(of_file, homework_set)):
         echo(visible(f"warning: {warning}"), err=True)
     handed_out = [k for k in homework.papers if k] or [0]
     steps = worked or both, not worked or both
@@ -66,19 +68,27 @@ def key_of_set(
         (key,) = _key(homework, handed_out, style, *steps).values()
         write(key.decode(), None, exact=True)
         return cli.SOLVED
+    sheets = handed(homework, handed_out)
     data: dict[str, bytes] = {}
-    for one in handed(homework, handed_out):
+    for one in sheets:
         data |= _sheet(homework, one, style)
     data |= _key(homework, handed_out, style, *steps)
-    if len(handed_out) > 1:
-        width = len(str(max(handed_out)))
-        for k in handed_out:
-            data |= _key(homework, [k], style, *steps, f"key-{k:0{width}d}")
+    for one in sheets if len(handed_out) > 1 else ():
+        data |= _key(homework, [one.variant], style, *steps, one.key)
     clear(output, data)
     write_files({**data, MANIFEST: manifest(data, f"key.{suffix}" if holds_worked else "")}, output)
     for name in exports:
         _export(homework, name, homework_set.seed, output)
     return cli.SOLVED
+
+
+def _drawn_otherwise(of_file: HomeworkSet, homework_set: HomeworkSet) -> list[str]:
+    """What is to be said where the variants are not those by which submissions are graded."""
+    number, seed = homework_set.variants, homework_set.seed
+    if (number, seed) == (of_file.variants, of_file.seed):
+        return []
+    line = f"variants: {{number: {number}, seed: {seed}}}"
+    return [f"`planar check --set` grades by the variants of the set file: write `{line}` there, or these are others"]
 
 
 def _sheet(homework: Homework, one: Handed, form: str) -> dict[str, bytes]:
@@ -88,7 +98,7 @@ def _sheet(homework: Homework, one: Handed, form: str) -> dict[str, bytes]:
     if form == "json":
         return {f"{one.name}.json": sheets.as_json(sheets.sheet_data(homework, one)).encode()}
     if form == "csv":
-        return {f"{one.name}.csv": sheets.sheet_csv(homework, one.variant).encode()}
+        return {f"{one.name}.csv": sheets.sheet_csv(homework, one).encode()}
     return files(sheet(homework, one), one.title(homework), form, one.name)
 
 

@@ -21,7 +21,8 @@ MARKDOWN = "markdown"
 @record
 class Pressed:
     """Prints in the form of sheets and key ("": none) and, if `exports`, of course systems; `below`: so many levels of
-    headings a worked solution stands below the key; `pictures`: the text of Markdown has files beside it.
+    headings a worked solution stands below the key; `pictures`: the text of Markdown has files beside it;
+    `figures`, `audience`: of worked solutions.
     """
 
     form: str
@@ -29,6 +30,8 @@ class Pressed:
     solves: bool
     below: int
     pictures: bool
+    figures: int = 4
+    audience: str = "student"
 
     def scene(self, problem: Problem) -> Printed:
         """The figure of a sheet."""
@@ -46,9 +49,9 @@ class Pressed:
         from planar_cli.figures.illustrated import illustrated
         from planar_cli.formats._course_html import course_html
         from planar_cli.report.blocks import Title
-        from planar_cli.report.narrate import narrate
+        from planar_cli.report.narrate import Voice, narrate
 
-        page = illustrated(narrate(solution), solution)
+        page = illustrated(narrate(solution, Voice(self.figures, self.audience)), solution)
         blocks = (Title(page.title), *page.blocks)
         for_courses = {way: course_html(blocks, way) for way in FOR_COURSES} if self.exports else {}
         return {**for_courses, **self._printed(blocks)}

@@ -64,7 +64,7 @@ def command(
     if len(files) == 1 and _is_set(files[0]):
         from planar_cli.commands._key_of_set import key_of_set
 
-        return key_of_set(files[0], worked, both, output, timeout, form=form, **of_set)
+        return key_of_set(files[0], worked, both, output, timeout, (figures, audience), form=form, **of_set)
     style = form or "markdown"
     if style not in PAGES or any(v not in (None, ()) for v in of_set.values()):
         raise click.UsageError("--variants, --seed, --export, --format json and csv are for one homework set")

@@ -35,6 +35,11 @@ class Handed:
     variant: int
     student: str = ""
 
+    @property
+    def key(self) -> str:
+        """The name of the file with its answers."""
+        return f"key{self.name.removeprefix('sheet')}"
+
     def title(self, homework: Homework) -> str:
         """What stands over it."""
         variant = f"variant {self.variant}" if self.variant else ""
@@ -94,14 +99,13 @@ def as_json(data: Mapping[str, object]) -> str:
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
 
 
-def sheet_csv(homework: Homework, variant: int) -> str:
-    """The finds of a variant as a table to be filled in: it is read back as a submission, with its variant."""
-    head: tuple[str, ...] = ("problem", "find", "answer", "unit")
-    own: tuple[object, ...] = ()
-    if variant:
-        head, own = (*head, "variant"), (variant,)
-    rows = [(t.problem, e.find, "", e.unit, *own) for t in homework.papers[variant].tasks for e in t.expected]
-    return _csv(head, rows)
+def sheet_csv(homework: Homework, one: Handed) -> str:
+    """The finds of a sheet as a table to be filled in: it is read back as a submission of its student and variant."""
+    own = {"student": one.student, "variant": one.variant}
+    own = {name: value for name, value in own.items() if value}
+    tasks = homework.papers[one.variant].tasks
+    rows = [(*own.values(), t.problem, e.find, "", e.unit) for t in tasks for e in t.expected]
+    return _csv((*own, "problem", "find", "answer", "unit"), rows)
 
 
 def key_csv(homework: Homework, variants: Iterable[int]) -> str:

@@ -56,10 +56,10 @@ file is solved once more with numbers in place of its letters; by these equation
 follows from own ones is carried.
 
 A student learns the variant from the sheet: it stands in its title, in its file name, `sheet-07`, and in the example of
-how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, and need not write
-the variant. Sheets list the given values that do not stand in the text, keys those that vary. Sheets and keys that an
-earlier run wrote to the folder are removed if nobody changed them since (`.planar-key.json` there tells which they
-are).
+how to hand in. Where the set lists `students`, each has a sheet of his or her own, `sheet-07-anna`, with the key
+`key-07-anna`, and need not write the variant. Sheets list the given values that do not stand in the text, keys those
+that vary. Sheets and keys that an earlier run wrote to the folder are removed if nobody changed them since
+(`.planar-key.json` there tells which they are).
 
 The formats are markdown, html, json and csv; a browser sets the formulas of an HTML page by itself. The same seed gives
 the same files, byte for byte. A sheet as CSV can be filled in and handed in as it is.
@@ -74,8 +74,8 @@ Submissions
 
 as YAML or JSON, one file a student; or as CSV with the columns `problem,find,answer` (and `unit`), for a whole class
 with `student` before them (and `variant`), or with a column `slope.a` for each find. Without `student` the name of the
-file is the student, without `variant` the set's list tells it; who is not in the list is not graded then. Of a set
-without a list the files are meant as they are.
+file is the student, without `variant` the set's list tells it. Who is not in the list is graded by the `variant` that
+stands there, and told so; without one nothing is graded. Of a set without a list the files are meant as they are.
 
 What is typed: `12.5 N`, `1.25*10^1 N`, `5*sqrt(2) m/s`, `6.2 rad/s cw`, `9.81 m/s^2 down`, `[3, -4] m/s`, `5 m/s at -53
 deg`, `3i - 4j m/s`, `yes`, `slips`, and `m*g*sin(beta)` where the file has `symbols`: else a number is asked. Any unit

@@ -1,0 +1,64 @@
+"""Sheets of the students that a set lists: handed in as they are, with keys that are named alike."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.cli import run
+
+SLOPE = """
+plane: vertical
+given: {m: 2 kg, beta: 30 deg, mu_k: 0.2}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu_k}
+instant: [at rest]
+find: {a: a(block).mag}
+variants: {beta: [30 deg, 33 deg, 35 deg]}
+"""
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    (tmp_path / "slope.yaml").write_text(SLOPE)
+    (tmp_path / "set.yaml").write_text("problems: [slope.yaml]\nstudents: [ann, bob]\nvariants: {seed: 7}\n")
+    return tmp_path / "set.yaml"
+
+
+def test_a_sheet_as_csv_is_handed_in_as_it_is(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    out = path.parent / "out"
+    assert run(["key", str(path), "--format", "csv", "-o", str(out)]) == 0
+    assert sorted(p.name for p in out.glob("*-*.csv")) == [
+        *("key-1-ann.csv", "key-2-bob.csv"),
+        *("sheet-1-ann.csv", "sheet-2-bob.csv"),
+    ]
+    right = (out / "key-2-bob.csv").read_text().splitlines()[1].split(",")[3]
+    sheet = out / "sheet-2-bob.csv"
+    head, line = sheet.read_text().splitlines()
+    assert (head, line) == ("student,variant,problem,find,answer,unit", "bob,2,slope,a,,m/s^2")
+    sheet.write_text(f"{head}\n{line.replace(',,', f',{right},')}\n")
+    capfd.readouterr()
+    assert run(["check", "--set", str(path), str(sheet)]) == 0
+    told = capfd.readouterr().out
+    assert "bob, variant 2: 1 of 1" in told
+    assert "not in the list" not in told
+
+
+def test_worked_solutions_are_for_an_audience(path: Path) -> None:
+    pages = {}
+    for audience in ("exam", "lesson"):
+        out = path.parent / audience
+        assert run(["key", str(path), "--worked", "--audience", audience, "-o", str(out)]) == 0
+        pages[audience] = (out / "key.md").read_text()
+    assert len(pages["lesson"]) > 1.5 * len(pages["exam"])
+
+
+def test_variants_that_are_not_graded_are_told(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    assert run(["key", str(path), "--variants", "1"]) == 0
+    assert "write `variants: {number: 1, seed: 7}` there" in capfd.readouterr().err
+    assert run(["key", str(path)]) == 0
+    assert "grades by the variants" not in capfd.readouterr().err
