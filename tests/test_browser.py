@@ -18,6 +18,7 @@ from planar_cli.figures.illustrated import illustrated
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Equation, Paragraph, line
 from planar_cli.report.narrate import narrate
+from planar_cli.report.stated_text import with_task
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = (
@@ -43,7 +44,7 @@ def written(path: Path, folder: Path) -> tuple[str, Document]:
     solution = worked(path)[0]
     page = folder / "written.html"
     assert cli.run(["solve", str(path.relative_to(ROOT)), "--format", "html", "-o", str(page)]) == cli.SOLVED
-    return page.read_text(encoding="utf-8"), illustrated(narrate(solution), solution)
+    return page.read_text(encoding="utf-8"), illustrated(with_task(narrate(solution), solution.problem), solution)
 
 
 @pytest.mark.parametrize("path", PROBLEMS[1::EVERY], ids=name_of)

@@ -52,6 +52,11 @@ class Wanted:
     def json(self) -> bool:
         return self.form == "json"
 
+    @property
+    def handed_out(self) -> bool:
+        """Is it a whole page for somebody who may not have the task? A lesson has it anyway, a key has none."""
+        return self.form != "terminal" and self.audience == "student" and not self.why
+
 
 @record
 class Report:
@@ -178,6 +183,10 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
     document = with_disagreements(narrate(solution, voice, wanted.why), verdicts)
+    if wanted.handed_out:
+        from planar_cli.report.stated_text import with_task
+
+        document = with_task(document, problem)
     if wanted.form in ("html", PDF):
         from planar_cli.figures.illustrated import illustrated
 
