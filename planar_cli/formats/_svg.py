@@ -80,7 +80,7 @@ def _variables(colours: dict[str, str]) -> str:
     return "".join(f"--{name}:{colour};" for name, colour in colours.items())
 
 
-STYLE = f"svg{{{_variables(LIGHT)}}}@media (prefers-color-scheme:dark){{svg{{{_variables(DARK)}}}}}{RULES}"
+STYLE = f"svg{{{_variables(LIGHT)}}}@media screen and (prefers-color-scheme:dark){{svg{{{_variables(DARK)}}}}}{RULES}"
 """For a page with figures, on a screen."""
 PRINT = re.sub(r"var\(--(\w+)\)", lambda m: LIGHT[m[1]], RULES)
 """For paper, and for readers of SVG that know no variables."""

@@ -42,12 +42,13 @@ from planar_cli.report.names import printable
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 STYLE = """
 :root{color-scheme:light dark;--page:#fff;--text:#1b1b1b;--muted:#666;--line:#d5d9e0;--tint:#f4f6fa;--accent:#1555a5}
-@media (prefers-color-scheme:dark){:root{--page:#111418;--text:#e8e8e8;--muted:#9a9a9a;--line:#333a45;--tint:#1a1f27;
---accent:#82b1ff}}
+@media screen and (prefers-color-scheme:dark){:root{--page:#111418;--text:#e8e8e8;--muted:#9a9a9a;--line:#333a45;
+--tint:#1a1f27;--accent:#82b1ff}}
 body{background:var(--page);color:var(--text);font:16px/1.5 "Source Serif 4",Georgia,"Times New Roman",serif;
 max-width:54rem;margin:0 auto;padding:1rem}
 .title{font-size:1.5rem;line-height:1.25;margin:.5rem 0 1rem}summary>:not(.aside){display:inline}
-summary>:not(.aside),.answer>:first-child{font-size:1.1rem;margin:0}h2.title{font-size:1.3rem;margin-top:1.8rem}h3.title{font-size:1.15rem;margin-top:1.5rem}
+summary>:not(.aside),.answer>:first-child{font-size:1.1rem;margin:0}
+h2.title{font-size:1.3rem;margin-top:1.8rem}h3.title{font-size:1.15rem;margin-top:1.5rem}
 summary{cursor:pointer;border-bottom:1px solid var(--line);padding:.3rem 0;margin-top:1rem}
 summary .aside{color:var(--muted);float:right}.case,.part{display:block;margin:1.6rem 0 .4rem;
 color:var(--accent)}.case{font-size:1.25rem}.part{font-size:1.15rem}
@@ -64,8 +65,11 @@ figure{margin:.8rem 0;text-align:center;overflow-x:auto}figure svg{max-width:100
 "Libertinus Math","Noto Sans Math",math}
 @media (max-width:36rem){body{padding:.6rem;font-size:15px}.equation{margin-left:.4rem}summary .aside{float:none;
 display:block;font-size:.92rem}.panels{flex-direction:column}}
-@media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details,figure,table,.answer{
-break-inside:avoid}:root{--page:#fff;--text:#000;--tint:#fff}}
+@media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details{margin-top:.6rem}
+details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation{break-inside:avoid}
+summary,.title,.case,.part,.lead,.forces{break-after:avoid}figure{margin:.3rem 0}figure svg{zoom:.8}
+.equation,table,figure{overflow:visible}table{display:table}}
+@page{margin:16mm 18mm}
 """
 _ENTITIES = str.maketrans({c: f"&#{ord(c)};" for c in "$\\{}"})
 """What would begin a formula, or a place in a template of a course system, where it is a word."""
