@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.commands._check_set import _print_report, _report_markdown
 from planar_cli.homework.class_report import ClassReport, by_variant
-from planar_cli.homework.paper import RIGHT, WRONG, Graded, Result
+from planar_cli.homework.paper import RIGHT, UNGRADABLE, WRONG, Graded, Result
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 
@@ -35,6 +35,19 @@ def test_each_find_is_counted_by_variant(capsys: pytest.CaptureFixture[str]) -> 
     told = capsys.readouterr().out
     assert "variant 1: p.F 1/2 right\nvariant 2: p.F 1/2 right\n" in told
     assert "variant 3" not in told
+
+
+def test_files_that_cannot_be_read_and_forms_of_answers_make_no_variant_suspicious() -> None:
+    made = report()
+    for k in range(6):
+        unread = Graded("p", "F", "", UNGRADABLE, 0.0, 1.0, message="this cannot be graded: it is no YAML")
+        made.add(Result(f"u{k}", 0, (unread,), f"u{k}", ("it is no YAML",)))
+        made.add(Result(f"v{k}", 3, (Graded("p", "F", "about 5", UNGRADABLE, 0.0, 1.0),), f"v{k}"))
+        made.add(Result(f"r{k}", 1, (Graded("p", "F", "5 N", RIGHT, 1.0, 1.0),), f"r{k}"))
+    assert not list(made.suspicious())
+    assert made.refused == 6
+    assert made.finds["p", "F"].ungradable == 6
+    assert by_variant(made)[3] == {("p", "F"): (1, 1)}
 
 
 def test_what_is_exact_is_not_rounded() -> None:

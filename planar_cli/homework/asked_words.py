@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from planar_cli.homework.own_names import own_names
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.expression import Name, Negate, Number, Part, PointPair, Quantity, Relation
-from planar_cli.problem.scene import Find
+from planar_cli.problem.placeholders import told
+from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.walk import walk
 
 WORDS = {
@@ -74,6 +76,15 @@ def asked_words(find: Find | None) -> str:
         said = PARTS[part.kind].format(said) if part.kind in PARTS else said
         said += _direction(part)
     return f"{said}{_when(what)}"
+
+
+def in_case(case: str, part: Problem, whole: Problem, words: str) -> str:
+    """What is asked in a case, with its name and the data that it gives itself: `case strong (P = 300 N): …`."""
+    if not case:
+        return words
+    own = own_names(part, whole)
+    data = ", ".join(f"{printed(s.name)} = {told(s.written)}" for s in part.given if s.name in own and s.written)
+    return f"case {case}{f' ({data})' if data else ''}: {words}"
 
 
 def is_energy(find: Find | None) -> bool:

@@ -24,7 +24,7 @@ class FindTally:
     carried: int = 0
     mistakes: Counter[str] = field(default_factory=Counter)
     by_variant: dict[int, list[int]] = field(default_factory=dict)
-    """Of each variant, how many answered and how many were right."""
+    """Of each variant, how many gave an answer that can be graded and how many were right."""
 
 
 @changing
@@ -48,8 +48,8 @@ class ClassReport:
         if before is None or mine[:2] >= before[:2]:
             self.counted[result.student] = mine
         self.best = max(self.best, result.max_score)
-        self.refused += not result.graded
-        for one in result.graded:
+        self.refused += not is_graded(result)
+        for one in result.graded if is_graded(result) else ():
             tally = self.finds.setdefault((one.problem, one.find), FindTally())
             if one.verdict == MISSING:
                 tally.missing += 1
@@ -59,6 +59,9 @@ class ClassReport:
             tally.ungradable += one.verdict == UNGRADABLE
             tally.carried += bool(one.carried)
             tally.mistakes.update(one.mistakes if len(one.mistakes) == 1 else ())
+            if one.verdict == UNGRADABLE:
+                # How an answer was written says nothing of a variant.
+                continue
             counts = tally.by_variant.setdefault(result.variant, [0, 0])
             counts[0] += 1
             counts[1] += one.verdict == RIGHT
@@ -87,7 +90,12 @@ class ClassReport:
 
 def order_of(result: Result) -> tuple[bool, str]:
     """Of several submissions of a student that counts which is last by this: was anything graded, and its file."""
-    return bool(result.graded), result.source
+    return is_graded(result), result.source
+
+
+def is_graded(result: Result) -> bool:
+    """Was there anything to grade? Of a file that cannot be read no find was answered."""
+    return any(one.verdict != UNGRADABLE or one.submitted for one in result.graded)
 
 
 def counting(results: Iterable[Result]) -> dict[str, Result]:

@@ -19,7 +19,7 @@ from planar_cli.homework.worked_problem import Part, WorkedProblem, ledger_of
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.variations import number_of
-from planar_cli.units import Unit, pretty_unit
+from planar_cli.units import Unit, parse_unit, pretty_unit
 
 GRAVITY = "g", "m/s^2"
 _TOLD = re.compile(r"(?<![\d.])(9\.81|32\.2)(?!\d)")
@@ -82,7 +82,7 @@ def gravity_told(problem: WorkedProblem) -> tuple[str, ...]:
         symbol = None if ledger is None else ledger.symbols.get(GRAVITY[0])
         if symbol is None or symbol not in ledger.values or not _rests_on(part, symbol):
             continue
-        unit = ledger.units[symbol]
+        unit = parse_unit("ft/s^2") if problem.problem.us else ledger.units[symbol]
         return (f"g = {float(ledger.values[symbol]) / in_base(unit, problem.problem.us):.4g} {pretty_unit(unit.text)}",)
     return ()
 

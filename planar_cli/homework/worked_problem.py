@@ -18,7 +18,7 @@ import sympy as sp
 from planar_cli.base_units import in_base
 from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
-from planar_cli.homework.asked_words import asked_words, is_energy
+from planar_cli.homework.asked_words import asked_words, in_case, is_energy
 from planar_cli.homework.headings import heading_of
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.own_gravity import gravity_of
@@ -282,7 +282,7 @@ def expected_of(
     unit = "J" if found.unit.text == "N*m" and is_energy(found.find) else found.unit.text
     return Expected(
         found.name,
-        asked_words(found.find),
+        in_case(part.solution.case, part.problem, problem.problem, asked_words(found.find)),
         _kind(found),
         values,
         unit,
