@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from conftest import PROBLEMS
 from worked import worked
@@ -10,7 +12,7 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.outlines import outlines
 from planar_cli.figures.rings import inside, meets
-from planar_cli.report.marks import Arrow, Figure, Hatched, Polyline, Spot, Symbol
+from planar_cli.report.marks import Arc, Arrow, Figure, Hatched, Polyline, Spot, Symbol
 from planar_cli.report.narrate import narrate
 
 
@@ -63,3 +65,15 @@ def test_a_guided_box_stands_on_a_floor_and_no_rail_runs_through_it() -> None:
 def test_a_piston_keeps_its_rails() -> None:
     (panel,) = drawings("kinematics/slider-crank-offset")["scene"].panels
     assert [m.kind for m in panel.marks if isinstance(m, Symbol)].count("rail") == 1
+
+
+def test_a_point_over_which_a_rope_runs_is_a_wheel_that_hangs_from_above() -> None:
+    (panel,) = drawings("particles/moving-pulley")["scene"].panels
+    wheels = [m for m in panel.marks if isinstance(m, Arc) and m.style in ("body", "thin")]
+    assert sorted(w.center for w in wheels) == [(0.2, -1.2), (0.4, 0.0)]
+    (hanger,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "hanger")
+    assert (hanger.at, hanger.angle) == ((0.4, 0.0), pytest.approx(math.pi / 2))
+    ropes = [m.places for m in panel.marks if isinstance(m, Polyline) and m.style == "rope"]
+    assert all(math.dist(ropes[1][i], wheels[i].center) == pytest.approx(wheels[i].radius) for i in (0, 1))
+    (wall,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "wall")
+    assert math.sin(2 * wall.angle) == pytest.approx(0, abs=1e-9), "upright, or level"

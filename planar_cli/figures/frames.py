@@ -75,7 +75,8 @@ class _Stage:
         self.poses: list[Posed] = []
         for t in times:
             run.measures.wind(t)
-            self.poses.append(Posed(run.model.scene, variables_of(layout, t, run.trajectory.at(t))))
+            first = self.poses[0] if self.poses else None
+            self.poses.append(Posed(run.model.scene, variables_of(layout, t, run.trajectory.at(t)), first))
         every = max(1, len(times) // STROBED)
         self.strobed = self.poses[::every]
         centers = [s for p in self.strobed for s in self._centers(p)]

@@ -5,19 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from functools import singledispatch
-from itertools import pairwise
 from typing import Any
 
 from planar_cli.figures.drawn import Drawn, size_of, words_of
 from planar_cli.figures.floors import slide_marks
-from planar_cli.figures.shapes import moved
+from planar_cli.figures.ropes import Stop, cord_marks, straight
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
     Absorber,
     Bar,
     Cord,
-    CordStop,
     Fastening,
     Hinge,
     Loop,
@@ -28,9 +26,8 @@ from planar_cli.problem.sketches import (
     Twist,
 )
 from planar_cli.problem.walk import walk
-from planar_cli.records import record
 from planar_cli.report.blocks import Line
-from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
+from planar_cli.report.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
 
 
 def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line) -> Iterator[Mark]:
@@ -105,8 +102,8 @@ def _loop(sketch: Loop, drawn: Drawn, name: Line) -> Iterator[Mark]:
     if a is None or b is None or radii[0] is None or radii[1] is None:
         return
     for side in (1, -1):
-        ends = (_Stop(a, radii[0], side), _Stop(b, radii[1], -side if sketch.crossed else side))
-        yield Polyline(_straight(*ends), "rope")
+        ends = (Stop(a, radii[0], side), Stop(b, radii[1], -side if sketch.crossed else side))
+        yield Polyline(straight(*ends), "rope")
 
 
 @_drawn.register
@@ -130,66 +127,6 @@ def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
         yield Turn(at, -1 if size is not None and size < 0 else 1, "force", words)
 
 
-@record
-class _Stop:
-    """A stop of a cord in numbers; `side` as in `CordStop`."""
-
-    center: Spot
-    radius: float = 0.0
-    side: int = 0
-    rim: Spot | None = None
-
-
 @_drawn.register
 def _cord(sketch: Cord, drawn: Drawn, name: Line) -> Iterator[Mark]:
-    stops = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
-    if len(stops) < len(sketch.stops):
-        return
-    parts = [_straight(a, b) for a, b in pairwise(stops) if (a.rim or a.center) != (b.rim or b.center)]
-    for part in parts:
-        yield Polyline(part, "rope")
-    if len(parts) == len(stops) - 1:
-        for (before, after), stop in zip(pairwise(parts), stops[1:-1], strict=True):
-            if stop.radius:
-                yield _wrapped(stop, before[1], after[0])
-    if parts:
-        yield from list(_walls(parts[0], (sketch.fixed[0], False))) + list(_walls(parts[-1], (False, sketch.fixed[1])))
-
-
-def _stop(drawn: Drawn, stop: CordStop) -> _Stop | None:
-    center = drawn.spot(stop.center)
-    if center is None:
-        return None
-    return _Stop(
-        center, drawn.number(stop.radius) or 0.0, stop.side, None if stop.rim is None else drawn.spot(stop.rim)
-    )
-
-
-def _straight(a: _Stop, b: _Stop) -> tuple[Spot, Spot]:
-    """The straight part between two stops: from rim to rim, as a tangent."""
-    if a.rim is not None or b.rim is not None:
-        return (a.rim or _touch(a, b.rim or b.center, 1), b.rim or _touch(b, a.rim or a.center, -1))
-    reach = math.dist(a.center, b.center)
-    along = math.atan2(b.center[1] - a.center[1], b.center[0] - a.center[0])
-    offset = b.side * b.radius - a.side * a.radius
-    if reach <= abs(offset):
-        return a.center, b.center
-    # The rope is to the right of a centre that lies to its left.
-    way = along - math.asin(offset / reach)
-    return moved(a.center, way, 0.0, -a.side * a.radius), moved(b.center, way, 0.0, -b.side * b.radius)
-
-
-def _touch(stop: _Stop, other: Spot, sense: int) -> Spot:
-    """Where the tangent from a stop to a place leaves its rim; `sense` -1: the rope comes from that place."""
-    if not stop.radius:
-        return stop.center
-    ends = _straight(_Stop(stop.center, stop.radius, stop.side * sense), _Stop(other))
-    return ends[0]
-
-
-def _wrapped(stop: _Stop, comes: Spot, goes: Spot) -> Arc:
-    """The part of a rim on which a rope lies."""
-    first, last = (math.atan2(p[1] - stop.center[1], p[0] - stop.center[0]) for p in (comes, goes))
-    # With its centre to the left of it the rope turns counterclockwise.
-    sweep = (last - first) % (2 * math.pi) if stop.side > 0 else -((first - last) % (2 * math.pi))
-    return Arc(stop.center, stop.radius, "rope", first, sweep)
+    yield from cord_marks(drawn, sketch)

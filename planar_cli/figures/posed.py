@@ -23,12 +23,14 @@ from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 class Posed(Drawn):
     """The position of all bodies at one moment: terms have their numbers there."""
 
-    __slots__ = ("_numbers", "moving")
+    __slots__ = ("_first", "_numbers", "moving")
     moving: MovingScene
     _numbers: dict[Term, float]
+    _first: Posed | None
 
-    def __init__(self, moving: MovingScene, variables: dict[Term, float]) -> None:
-        """`variables`: the coordinates, their rates and the time."""
+    def __init__(self, moving: MovingScene, variables: dict[Term, float], first: Posed | None = None) -> None:
+        """`variables`: the coordinates, their rates and the time; `first`: the position in which the motion begins."""
+        object.__setattr__(self, "_first", first)
         object.__setattr__(self, "moving", moving)
         # What draws asks it for points, directions and lengths, as it does a scene of formulas.
         object.__setattr__(self, "scene", moving)
@@ -48,7 +50,7 @@ class Posed(Drawn):
         return found if math.isfinite(found) else None
 
     def at_rest(self) -> Posed:
-        return self
+        return self._first or self
 
     def body(self, name: str) -> BodyModel | None:
         return next((self.model(b) for b in self.moving.problem.bodies if b.name == name), None)

@@ -38,6 +38,7 @@ TICK, EVERY = 7.0, 7.0
 """Hatching."""
 BLOCK = 26.0
 SLIDER = (24.0, 14.0)
+HANGER = 24.0
 ASIDE = 18.0
 """How far a dimension is drawn beside what it measures."""
 VERTEX = 26.0
@@ -205,10 +206,21 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
         case "break":
             for ahead in (-3.0, 3.0):
                 yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
+        case "hanger":
+            yield from _hanger(at, mark.angle)
         case "wall":
             wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
             yield Stroke(wall, "ground")
             yield from hatching(wall, -1)
+
+
+def _hanger(at: Spot, angle: float) -> Iterator[Piece]:
+    """What holds a wheel: a bar from its axle to a fixed edge, in a direction."""
+    yield Stroke((at, moved(at, angle, HANGER)), "spring")
+    edge = (moved(at, angle, HANGER, 11), moved(at, angle, HANGER, -11))
+    yield Stroke(edge, "ground")
+    yield from hatching(edge, -1)
+    yield Disc(at, 2.6, "pin")
 
 
 def _slider(at: Spot, angle: float, fixed: bool) -> Iterator[Piece]:

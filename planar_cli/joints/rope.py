@@ -16,6 +16,7 @@ from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
 from planar_cli.problem.fixed_ends import fixed_ends
 from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 from planar_cli.problem.residuals import Residual
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting, WrittenBody, WrittenScene
 from planar_cli.problem.sketches import Cord, CordStop, Sketch
 
@@ -132,7 +133,9 @@ class Rope(Joint):
         return f"[{one}]", f"[{', '.join([f'{second} on {body.name}', *after])}]"
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
-        stops = tuple(CordStop(s.center, s.radius, s.side, s.rim) for s in stops_of(self._route(), scene))
+        stops = tuple(
+            CordStop(s.center, s.radius, s.side, s.rim, s.body == GROUND) for s in stops_of(self._route(), scene)
+        )
         return (Cord(stops, fixed_ends(scene, self.path[0].name, self.path[-1].name)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:

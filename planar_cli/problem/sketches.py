@@ -45,13 +45,14 @@ class Fastening:
 @record
 class CordStop:
     """Where a cord passes: a point, a circle about it (`side` +1: its centre lies to the left of the running cord), or
-    the place `rim` where the cord leaves a drum on which it is wound.
+    the place `rim` where the cord leaves a drum on which it is wound. `fixed`: is the point on the ground?
     """
 
     center: Vec
     radius: Any = 0
     side: int = 0
     rim: Vec | None = None
+    fixed: bool = False
 
 
 @record

@@ -21,7 +21,19 @@ Style = Literal[
 ]
 """What a line stands for; each has its own look."""
 SymbolKind = Literal[
-    "pin", "support", "particle", "block", "centre", "point", "slider", "rail", "weld", "wall", "place", "break"
+    "pin",
+    "support",
+    "particle",
+    "block",
+    "centre",
+    "point",
+    "slider",
+    "rail",
+    "weld",
+    "wall",
+    "place",
+    "hanger",
+    "break",
 ]
 
 
@@ -73,8 +85,8 @@ class Dashpot:
 class Symbol:
     """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
-    behind the end of something that goes on along `angle`, the place where a particle is later, a break in what
-    is too long to be drawn, along `angle`.
+    behind the end of something that goes on along `angle`, what holds a wheel from there, the place where a particle is
+    later, a break in what is too long to be drawn, along `angle`.
     """
 
     kind: SymbolKind
