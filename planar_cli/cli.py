@@ -14,7 +14,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NoReturn
 
-from planar_cli.errors import Diagnostic, NoSolution, PlanarError, TimeIsUp, Undecided
+from planar_cli.errors import Diagnostic, Fault, NoSolution, PlanarError, TimeIsUp, Undecided
 from planar_cli.options import Command, WrongUsage
 from planar_cli.problem.show import harmless
 from planar_cli.registry import modules
@@ -132,7 +132,8 @@ def tell_fault(error: Exception) -> int:
     """Print that planar itself failed; with PLANAR_DEBUG the traceback goes on."""
     if os.environ.get("PLANAR_DEBUG"):
         raise error
-    say(f"planar: a fault of planar itself: {type(error).__name__}: {error}")
+    kind = "" if isinstance(error, Fault) else f"{type(error).__name__}: "
+    say(f"planar: a fault of planar itself: {kind}{error}")
     say("Please report it; PLANAR_DEBUG=1 shows where it happened.")
     return FAULT
 

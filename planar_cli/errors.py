@@ -67,6 +67,10 @@ class NoSolution(PlanarError):
         super().__init__("; ".join(d.message for d in self.diagnostics))
 
 
+class Fault(Exception):
+    """Planar itself failed at one of several tasks: which, and how."""
+
+
 class NoValue(ArithmeticError):
     """A formula has no real number at a place: 1/0, the root of a negative number, an integral that does not exist."""
 

@@ -197,14 +197,15 @@ def made_ready(
     formulas: Formulas | None = None,
 ) -> Homework:
     """A set made ready on several workers, which import `press` and `formulas` by their names; `counter`: of a total,
-    hears how many are done. PlanarError: a problem of it is no good.
+    hears how many are done. PlanarError: a problem of it is no good; Fault: planar failed over one.
     """
-    from planar_cli.homework.supervisor import Supervisor
+    from planar_cli.homework.supervisor import Supervisor, demand_no_fault
 
     items = [(p, homework.variants, homework.seed, formulas) for p in homework.problems]
     ended = Supervisor(_attempt, jobs, timeout, counter(len(items), "problems solved")).run(items)
     found: list[Prepared] = []
     wrong: list[Diagnostic] = []
+    demand_no_fault(zip((p.path for p in homework.problems), ended, strict=True))
     for problem, end in zip(homework.problems, ended, strict=True):
         if isinstance(end.result, Prepared):
             found.append(end.result)

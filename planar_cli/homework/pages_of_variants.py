@@ -44,7 +44,7 @@ def with_pages(
     """The problems with what is printed of them. `workers`: how many, and the seconds that each page may take;
     `counter`: of a total, hears how many are done. PlanarError: a page was not made in time.
     """
-    from planar_cli.homework.supervisor import Supervisor
+    from planar_cli.homework.supervisor import Supervisor, demand_no_fault
 
     jobs, timeout = workers
     # Variant 0 is handed out where there are no others.
@@ -53,6 +53,7 @@ def with_pages(
     for problem, ready in zip(homework_set.problems, problems, strict=True):
         items |= {(problem.path, v): (problem.path, v, press) for v in ready.values[first:]}
     ended = Supervisor(_page, jobs, timeout, counter(len(items))).run(list(items.values()))
+    demand_no_fault(zip((path for path, _ in items), ended, strict=True))
     made = dict(zip(items, ended, strict=True))
     found, wrong = [], []
     for problem, ready in zip(homework_set.problems, problems, strict=True):

@@ -13,12 +13,15 @@ from functools import partial
 from multiprocessing.connection import wait
 from typing import Any
 
+from planar_cli.errors import Fault
 from planar_cli.homework.memory import MEMORY
 from planar_cli.homework.worker import FAULT, MEMORY_OUT, PART, READY, Worker, start
 from planar_cli.records import record
 
 LONGEST_START = 120.0
 NEVER = float("inf")
+FAULTS = FAULT, "crashed"
+"""How a task ends that planar fails at."""
 
 
 @record
@@ -28,6 +31,13 @@ class Ended:
     verdict: str
     result: Any
     seconds: float
+
+
+def demand_no_fault(tasks: Iterable[tuple[str, Ended]]) -> None:
+    """Fault where planar failed at a task: that is not to be mended in its file. `tasks`: with the names of files."""
+    failed = dict.fromkeys(f"{name}: {end.result}" for name, end in tasks if end.verdict in FAULTS)
+    if failed:
+        raise Fault("; ".join(failed))
 
 
 @record

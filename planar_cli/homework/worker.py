@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 import threading
+import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from multiprocessing import resource_tracker
@@ -90,7 +91,7 @@ def _serve(pipe: Connection, make: Callable[[], Callable[[Any], Any]], memory: i
         try:
             function = make()
         except Exception as error:
-            pipe.send((FAULT, f"{type(error).__name__}: {error}"))
+            pipe.send((FAULT, _told(error)))
             return
         pipe.send((READY, None))
         while True:
@@ -114,7 +115,13 @@ def _outcome(pipe: Connection, function: Callable[[Any], Any], item: Any, memory
     except MemoryError:
         return MEMORY_OUT, too_much(memory)
     except Exception as error:
-        return FAULT, f"{type(error).__name__}: {error}"
+        return FAULT, _told(error)
+
+
+def _told(error: Exception) -> str:
+    """What failed; with PLANAR_DEBUG also where."""
+    where = "".join(traceback.format_exception(error)) if os.environ.get("PLANAR_DEBUG") else ""
+    return f"{type(error).__name__}: {error}" + (f"\n{where}" if where else "")
 
 
 def _end_with(parent: int) -> None:
