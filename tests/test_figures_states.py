@@ -8,9 +8,11 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
-from conftest import PROBLEMS
+from conftest import PROBLEMS, ROOT
 from worked import name_of, worked
 
+from planar_cli.cli import UNDECIDED
+from planar_cli.commands.draw import command
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
@@ -133,3 +135,25 @@ def test_an_angle_is_drawn_from_its_zero(stem: str, letter: str, start: float, s
     assert letter in str(angle.words)
     assert angle.start == pytest.approx(start)
     assert angle.sweep * sense > 0
+
+
+def test_a_motion_that_is_followed_in_numbers_alone_has_its_scene() -> None:
+    """A block that rocks about one edge and then about the other: in every state a corner is on the floor."""
+    solution = worked(ROOT / "problems" / "hard" / "block-that-rocks.yaml")[0]
+    assert not any(part.instants for part in solution.parts)
+    scene = dict(figures_of(illustrated(narrate(solution), solution)))["scene"]
+    outlines = [m for m in scene.panels[0].marks if isinstance(m, Polyline) and m.closed]
+    assert len(outlines) == 3
+    for outline in outlines:
+        assert min(y for _, y in outline.places) == pytest.approx(0, abs=1e-6)
+
+
+def test_nothing_to_draw_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "pulse.yaml"
+    text = (
+        "coordinates: {x: m}\nmotion: [dot(x) = 2 m/s]\nstates: {1: [t = 0, x = 0], 2: [t = 1 s]}\nfind: {x: x @ 2}\n"
+    )
+    path.write_text(text)
+    assert command.callback is not None
+    assert command.callback((str(path),), str(tmp_path), "svg", 60.0) == UNDECIDED
+    assert "nothing to draw" in capsys.readouterr().err

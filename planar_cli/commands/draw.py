@@ -45,6 +45,9 @@ def command(files: tuple[str, ...], output: str, form: str, timeout: float) -> i
             write_files(made, output)
             for name in made:
                 click.echo(str(Path(output, name)))
+            if not made:
+                worst = max(worst, cli.UNDECIDED)
+                cli.say(f"{path}: nothing to draw: the file does not tell where its bodies are")
         except PlanarError as error:
             worst = max(worst, cli.tell(error))
         except Exception as error:

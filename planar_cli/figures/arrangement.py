@@ -12,7 +12,7 @@ from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sketch_of, touching
-from planar_cli.figures.positions import Later, brought_near, position_marks, positions, shifted
+from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.state_measures import state_measures
@@ -55,6 +55,18 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
 def arranged(drawn: Drawn, moving: Moving | None = None) -> Panel:
     """A scene in one position."""
     return _panel(tuple(_marks(drawn, moving, drawn.scene.problem.joints)))
+
+
+def followed_arrangement(run: Run) -> Panel | None:
+    """The scene of a motion that was followed in numbers alone; None: the file does not draw where it begins."""
+    drawn = Drawn.at_first(run.problem, run.settings.values)
+    if drawn is None:
+        return None
+    joints = run.problem.joints
+    size = extent([s for m in _marks(drawn, None, joints) for s in spots_of(m)])
+    places = brought_near(followed_positions(drawn, run), size)
+    marks = (*_marks(drawn, None, joints, places[1:]), *position_marks(places, None, run))
+    return _panel((*marks, *state_measures(places, run.problem)))
 
 
 def _panel(marks: tuple[Mark, ...]) -> Panel:

@@ -11,9 +11,12 @@ import sympy as sp
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.setup import Earlier, Setup
+from planar_cli.equation.system import Statements
+from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Negate, Number, Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Value
 from planar_cli.report.marks import Spot
@@ -46,6 +49,20 @@ class Drawn:
         """
         here = {general: x for x, general in motion.general.items() if motion.ledger.roles[x].at == state}
         return next((d for s in _scenes(motion, state) if (d := cls(s, motion.value, here)).is_placed), None)
+
+    @classmethod
+    def at_first(cls, problem: Problem, values: Mapping[str, float]) -> Drawn | None:
+        """The position in which a motion that was followed in numbers alone begins. `values`: numbers for letters [SI].
+        None: the file does not draw it without the equations of an instant.
+        """
+        now = problem.states[0].relations if problem.states else problem.instant or ()
+        told = {name: Earlier(sp.Float(value), "1") for name, value in values.items()}
+        try:
+            scene = Setup(problem, Statements.of(problem.assume, now), told, False).scene
+            drawn = cls(scene, scene.valuations[0], {})
+            return drawn if drawn.is_placed else None
+        except (PlanarError, ArithmeticError):
+            return None
 
     @property
     def is_placed(self) -> bool:

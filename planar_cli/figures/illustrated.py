@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from planar_cli.figures.arrangement import arrangement
+from planar_cli.figures.arrangement import arrangement, followed_arrangement
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.polygons import polygons
 from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph, Table
-from planar_cli.report.marks import Figure
+from planar_cli.report.marks import Axes, Figure
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
@@ -66,12 +66,20 @@ class _Graphs:
 
 
 def _arrangement(solution: Solution) -> Figure | None:
-    """The scene of the file; None: no part of it is worked out at an instant."""
-    found = next(((part, i) for part in solution.parts for i in part.instants), None)
-    if found is None:
-        return None
-    part, instant = found
-    return Figure((arrangement(instant, part.motion, part.run),), solution.problem.title, name="scene")
+    """The scene of the file, by the first part of it that is worked out at an instant, or else in numbers; None: none
+    is, or the file does not draw it.
+    """
+    for part in solution.parts:
+        panel = (
+            arrangement(part.instants[0], part.motion, part.run)
+            if part.instants
+            else followed_arrangement(part.followed.run)
+            if part.followed is not None
+            else None
+        )
+        if panel is not None and not all(isinstance(m, Axes) for m in panel.marks):
+            return Figure((panel,), solution.problem.title, name="scene")
+    return None
 
 
 def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:

@@ -30,7 +30,7 @@ def path_of(motion: MotionTrace, run: Run | None, body: str, since: str, until: 
     for regime in motion.regimes:
         if (since, until) in regime.stretches:
             found = _by_coordinate(motion, regime, body, since, until)
-            return found or _by_rates(motion, regime, body, since, until) or _followed(run, body, since, until)
+            return found or _by_rates(motion, regime, body, since, until) or followed_path(run, body, since, until)
     return ()
 
 
@@ -123,7 +123,7 @@ def _summed(
         yield at
 
 
-def _followed(run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
+def followed_path(run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
     """As the motion was followed in numbers."""
     if run is None:
         return ()
@@ -139,7 +139,11 @@ def _followed(run: Run | None, body: str, since: str, until: str) -> tuple[Spot,
             if not isinstance(segment.regime, Regime):
                 return ()
             where = run.measures.several((place,), segment.regime)
-            found += [(x, y) for t in inside for ((x, y),) in (where(t, segment.at(t)),)]
+            for t in inside:
+                # What is wound up on a drum rests on all that has been before.
+                run.measures.wind(t)
+                ((x, y),) = where(t, segment.at(t))
+                found.append((x, y))
         except (PlanarError, ArithmeticError):
             return ()
     return tuple(found)

@@ -11,9 +11,11 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import TINY, Drawn
-from planar_cli.figures.paths import path_of
-from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.paths import followed_path, path_of
+from planar_cli.figures.shapes import body_marks, moved
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Particle, Round
 from planar_cli.records import record
 from planar_cli.report.blocks import line
@@ -21,6 +23,7 @@ from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spot
 from planar_cli.solve.between.trace import MotionTrace
 
 if TYPE_CHECKING:
+    from planar_cli.simulate.measures import Moment
     from planar_cli.simulate.run import Run
 
 FAR, LEAST = 3.0, 25.0
@@ -42,6 +45,8 @@ class Later:
     spots: Mapping[str, Spot]
     angles: Mapping[str, float | None]
     shift: Spot = (0.0, 0.0)
+    first: Later | None = None
+    """The position that is moved and turned into this one, where `there` is not this one."""
 
     @property
     def words(self) -> str:
@@ -53,7 +58,10 @@ class Later:
         body = self.there.scene.bodies.get(name)
         if body is None or isinstance(body.shape, Particle):
             return [shifted(Symbol("place", self.spots[name]), self.shift)]
-        shapes = (m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline))
+        shapes = [m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline)]
+        if self.first is not None:
+            turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0)
+            shapes = [_carried(m, self.first.spots[name], self.spots[name], turn) for m in shapes]
         return [shifted(m, self.shift) for m in shapes] or [Symbol("place", self.at(name))]
 
     def is_round(self, name: str) -> bool:
@@ -82,6 +90,46 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
         else:
             found[same] = replace(found[same], states=(*found[same].states, *new.states))
     return found
+
+
+def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
+    """The same of a motion that was followed in numbers alone."""
+    first = _later((), drawn)
+    if first is None:
+        return []
+    found, size = [first], max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0)
+    for state, moment in run.measures.moments.items():
+        spots = {n: s for n in first.spots if (s := _asked(run, "r", n, moment))}
+        turns = {n: t[0] for n in drawn.scene.bodies if (t := _asked(run, "theta", n, moment))}
+        if not state or spots.keys() != first.spots.keys():
+            continue
+        new = Later((state,), drawn, {n: (x, y) for n, (x, y) in spots.items()}, {**first.angles, **turns}, first=first)
+        near = NEAR * max(size, _reach(new, first))
+        same = next((i for i, old in enumerate(found) if _same(old, new, near)), None)
+        if same is None:
+            found.append(new)
+        else:
+            found[same] = replace(found[same], states=(*found[same].states, state))
+    return found
+
+
+def _asked(run: Run, word: str, name: str, moment: Moment) -> tuple[float, ...]:
+    """A place [m] or an angle [rad] of a motion that was followed; nothing where it has none."""
+    try:
+        return run.measures.at(Quantity(word, (name,), None, (), None, run.problem.states[0].mark), moment)
+    except (PlanarError, ArithmeticError):
+        return ()
+
+
+def _carried(mark: Arc | Polyline, start: Spot, end: Spot, turn: float) -> Arc | Polyline:
+    """A mark of a body moved from one place of its mass centre to another, and turned."""
+
+    def place(spot: Spot) -> Spot:
+        return moved(end, turn, spot[0] - start[0], spot[1] - start[1])
+
+    if isinstance(mark, Arc):
+        return replace(mark, center=place(mark.center), start=mark.start + turn)
+    return replace(mark, places=tuple(map(place, mark.places)))
 
 
 def _later(states: tuple[str, ...], there: Drawn) -> Later | None:
@@ -125,23 +173,32 @@ def _nearer(p: Later, before: Later, shift: Spot, most: float) -> Later:
     return replace(p, shift=(shift[0] - (x - x0) * back, shift[1] - (y - y0) * back))
 
 
-def position_marks(places: Sequence[Later], motion: MotionTrace, run: Run | None) -> Iterator[Mark]:
+def position_marks(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) -> Iterator[Mark]:
     """The ways of the bodies that move, and where they are in each position."""
     yield from _ways(places, motion, run)
-    tagged: set[tuple[str, float, float]] = set()
     for p in places:
-        for name in p.spots:
-            moves = any(_moved(name, p, q) for q in places if q is not p)
-            first = p is places[0]
-            if not moves or not (first or _moved(name, places[0], p)):
-                continue
-            if not first:
-                yield from p.marks(name)
-            x, y = p.at(name)
-            here = (p.words, round(x, 6), round(y, 6))
-            if p.words and here not in tagged:
-                tagged.add(here)
-                yield Tag(p.at(name), line(p.words))
+        first = p is places[0]
+        seen = [n for n in p.spots if any(_moved(n, p, q) for q in places) and (first or _moved(n, places[0], p))]
+        for name in seen if not first else ():
+            yield from p.marks(name)
+        for name in _apart(p, seen) if p.words else ():
+            yield Tag(p.at(name), line(p.words))
+
+
+def _apart(p: Later, names: Sequence[str]) -> list[str]:
+    """One of each group of bodies that hang together, as the name of the state stands beside it once."""
+    return [group[0] for group in _hanging(p, names)]
+
+
+def _hanging(p: Later, names: Sequence[str]) -> list[list[str]]:
+    """The bodies in groups whose outlines have places in common, as ends at a pin."""
+    groups: list[tuple[list[str], set[Spot]]] = []
+    for name in names:
+        own = {(round(x, 6), round(y, 6)) for m in p.marks(name) for x, y in spots_of(m)}
+        joined = [g for g in groups if g[1] & own]
+        groups = [g for g in groups if g not in joined]
+        groups.append(([*(n for g in joined for n in g[0]), name], own.union(*(g[1] for g in joined))))
+    return [names for names, _ in groups]
 
 
 def _moved(name: str, a: Later, b: Later) -> bool:
@@ -152,17 +209,21 @@ def _moved(name: str, a: Later, b: Later) -> bool:
     return math.dist(a.spots[name], b.spots[name]) > TINY or turned
 
 
-def _ways(places: Sequence[Later], motion: MotionTrace, run: Run | None) -> Iterator[Mark]:
+def _ways(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) -> Iterator[Mark]:
     where = {state: p for p in places for state in p.states}
-    for since, until in pairwise(s for s in motion.states if s in where):
+    states = motion.states if motion is not None else tuple(s.name for s in run.problem.states) if run else ()
+    for since, until in pairwise(s for s in states if s in where):
         a, b = where[since], where[until]
-        for name in a.spots if a is not b else ():
+        # That of a link of a mechanism says nothing.
+        links = {n for g in _hanging(a, list(a.spots)) if len(g) > 1 for n in g if not a.is_round(n) and n in a.angles}
+        bodies = a.there.scene.bodies
+        for name in [n for n in a.spots if n not in links or not bodies[n].rigid] if a is not b else ():
             if name not in b.spots or math.dist(a.spots[name], b.spots[name]) < TINY:
                 continue
             if a.shift != b.shift:
                 yield from _broken(a.at(name), b.at(name))
             elif not any(a.shift):
-                way = path_of(motion, run, name, since, until)
+                way = path_of(motion, run, name, since, until) if motion else followed_path(run, name, since, until)
                 if len(way) > 1:
                     yield Polyline(way, "way")
 
