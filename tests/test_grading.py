@@ -118,6 +118,43 @@ def test_a_vector_without_its_direction_is_told_so() -> None:
     assert "the direction is missing" in graded(VELOCITY, "5 m/s").message
 
 
+SLANT = 0.5235987755982988
+DRAG = replace(VELOCITY, values=(-10.392, -6.0), unit="N", lines=(SLANT, 0.0))
+SLIDER = replace(VELOCITY, values=(-19.9, 0.0), unit="m/s^2", lines=(0.0,))
+
+
+@pytest.mark.parametrize(
+    ("expected", "text", "verdict", "message"),
+    [
+        (DRAG, "12.0 N down the slope", "right", ""),
+        (DRAG, "12.0 N along the ramp, down", "right", ""),
+        (DRAG, "12.0 N up the incline", "wrong", "the size is right, the direction is not"),
+        (DRAG, "-12.0 N", "ungradable", None),
+        (replace(DRAG, lines=()), "12.0 N down the slope", "ungradable", None),
+        (SLIDER, "-19.9 m/s^2", "right", "read as the component along x; the other is taken for zero"),
+        (SLIDER, "-21.9 m/s^2", "wrong", None),
+        (SLIDER, "19.9 m/s^2", "ungradable", None),
+        (replace(SLIDER, lines=()), "-19.9 m/s^2", "ungradable", None),
+        (replace(SLIDER, values=(19.9, 0.0)), "19.9 m/s^2", "right", None),
+    ],
+)
+def test_a_vector_is_told_along_a_line(expected: Expected, text: str, verdict: str, message: str | None) -> None:
+    one = graded(expected, text)
+    assert one.verdict == verdict
+    assert message is None or one.message == message
+    assert verdict != "ungradable" or "the direction is missing" in one.message
+
+
+@pytest.mark.parametrize("text", ["n/a", "-", "?", " N/A "])
+def test_what_says_that_there_is_no_answer_is_none(text: str) -> None:
+    assert (graded(FORCE, text).verdict, graded(FORCE, text).message) == ("missing", "there is no answer")
+
+
+def test_examples_are_in_the_unit_that_is_asked() -> None:
+    assert "such as `12.5 rad/s`" in graded(TURN, "fast").message
+    assert "`[3, -4] N`, or magnitude and direction, `5 N at -53 deg`" in graded(DRAG, "much").message
+
+
 def test_what_is_taken_of_a_vector_is_told() -> None:
     assert graded(SIZE, "12.74 N at 230 deg").message == "a vector was typed: the size of it is taken"
 

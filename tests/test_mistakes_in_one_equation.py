@@ -6,12 +6,15 @@ from pathlib import Path
 
 import pytest
 
+from planar_cli.homework.answers import compare
 from planar_cli.homework.grading import grade
 from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
+from planar_cli.problem.structure import load_text
+from planar_cli.solve.run import solve_problem
 
 HAUL = """
 plane: vertical
@@ -98,3 +101,12 @@ def test_it_is_named(homework: Homework, place: str, typed: str, mistake: str, s
     assert one.verdict == "wrong"
     assert one.mistakes == (mistake,)
     assert said in one.feedback
+
+
+def test_a_zero_component_that_is_solved_has_no_sign() -> None:
+    problem, wrong = load_text(f"{GATE}answers: {{A: [0 lbf, 74.4 lbf]}}\n")
+    assert problem is not None
+    assert not wrong
+    (verdict,) = compare(solve_problem(problem))
+    assert verdict.agrees
+    assert verdict.solved == "[0, 74.3523] lbf"

@@ -208,7 +208,8 @@ class _Comparison:
 
     def _shown(self, values: tuple[Decimal, ...]) -> str:
         unit = self.found.unit
-        numbers = _listed([f"{float(display(v, unit, self.ledger.us)):.6g}" for v in values])
+        # Zero has no sign.
+        numbers = _listed([f"{float(display(v, unit, self.ledger.us)) + 0.0:.6g}" for v in values])
         return numbers if unit.text == "1" else f"{numbers} {unit.text}"
 
 

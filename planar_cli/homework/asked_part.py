@@ -8,17 +8,21 @@ import math
 from dataclasses import replace
 
 from planar_cli.homework.paper import Expected
-from planar_cli.homework.typed import Typed
+from planar_cli.homework.typed import TWO_ASKED, Typed
 from planar_cli.homework.typed_directions import along_line
 from planar_cli.homework.unreadable import Unreadable
 
 NEARLY = math.cos(math.radians(20))
 """A direction further off than this is not that of the line."""
 NOT_READ = "not read: "
+ON_LINE = 1e-9
+"""What machine numbers may be off a line."""
 
 
 def asked_part(expected: Expected, answer: Typed) -> Typed:
     """One number, where one is asked. Unreadable: a vector stands where no part of one is asked."""
+    if expected.kind == "vector" and len(answer.values) == 1:
+        return _vector_of_one(expected, answer)
     if expected.kind != "number":
         return answer
     if answer.polar and expected.axis:
@@ -26,6 +30,47 @@ def asked_part(expected: Expected, answer: Typed) -> Typed:
     if answer.polar or len(answer.values) == 2:
         return _part(expected, answer)
     return _along(expected, answer) if expected.heading is not None else answer
+
+
+def _vector_of_one(expected: Expected, answer: Typed) -> Typed:
+    """The vector that one number tells: by words along a line of the problem, `17.0 N down the slope`; or by its sign
+    where what is asked lies along a horizontal or vertical line of the problem, a guide or a floor.
+    """
+    words, (value,), (figures,) = along_line(answer.unread) if answer.unread else 0, answer.values, answer.figures
+    if words and (heading := _line_of(expected)) is not None:
+        size = value if value >= 0 else -value if words < 0 else value
+        sign = words * math.copysign(1, math.sin(heading)) * size
+        notes = tuple(n for n in answer.notes if not n.startswith(NOT_READ))
+        values = sign * math.cos(heading), sign * math.sin(heading)
+        return replace(answer, values=values, figures=(figures, figures), unread="", notes=notes)
+    place = _only_component(expected)
+    if place is None or answer.unread or (value > 0) > (expected.values[place] > 0):
+        raise Unreadable(f"the direction is missing: {TWO_ASKED}")
+    note = f"read as the component along {'xy'[place]}; the other is taken for zero"
+    values = (value, 0.0) if place == 0 else (0.0, value)
+    return replace(answer, values=values, figures=(figures, figures), notes=(*answer.notes, note))
+
+
+def _line_of(expected: Expected) -> float | None:
+    """The one inclined line of the problem; of several that along which the right vector lies. None: there is none."""
+    inclined = [line for line in expected.lines if abs(math.sin(line)) > ON_LINE]
+    if len(inclined) > 1:
+        inclined = [line for line in inclined if _lies_along(expected, line)]
+    return inclined[0] if len(inclined) == 1 else None
+
+
+def _only_component(expected: Expected) -> int | None:
+    """Along which axis the right vector lies, where a line of the problem does too; None: along neither."""
+    for place, line in ((0, 0.0), (1, math.pi / 2)):
+        there = any(abs(math.sin(other - line)) < ON_LINE for other in expected.lines)
+        if there and _lies_along(expected, line):
+            return place
+    return None
+
+
+def _lies_along(expected: Expected, line: float) -> bool:
+    x, y = expected.values
+    return abs(x * math.sin(line) - y * math.cos(line)) <= ON_LINE * math.hypot(x, y)
 
 
 def _part(expected: Expected, answer: Typed) -> Typed:

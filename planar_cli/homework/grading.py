@@ -36,6 +36,8 @@ from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 
 LONGEST_SHOWN = 80
+NO_ANSWERS = frozenset({"", "n/a", "n.a.", "na", "-", "--", "–", "—", "?", "??", "???", "…", "..."})
+"""What stands where somebody has no answer."""
 SIGN = "the sign or sense is not right"
 
 
@@ -119,7 +121,7 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
         due_unit=expected.unit,
         tolerance=expected.tolerance if rules.tolerance is None else rules.tolerance,
     )
-    if text is None or not text.strip():
+    if text is None or text.strip().lower() in NO_ANSWERS:
         return replace(blank, message="there is no answer"), None
     try:
         answer = typed.read(text, expected.kind, rules.comma)
@@ -129,7 +131,14 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
             return _of_formula(blank, expected, answer.formula, rules)
         return _of_numbers(blank, expected, answer, rules)
     except Unreadable as why:
-        return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {why}"), None
+        return replace(blank, verdict=UNGRADABLE, message=f"this cannot be graded: {_fitting(why, expected)}"), None
+
+
+def _fitting(why: Unreadable, expected: Expected) -> str:
+    """A reason with its examples in the unit that is asked."""
+    unit = "" if expected.unit == "1" else f" {expected.unit}"
+    said = str(why).replace("`12.5 N`", f"`12.5{unit}`")
+    return said.replace("`[3, -4] m/s`", f"`[3, -4]{unit}`").replace("`5 m/s at", f"`5{unit} at")
 
 
 def shown(text: str) -> str:

@@ -81,6 +81,8 @@ class Expected:
     """What typical mistakes give that is another number than the right one, but not clearly another."""
     heading: float | None = None
     """Of a component along a line: where it is positive, in radians counterclockwise from +x."""
+    lines: tuple[float, ...] = ()
+    """Of a vector: the directions of the straight surfaces and guides of the problem, in radians from +x."""
     size: bool = False
     """Is it the magnitude of a vector?"""
     us: bool = False

@@ -13,7 +13,8 @@ import math
 import re
 from dataclasses import replace
 
-from planar_cli.homework.typed_directions import SENSES, WAYS, without_direction
+from planar_cli.homework.typed_directions import SENSES, WAYS, along_line, with_words_behind, without_direction
+from planar_cli.homework.typed_pairs import in_brackets
 from planar_cli.homework.typed_units import unit_of
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.homework.written_numbers import last_place, significant
@@ -26,6 +27,7 @@ LARGEST = 1e50
 MOST_UNCERTAIN = 0.05
 """Of a number: what may stand behind ±."""
 SAID_TWICE = "say the same"
+TWO_ASKED = "two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`"
 NO_ANSWER = "this is not an answer that can be read: a number with its unit is asked, such as `12.5 N`"
 
 _SIGNS = str.maketrans({"−": "-", "–": "-", "⋅": "*", "·": "*", "×": "*", "µ": "u", "\u00a0": " ", "î": "i", "ĵ": "j"})
@@ -48,7 +50,6 @@ _IJ = re.compile(
     rf"\(?\s*({_NUMBER})\s*({_UNIT})\*?\s*i\s*([+-])\s*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))\s*({_UNIT})\*?\s*j"
     r"\s*\)?\s*(.*)"
 )
-_NAMED_PAIR = re.compile(rf"({_NUMBER})\s*([^,;=]*)[,;]\s*(?:and\s+)?[^\W\d]\w*y\s*[=≈]\s*({_NUMBER})\s*([^,;=]*)")
 _BRACKETED_UNIT = re.compile(r"^([^\[\]]*[0-9])\s*\[([^\[\]]+)\]$")
 _FROM_X = re.compile(
     rf"(.+?)\s*(?:@|,|\bat(?: an angle of)?\b|∠)?\s*({_NUMBER})\s*(?:deg|degrees|°)\s*(above|below)\s+(?:the\s+)?"
@@ -56,8 +57,11 @@ _FROM_X = re.compile(
 )
 _POLAR = re.compile(rf"(.+?)\s*(?:@|\bat(?: an angle of)?\b|∠|,\s*angle)\s*({_NUMBER})\s*(deg|degrees|rad|°)?")
 
-_NAMED = re.compile(r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*|^(?:approx(?:\.|imately)?|ca\.?)\s+")
-"""What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`."""
+_NAMED = re.compile(
+    r"^(?:\\?[^\W\d][\w{}]*\s*(?:\([\w ]{1,20}\)\s*)?)?[=≈≃~]\s*"
+    r"|^(?i:approx(?:\.|imately)?|ca\.?|about|around|roughly)\s+"
+)
+"""What may stand before an answer: `a = 3 m/s^2`, `≈ 3 m/s^2`, `about 3 m/s^2`."""
 _BEHIND = re.compile(r"(?<=[0-9)}i.°π½⅓⅔¼¾⅛⅜])\s+(?=[A-Za-z°])")
 """Between arithmetic and a unit behind it, where no bracket is open."""
 _ARITHMETIC = re.compile(r"[0-9+.(√π½⅓⅔¼¾⅛⅜-]|pi\b|\\(?:frac|sqrt)\b")
@@ -87,7 +91,9 @@ _WORDS = {
 
 @record
 class Typed:
-    """One answer as typed. `unit`: None where none was; `figures`: significant figures of each number as written.
+    """One answer as typed; of a vector that is told without its direction one number.
+
+    `unit`: None where none was; `figures`: significant figures of each number as written.
 
     `sense`: 1 counterclockwise, -1 clockwise, 0 not said. `axis`, `way`: of a direction in words, "" and 0 if none.
     `polar`: magnitude and direction, the direction in radians. Of `word` and `formula` one at most is there.
@@ -113,6 +119,8 @@ class Typed:
 def read(text: str, kind: str, comma: bool = False) -> Typed:
     """An answer to a find of a kind. `comma`: 12,5 is twelve and a half. Raises Unreadable."""
     plain = text.strip() if text.isascii() else _in_plain_signs(text)
+    if kind in ("vector", "number") and ("," in plain or ";" in plain or " and " in plain):
+        plain = in_brackets(_with_points(plain) if comma else plain, kind == "vector")
     if kind != "equation":
         plain = _NAMED.sub("", plain, count=1)
     if not plain:
@@ -127,11 +135,17 @@ def read(text: str, kind: str, comma: bool = False) -> Typed:
         return Typed(formula=plain)
     plain, uncertain = _without_uncertainty(plain)
     if comma or (kind in ("vector", "list") and ";" in plain):
-        plain = re.sub(r"(?<=[0-9]),(?=[0-9])", ".", plain)
+        plain = _with_points(plain)
     if kind == "list":
         return _list(plain)
+    plain = with_words_behind(plain)
     found = _vector(plain) if kind == "vector" else _number(plain)
     return replace(found, notes=(*found.notes, *uncertain)) if uncertain else found
+
+
+def _with_points(text: str) -> str:
+    """With decimal points for decimal commas."""
+    return re.sub(r"(?<=[0-9]),(?=[0-9])", ".", text)
 
 
 def _in_plain_signs(text: str) -> str:
@@ -159,7 +173,7 @@ def _word(text: str) -> Typed:
 
 
 def _number(text: str) -> Typed:
-    if _is_bracketed_pair(text) or ("j" in text and _IJ.fullmatch(text)) or ("=" in text and _is_pair(text)):
+    if _is_bracketed_pair(text) or ("j" in text and _IJ.fullmatch(text)):
         return _vector(text)
     if "," in text:
         text = _DECIMAL_COMMA.sub(".", text)
@@ -299,38 +313,33 @@ def _is_bracketed_pair(text: str) -> bool:
     return text[0] in "[<" and (_PAIR.fullmatch(text) or _SPACED.fullmatch(text)) is not None
 
 
-def _is_pair(text: str) -> bool:
-    return _NAMED_PAIR.fullmatch(text) is not None
-
-
 def _vector(text: str) -> Typed:
     if text.startswith("{"):
         text = text.translate(str.maketrans("{}", "[]"))
     spaced = _SPACED.fullmatch(text)
     if spaced is not None:
         text = f"[{spaced[1]}, {spaced[2]}] {spaced[3]}"
-    pair, named, unit_vectors = _PAIR.fullmatch(text), _NAMED_PAIR.fullmatch(text), _IJ.fullmatch(text)
+    pair, unit_vectors = _PAIR.fullmatch(text), _IJ.fullmatch(text)
     if pair is not None:
         return _of_two((pair[1], pair[3]), (pair[2], pair[4], pair[5]))
-    if named is not None:
-        return _of_two((named[1], named[3]), (named[2], named[4]))
     if unit_vectors is not None:
         x, first, sign, y, second, behind = unit_vectors.groups()
         return _of_two((x, sign + y), (first, second, behind))
     polar = _polar(text)
     if polar is not None:
         return polar
-    plain, _, axis, way = without_direction(text)
-    if way:
+    plain, sense, axis, way = without_direction(text)
+    if not sense and _PLAIN.fullmatch(plain) is not None:
         size, unit, figures_of_size, unread = _quantity(plain)
         size, said_twice = _once(size, way, text)
-        values = (way * size, 0.0) if axis == "x" else (0.0, way * size)
-        notes = (*said_twice, *_not_read(unread))
-        return Typed(values, unit, (figures_of_size, figures_of_size), notes=notes)
-    missing = "the direction is missing: " if _PLAIN.fullmatch(plain) is not None else ""
-    raise Unreadable(
-        f"{missing}two components are asked, `[3, -4] m/s`, or magnitude and direction, `5 m/s at -53 deg`"
-    )
+        figures, notes = (figures_of_size, figures_of_size), (*said_twice, *_not_read(unread))
+        if unread and axis == "y" and along_line(f"{unread} up"):
+            # `17.0 N along the ramp, down`
+            unread, way = f"{unread} {'up' if way > 0 else 'down'}", 0
+        if not way:
+            return Typed((size,), unit, figures[:1], unread=unread, notes=notes)
+        return Typed((way * size, 0.0) if axis == "x" else (0.0, way * size), unit, figures, notes=notes)
+    raise Unreadable(TWO_ASKED)
 
 
 def _of_two(numbers: tuple[str, str], behind: tuple[str, ...]) -> Typed:

@@ -25,7 +25,20 @@ _ALONG_AXIS = re.compile(
     r"|(?P<plain>[xy])[ -]*(?:direction|axis))\)?",
     re.IGNORECASE,
 )
+_WORDS = "|".join(re.escape(words) for words in _ENDINGS)
+_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+_FIRST = re.compile(rf"(?P<words>{_WORDS})(?![\w-])[\s:,]*(?P<rest>[-+0-9.].*)", re.IGNORECASE)
+_BETWEEN = re.compile(rf"(?P<number>{_NUMBER})\s+(?P<words>{_WORDS})\s+(?P<rest>[A-Za-z1(].*)", re.IGNORECASE)
 _LINE = re.compile(r"(?:along|up|down|the|upwards?|downwards?|ramp|slope|incline|inclined|plane|hill|\s|[().,])+")
+
+
+def with_words_behind(text: str) -> str:
+    """`cw 21.2 rad/s^2` and `21.2 cw rad/s^2` with the words at the end; any other text as it is."""
+    first = _FIRST.fullmatch(text)
+    if first is not None:
+        return f"{first['rest']} {first['words']}"
+    between = _BETWEEN.fullmatch(text)
+    return text if between is None else f"{between['number']} {between['rest']} {between['words']}"
 
 
 def without_direction(text: str) -> tuple[str, int, str, int]:

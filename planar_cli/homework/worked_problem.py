@@ -19,7 +19,7 @@ from planar_cli.base_units import in_base
 from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words, in_case, is_energy
-from planar_cli.homework.headings import heading_of
+from planar_cli.homework.headings import heading_of, lines_of
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.own_gravity import gravity_of
 from planar_cli.homework.own_names import own_names
@@ -271,6 +271,7 @@ def expected_of(
 ) -> Expected:
     """One find with its numbers in its unit. `own`: the data of a variant, in base units."""
     what = found.find.found.what if found.find is not None else None
+    equations = part.replay.equations if part.replay is not None else None
     last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
     direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
     own = {n: v for n, v in own.items() if n not in part.own}
@@ -292,10 +293,11 @@ def expected_of(
         rotation and (len(values) == 1 or found.values is None),
         direction,
         axis,
-        heading=heading_of(what, part.replay.equations if part.replay is not None else None, own),
+        heading=heading_of(what, equations, own),
+        lines=lines_of(part.problem, equations, own) if len(values) == 2 else (),
         size=last == "mag",
         us=problem.problem.us,
-        gravity=gravity_of(part.replay.equations if part.replay is not None else None, own, problem.problem.us),
+        gravity=gravity_of(equations, own, problem.problem.us),
     )
 
 

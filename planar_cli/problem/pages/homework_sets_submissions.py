@@ -81,12 +81,14 @@ What is typed: `12.5 N`, `1.25*10^1 N`, `5*sqrt(2) m/s`, `6.2 rad/s cw`, `9.81 m
 deg`, `3i - 4j m/s`, `yes`, `slips`, and `m*g*sin(beta)` where the file has `symbols`: else a number is asked. Any unit
 of the right dimension will do (`g` where an acceleration is due is that of gravity, `lb` where a force is due the pound
 of force), a sense of rotation in place of a sign, an angle up to whole turns, a formula in any form that is identical.
-Other words behind a unit, as in `4 m/s down the slope`, are not read, and that is told. A formula, with letters or with
-numbers, may be written as on a page, `5/2 m g`, `√(3g/l)`, `\\frac{3}{8}\\sqrt{3gl}`, `√(2*9.81*(1 - cos 65°)) m/s`:
-between letters of the problem a missing sign is a product, where that is the only reading; rounded numbers in it are
-right within the tolerance. A number before letters may have its unit, `0.96 kg v_0` or `0.533 v_0 rad/m`; without one
-it counts in m, kg, s, or ft, slug, s where the file does. In YAML `crank.v: [3, -4] m/s` needs no quotes, and a line
-that cannot be read, or has more than 10 000 characters, costs that line alone.
+`4 m/s down the slope` is read where a component along a line is asked, or a vector in a problem with a slope; other
+words behind a unit are not read, and that is told. On a horizontal guide or floor the sign of one number tells the
+direction of a vector. `-`, `?` and `n/a` are no answer. A formula, with letters or with numbers, may be written as on a
+page, `5/2 m g`, `√(3g/l)`, `\\frac{3}{8}\\sqrt{3gl}`, `√(2*9.81*(1 - cos 65°)) m/s`: between letters of the problem a
+missing sign is a product, where that is the only reading; rounded numbers in it are right within the tolerance. A
+number before letters may have its unit, `0.96 kg v_0` or `0.533 v_0 rad/m`; without one it counts in m, kg, s, or ft,
+slug, s where the file does. In YAML `crank.v: [3, -4] m/s` needs no quotes, and a line that cannot be read, or has more
+than 10 000 characters, costs that line alone.
 
     planar check --set set.yaml submissions/                       every student, and the class
     planar check --set set.yaml submissions/ --export gradebook -o out
