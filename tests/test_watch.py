@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import os
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -64,3 +66,61 @@ def test_a_file_that_is_replaced_is_waited_for(tmp_path: Path, monkeypatch: pyte
     monkeypatch.setattr(watch.time, "sleep", after([file.unlink, lambda: None, back]))
     found: Iterator[watch.Stamp] = watch.changes(str(file))
     assert next(found) != next(found)
+
+
+class Screen(io.StringIO):
+    """A terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+CLEARED = "\x1b[2J\x1b[1;1H"
+
+
+def watched(words: list[str], file: Path, texts: list[str], monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What stands on the screen, or in the file that is written, as each further text is saved and at the end."""
+    seen: list[str] = []
+    screen = Screen()
+
+    def saw() -> None:
+        seen.append(Path(words[-1]).read_text() if "-o" in words else screen.getvalue().split(CLEARED)[-1])
+
+    def saved(text: str) -> None:
+        saw()
+        file.write_text(text)
+        os.utime(file, ns=(len(seen), len(seen)))
+
+    steps: list[Callable[[], None]] = [lambda t=t: saved(t) for t in texts]
+    monkeypatch.setattr(watch.time, "sleep", after([*steps, saw]))
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setattr(sys, "stdout", screen)
+    monkeypatch.setattr(sys, "stderr", screen)
+    assert cli.run(["watch", str(file), *words]) == cli.INTERRUPTED
+    saw()
+    return seen
+
+
+def test_a_mistake_leaves_the_page_on_the_screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "p.yaml"
+    file.write_text(BAD)
+    none, first, kept, second, _ = watched([], file, [GOOD, BAD, GOOD.replace("1 m", "2 m")], monkeypatch)
+    assert "Answer" not in none
+    assert "did you mean" in none
+    assert "x = 1 m" in first
+    assert kept.index("x = 1 m") < kept.index("did you mean") < kept.index("planar: not solved")
+    assert "x = 2 m" in second
+    assert "did you mean" not in second
+
+
+def test_a_page_in_a_browser_loads_itself_again_while_it_is_watched(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, page = tmp_path / "p.yaml", tmp_path / "p.html"
+    file.write_text(GOOD)
+    first, kept, end = watched(["-o", str(page)], file, [BAD.replace("point:", "<point>:")], monkeypatch)
+    assert first.count('http-equiv="refresh"') == kept.count('http-equiv="refresh"') == 1
+    assert 'role="status"' not in first
+    assert "&lt;point&gt;" in kept.partition('role="status"')[2]
+    assert "<script" not in kept
+    assert end == first.replace('<meta http-equiv="refresh" content="1">\n', "")

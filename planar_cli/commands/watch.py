@@ -1,7 +1,7 @@
 """Solve a problem file again whenever it is saved, and keep the last good result.
 
-With -o the page is written there each time (open an HTML page in a browser and reload it); without it the page is
-printed. While the file has mistakes these are told, and what was written last stays. Ends with Ctrl-C.
+With -o the page is written there each time; an HTML page that is open in a browser loads itself again. Without -o the
+page is printed. While the file has mistakes these are told, and the last good page stays. Ends with Ctrl-C.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from collections.abc import Iterator
 import click
 
 from planar_cli import cli
+from planar_cli.commands._last_good import InBrowser, InFile, OnScreen
 from planar_cli.errors import PlanarError
+from planar_cli.streams import echo
 
 EVERY = 0.2
 """The file is looked at so often, s."""
@@ -30,14 +32,19 @@ def command(file: str, form: str | None, output: str | None, audience: str) -> i
     """Solve after each change."""
     if file == "-":
         raise click.UsageError("standard input cannot be watched; name a file")
-    line = ["solve", file, "--audience", audience, "--format", form or ("html" if output else "terminal")]
-    line += ["-o", output] if output else []
+    output = None if output == "-" else output
+    style = form or ("html" if output else "terminal")
+    line = ["solve", file, "--audience", audience, "--format", style]
+    place = OnScreen() if output is None else InBrowser(output) if style == "html" else InFile(output)
     status = cli.SOLVED
-    for _ in changes(file):
-        if output is None:
-            click.clear()
-        status = cli.run(line)
-        click.echo(_told(file, status, output), err=True)
+    try:
+        for _ in changes(file):
+            status = place.run(line)
+            if status == cli.INTERRUPTED:
+                break
+            echo(_told(file, status, output), err=True)
+    finally:
+        place.close()
     return status
 
 
