@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.expansion import wide
+
 if TYPE_CHECKING:
     from planar_cli.equation.ledger import Ledger
 
@@ -31,9 +33,21 @@ def marked() -> Iterator[None]:
         _marking.reset(token)
 
 
+def in_letters() -> bool:
+    """Do equations keep their long coefficients in letters? So they do where they are to be carried out again, with
+    other data or with a part left out; on a page a number is easier to read.
+    """
+    return _marking.get()
+
+
 def with_mark(expr: sp.Expr, part: str) -> sp.Expr:
     """A part of an acceleration, with its factor where equations are marked."""
     return expr * sp.Symbol(part, positive=True) if _marking.get() and expr != 0 else expr
+
+
+def is_mark(symbol: sp.Symbol) -> bool:
+    """Is it one of the factors?"""
+    return symbol.name in (CORIOLIS, NORMAL, TANGENTIAL) or symbol.name.startswith(AXIS)
 
 
 def axis_of(body: str) -> str:
@@ -46,3 +60,17 @@ def know_marks(ledger: Ledger, bodies: Iterable[str]) -> None:
     if _marking.get():
         for part in (CORIOLIS, NORMAL, TANGENTIAL, *map(axis_of, bodies)):
             ledger.known(part, sp.S.One, "1")
+
+
+def without_common_marks(residual: sp.Expr) -> sp.Expr:
+    """What vanishes, without factors of all its terms: where an unknown acceleration is eliminated, its tangential part
+    is a factor of all that is left, and leaving it out would leave nothing.
+    """
+    marks = [s for s in residual.free_symbols if s.name in (CORIOLIS, NORMAL, TANGENTIAL)]
+    if (len(marks) < 2 and not any(residual.has(s**2) for s in marks)) or wide(residual):
+        return residual
+    terms = spread = sp.Add.make_args(sp.expand(residual))
+    for mark in marks:
+        while all(mark in term.free_symbols for term in terms):
+            terms = tuple(term / mark for term in terms)
+    return residual if terms == spread else sp.Add(*terms)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from planar_cli.equation.parts_of_accelerations import without_common_marks
 from planar_cli.replay.equations import Step
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.written import Written
@@ -20,7 +21,7 @@ class NotWritten(LookupError):
 def of_block(block: SolvedBlock, defined: Mapping[sp.Symbol, sp.Expr]) -> Step:
     """A block as a step. NotWritten: it has not as many equations as unknowns."""
     unknowns = tuple(block.unknowns)
-    residuals = tuple(opened(w.residual, unknowns, defined) for w in block.equations)
+    residuals = tuple(opened(without_common_marks(w.residual), unknowns, defined) for w in block.equations)
     if len(residuals) != len(unknowns):
         raise NotWritten("a block has not as many equations as unknowns")
     laws, bodies = tuple(w.law for w in block.equations), tuple(w.bodies for w in block.equations)

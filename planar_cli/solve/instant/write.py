@@ -13,6 +13,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.parts_of_accelerations import in_letters
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
 from planar_cli.equation.waves import without_waves
@@ -34,8 +35,7 @@ from planar_cli.solve.instant.tangent_angle import of_groove
 from planar_cli.solve.instant.without_arm import without_arm
 from planar_cli.solve.instant.written import Explicit, Written, put_together
 
-LETTERS = "CKQSWZHJ"
-SMALL = Decimal("1e-30")
+LETTERS, SMALL = "CKQSWZHJ", Decimal("1e-30")
 MOST_READ = 60
 """A premise of more operations than this is not told."""
 MOST_NORMAL = 3
@@ -84,7 +84,8 @@ class Writer:
     @property
     def plain(self) -> bool:
         """May long coefficients be given as numbers? Not where letters stay, or where they hold what is sought."""
-        return not self.system.scene.ledger.symbolic and len(self.numbers.linear) == len(self.numbers.unknowns)
+        letters = in_letters() or self.system.scene.ledger.symbolic
+        return not letters and len(self.numbers.linear) == len(self.numbers.unknowns)
 
     def short(self, coefficient: sp.Expr) -> sp.Expr:
         """A coefficient in its plainest form; a long one as a number."""
