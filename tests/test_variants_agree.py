@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,9 @@ from planar_cli.homework.ready import Prepared
 from planar_cli.homework.set_file import read_set
 from planar_cli.homework.solved_anew import to_check
 from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve, with_numbers
+from planar_cli.homework.what_mistakes_give import with_mistakes
+from planar_cli.homework.worked_problem import WorkedProblem, base_expected, models_of, read_and_solve, with_numbers
+from planar_cli.replay.numbers import Replay
 
 
 def ready(folder: Path, text: str, number: int) -> tuple[WorkedProblem, Prepared]:
@@ -120,3 +123,55 @@ def test_each_value_is_solved_anew_where_few_variants_are_enough(tmp_path: Path)
     assert len(checked) <= 5
     many = [Draw((("m", f"{m} kg"), ("P", f"{m + 60} N"))) for m in range(40, 100)]
     assert {dict(many[k].values)["m"] for k in to_check(worked, many)} == {"40 kg", "99 kg"}
+
+
+FOUR_BAR = """
+given: {l_AB: {one_of: [0.2 m, 0.25 m]}, l_BC: 0.5 m, l_DC: 0.4 m, d: 0.6 m, w: {one_of: [8 rad/s, 10 rad/s]}}
+points:
+  A: [0, 0]
+  D: [d, 0]
+  B: {from: A, distance: l_AB, angle: 60 deg}
+  C: {distances: {B: l_BC, D: l_DC}, side: above}
+bodies: {AB: {rod: [A, B]}, BC: {rod: [B, C]}, DC: {rod: [D, C]}}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+  - pin: {at: B, between: [AB, BC]}
+  - pin: {at: C, between: [BC, DC]}
+  - pin: {at: D, between: [ground, DC]}
+motion: [omega(AB) = -w]
+find: {omega_BC: omega(BC), alpha_BC: alpha(BC), alpha_DC: alpha(DC)}
+"""
+
+
+def test_places_that_rest_on_what_varies_stay_in_letters(tmp_path: Path) -> None:
+    """C is where two circles meet, another point with another crank; no equation has a part twice."""
+    worked, made = ready(tmp_path, FOUR_BAR, 4)
+    assert made.taken == 4
+    assert not any("one by one" in w for w in made.warnings)
+    assert_solved_anew_the_same(worked, made)
+    mistakes = {m.name for e in made.tasks[0].expected if e.find == "alpha_BC" for m in e.mistakes}
+    assert "centripetal-left-out" in mistakes
+    assert "tangential-left-out" not in mistakes
+
+
+def test_wrong_equations_make_no_mistakes_and_carry_nothing(tmp_path: Path) -> None:
+    """Equations in which a length of the file was put in: where they do not give the answer, they tell nothing."""
+    worked, made = ready(tmp_path, ROUGH, 1)
+    data = pickle.loads(made.carrying)
+    (part,) = (p for p in worked.parts if p.solution.case == "")
+    assert part.replay is not None
+    weight = part.replay.equations.inputs["g"]
+    folded = part.replay.equations.mapped(
+        replace(s, residuals=tuple(r.xreplace({weight: 5}) for r in s.residuals)) for s in part.replay.equations.steps
+    )
+    broken = replace(part, replay=Replay(folded))
+    worked.parts = (broken, *worked.parts[1:])
+    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    models = {name for name, _ in models_of(worked)}
+    assert not models.intersection(m.name for m in row[0].mistakes)
+    assert models.intersection(m.name for m in row[-1].mistakes)
+    task, (_, _, one) = made.tasks[0], made.tasks[0].expected
+    strong = data.equations["strong"]
+    wrong = replace(data, equations={**data.equations, "strong": replace(folded, asked=strong.asked, case="strong")})
+    assert Carrier({"p": data}).for_variant(0)(task, one, {"N": (300.0,)}) is not None
+    assert Carrier({"p": wrong}).for_variant(0)(task, one, {"N": (300.0,)}) is None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import pickle
 from collections.abc import Mapping
+from dataclasses import field, replace
 
 import numpy as np
 import sympy as sp
@@ -14,7 +15,7 @@ from planar_cli.homework.dependence import only_unknown
 from planar_cli.homework.own_vectors import own_inputs, with_own
 from planar_cli.homework.paper import Expected, Task
 from planar_cli.homework.typed_formula import values_at
-from planar_cli.homework.worked_problem import WorkedProblem
+from planar_cli.homework.worked_problem import AGREES, NEARLY_ZERO, WorkedProblem
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.numbers import Replay
@@ -30,7 +31,7 @@ ROUNDS = 40
 class Carriable:
     """What carrying needs of a problem, fit to cross processes: by case its equations; `units` of the finds, `cases` in
     which they stand; `values`: by variant, numbers of given names in base units; `own`: by case, names that it gives
-    itself, whatever a variant has.
+    itself, whatever a variant has; `of_variants`: by variant, for those solved by themselves, their own equations.
     """
 
     us: bool
@@ -39,18 +40,34 @@ class Carriable:
     units: Mapping[str, str]
     values: Mapping[int, Mapping[str, float]]
     own: Mapping[str, frozenset[str]]
+    of_variants: Mapping[int, Mapping[str, Equations]] = field(default_factory=dict)
+
+    def at(self, variant: int) -> Carriable:
+        """For one variant: with its own equations, at its own values, where it has some."""
+        if variant not in self.of_variants:
+            return self
+        return replace(self, equations=self.of_variants[variant], values={}, of_variants={})
 
 
-def carriable(problem: WorkedProblem, values: Mapping[int, Mapping[str, float]]) -> Carriable:
-    """The same of a worked problem."""
+def carriable(
+    problem: WorkedProblem,
+    values: Mapping[int, Mapping[str, float]],
+    solved_alone: Mapping[int, WorkedProblem] | None = None,
+) -> Carriable:
+    """The same of a worked problem; of variants that were solved alone, by their equations."""
     return Carriable(
         problem.problem.us,
-        {p.solution.case: p.replay.equations for p in problem.parts if p.replay is not None},
+        _equations(problem),
         {f.name: p.solution.case for p, f in problem.finds},
         {f.name: f.unit.text for _, f in problem.finds},
         values,
         {p.solution.case: p.own for p in problem.parts},
+        {k: _equations(own) for k, own in (solved_alone or {}).items()},
     )
+
+
+def _equations(problem: WorkedProblem) -> dict[str, Equations]:
+    return {p.solution.case: p.replay.equations for p in problem.parts if p.replay is not None}
 
 
 class _Part:
@@ -60,6 +77,7 @@ class _Part:
         self.equations, self.replay = equations, Replay(equations)
         self.single = Single(self.replay)
         self._starts: dict[tuple[int, int], tuple[Values, Values]] = {}
+        self._given: dict[tuple[tuple[int, int], str], bool] = {}
         self._behind: dict[str, frozenset[sp.Symbol]] = {}
 
     def start(self, key: tuple[int, int], values: Mapping[str, float]) -> tuple[Values, Values]:
@@ -70,6 +88,17 @@ class _Part:
             run = self.replay.run({s: np.array([v]) for s, v in inputs.items()})
             self._starts[key] = inputs, {s: float(n[0]) for s, n in run.values.items()}
         return self._starts[key]
+
+    def gives(self, key: tuple[int, int], expected: Expected, due: tuple[float, ...]) -> bool:
+        """Do the equations, with nothing changed, give what is right? Else nothing is carried by them."""
+        if (key, expected.find) not in self._given:
+            _, right = self._starts[key]
+            numbers = [self.single.of(e, dict(right)) for e in self.equations.asked[expected.find].parts]
+            size = max(map(abs, due), default=0.0)
+            self._given[key, expected.find] = len(numbers) == len(due) and all(
+                abs(a - b) <= AGREES * size + NEARLY_ZERO for a, b in zip(numbers, due, strict=True)
+            )
+        return self._given[key, expected.find]
 
     def behind(self, find: str) -> frozenset[sp.Symbol]:
         """Everything on which a find rests."""
@@ -132,7 +161,19 @@ class Carrier:
     """Carries own values through the problems of a set, by their names."""
 
     def __init__(self, problems: Mapping[str, Carriable]) -> None:
-        self.problems = {name: _Ready(data) for name, data in problems.items()}
+        self.problems = dict(problems)
+        self._ready: dict[tuple[str, int], _Ready] = {}
+
+    def ready(self, problem: str, variant: int) -> _Ready | None:
+        """A problem as a variant has it; None: nothing is carried in it."""
+        data = self.problems.get(problem)
+        if data is None:
+            return None
+        # Where the variants have the same equations, they are made ready once.
+        key = problem, variant if variant in data.of_variants else -1
+        if key not in self._ready:
+            self._ready[key] = _Ready(data.at(variant))
+        return self._ready[key]
 
     def for_variant(self, variant: int) -> CarriedHere:
         """For the submissions of one variant."""
@@ -149,7 +190,7 @@ class CarriedHere:
         self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]]
     ) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
         """What a find comes to with own values of earlier finds, in its unit, and which of them it rests on."""
-        problem = self.carrier.problems.get(task.problem)
+        problem = self.carrier.ready(task.problem, self.variant)
         if problem is None:
             return None
         try:
@@ -213,6 +254,9 @@ def _carried(
     known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
     varied = {n: v for n, v in given.items() if n not in data.own[case]}
     inputs, right = part.start(key, {**varied, **known})
+    factor = unit(expected.find)
+    if not part.gives(key, expected, tuple(n * factor for n in due.get(expected.find, ()))):
+        return None
     inputs = dict(inputs)
     fixed: Values = {}
     names: list[str] = []
@@ -227,7 +271,6 @@ def _carried(
     if not names:
         return None
     values = part.single.run(inputs, fixed, right)
-    factor = unit(expected.find)
     numbers = tuple(part.single.of(e, values) / factor for e in part.equations.asked[expected.find].parts)
     fit = all(math.isfinite(n) for n in numbers) and any(numbers)
     return (numbers, tuple(names)) if fit else None

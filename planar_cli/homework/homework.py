@@ -48,11 +48,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     drawn = variants_of(solved, variants, seed, formulas)
     _demand_fit(problem, drawn)
     base = base_expected(solved)
-    expected = [base, *(v.expected for v in drawn.taken)]
-    file_values = columns(solved, [Draw(())])
-    rows = [*with_mistakes(solved, expected[:1], file_values)]
-    if drawn.taken:
-        rows += with_mistakes(solved, expected[1:], columns(solved, [v.draw for v in drawn.taken]))
+    rows = _with_mistakes(solved, base, drawn)
     draws = [Draw(()), *(v.draw for v in drawn.taken)]
     # Where there are fewer variants than were asked for, they are given out again from the first.
     spread = [0, *(k % len(drawn.taken) + 1 if drawn.taken else 0 for k in range(variants))]
@@ -67,16 +63,30 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     behind = behind_each(solved if same is None else same.problem)
     made = [replace(_task(problem, solved, d, e), behind=behind) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
+    solved_alone = (None, *(v.alone for v in drawn.taken))
+    alone = {k: own for k, place in enumerate(spread) if (own := solved_alone[place]) is not None}
     return Prepared(
         problem.name,
         tuple(made[place] for place in spread),
-        pickle.dumps(carriable(solved if same is None else same.problem, values)),
+        pickle.dumps(carriable(solved, values, alone) if same is None else carriable(same.problem, values)),
         tuple(_warnings(problem, drawn, variants)),
         drawn.tried,
         len(drawn.taken),
         tuple(sorted(drawn.rejected.items())),
         tuple(draws[place].values for place in spread),
     )
+
+
+def _with_mistakes(solved: WorkedProblem, base: tuple[Expected, ...], drawn: Variants) -> list[tuple[Expected, ...]]:
+    """The finds of the file, and of each variant, with what mistakes give; of variants that were solved alone by their
+    own equations.
+    """
+    rows = with_mistakes(solved, [base], columns(solved, [Draw(())]))
+    if any(v.alone is None for v in drawn.taken):
+        return rows + with_mistakes(
+            solved, [v.expected for v in drawn.taken], columns(solved, [v.draw for v in drawn.taken])
+        )
+    return rows + [row for v in drawn.taken if v.alone is not None for row in with_mistakes(v.alone, [v.expected], {})]
 
 
 def _demand_fit(problem: SetProblem, drawn: Variants) -> None:

@@ -67,6 +67,8 @@ class Variant:
 
     draw: Draw
     expected: tuple[Expected, ...]
+    alone: WorkedProblem | None = None
+    """Itself, where it was solved by itself: the equations of the file are not its own."""
 
 
 @changing
@@ -279,4 +281,4 @@ def _take_solved(
         told = {} if formulas is None or not any(e.formula for e in expected) else formulas(anew.solution, {})
         pairs = zip(base, expected, strict=True)
         taken = tuple(replace(as_in_file(before, now, told.get(now.find)), scale=before.scale) for before, now in pairs)
-        found.taken.append(Variant(draw, taken))
+        found.taken.append(Variant(draw, taken, anew))

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from planar_cli.errors import PlanarError
 from planar_cli.homework.mistakes.base import Mistake
@@ -22,6 +23,8 @@ TELLING = 1.2
 """A mistake is told where it gives a number that is off by so many tolerances: less is right, or may be rounding."""
 SAME = 1e-6
 """Relative: two mistakes that give the same number."""
+ZERO = 1e-9
+"""In parts of the largest given quantity of its dimension: what rounding leaves of a zero."""
 
 
 Found = dict[tuple[str, str, tuple[float, ...]], None]
@@ -36,15 +39,18 @@ def with_mistakes(
     found: list[list[Found]] = [[{} for _ in one] for one in papers]
     nearly: list[list[Found]] = [[{} for _ in one] for one in papers]
     index = {f.name: i for i, (_, f) in enumerate(problem.finds)}
+    fit = _fit(problem, papers, values)
     for name, model in models_of(problem):
         try:
             run = Carried(problem, values, model)
             for part, one in problem.finds:
-                if part.replay is None or one.name not in part.replay.equations.asked:
+                if one.name not in fit:
                     continue
-                i = index[one.name]
-                for k, mistaken, clearly in _wrong(run.asked(part, one), [paper[i] for paper in papers]):
-                    (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
+                i, numbers = index[one.name], run.asked(part, one)
+                changed = _apart(numbers, fit[one.name]) & np.isfinite(fit[one.name]).all(0)
+                for k, mistaken, clearly in _wrong(numbers, [paper[i] for paper in papers]):
+                    if changed[k]:
+                        (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
         except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
             # A model that cannot be carried out tells of no mistake.
             continue
@@ -67,6 +73,37 @@ def with_mistakes(
         )
         for paper, mistakes, others in zip(papers, found, nearly, strict=True)
     ]
+
+
+def _fit(
+    problem: WorkedProblem, papers: Sequence[Sequence[Expected]], values: Mapping[str, Numbers]
+) -> dict[str, Numbers]:
+    """What the equations give with nothing changed, one row for each component; NaN in variants where that is not what
+    is right, as equations that are wrong themselves tell nothing of a mistake.
+    """
+    found, index = {}, {f.name: i for i, (_, f) in enumerate(problem.finds)}
+    run = Carried(problem, values)
+    for part, one in problem.finds:
+        if part.replay is None or one.name not in part.replay.equations.asked:
+            continue
+        right = [paper[index[one.name]] for paper in papers]
+        numbers = np.array([np.broadcast_to(n, len(right)) for n in run.asked(part, one)], dtype=float)
+        if any(len(e.values) != len(numbers) for e in right):
+            continue
+        due = np.array([e.values for e in right]).T
+        least = np.array([ZERO * e.scale for e in right])
+        with np.errstate(all="ignore"):
+            same = np.hypot.reduce(numbers - due) <= SAME * np.hypot.reduce(due) + least
+        found[one.name] = np.where(same, numbers, np.nan)
+    return found
+
+
+def _apart(numbers: Sequence[Numbers], others: Numbers) -> NDArray[np.bool_]:
+    """Where numbers are not the same as others."""
+    with np.errstate(all="ignore"):
+        off = np.hypot.reduce(np.array([np.broadcast_to(n, others.shape[1]) for n in numbers]) - others)
+        apart: NDArray[np.bool_] = off > SAME * np.hypot.reduce(others)
+    return apart
 
 
 def _is_among(one: Sequence[float], others: Iterable[Sequence[float]]) -> bool:

@@ -250,8 +250,10 @@ def _models_of(problem: WorkedProblem) -> list[tuple[str, ModelOf]]:
         mistake: Mistake = kind()
         for part in problem.parts:
             if part.replay is not None:
-                case = part.solution.case
+                case, hold_data = part.solution.case, part.replay.equations.hold_data
                 for model in mistake.models(part.replay.equations, part.problem):
+                    if hold_data and model.changes_data:
+                        continue
                     # A model of which a formula has no value, as 1/g without the weight, tells of no mistake.
                     with suppress(NotWritten):
                         found.append((name, ModelOf(case, model, part.replay)))

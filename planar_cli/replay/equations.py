@@ -8,6 +8,7 @@ from dataclasses import field, replace
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
+from planar_cli.equation.plain import rounded_inside
 from planar_cli.records import record
 from planar_cli.units import Unit
 
@@ -76,6 +77,12 @@ class Equations:
     def unknowns(self) -> tuple[sp.Symbol, ...]:
         """What the steps give, in their order."""
         return tuple(u for step in self.steps for u in step.unknowns)
+
+    @property
+    def hold_data(self) -> bool:
+        """Do numbers stand in them that were computed from data? Then they hold with these data alone."""
+        formulas = (*(r for step in self.steps for r in step.residuals), *self.defined.values())
+        return any(rounded_inside(sp.sympify(e)) for e in formulas)
 
     def mapped(self, steps: Iterable[Step]) -> Equations:
         """The same with other steps."""

@@ -14,6 +14,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from planar_cli.equation.parts_of_accelerations import is_mark
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.expression import Binary, Name, Negate
@@ -39,6 +40,11 @@ class Model:
     equations: Equations
     inputs: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     start: Mapping[sp.Symbol, float] = field(default_factory=dict)
+
+    @property
+    def changes_data(self) -> bool:
+        """Does another number stand in place of a given one, and not only a factor of a part of an acceleration?"""
+        return any(not is_mark(symbol) for symbol in self.inputs)
 
 
 class Mistake(ABC):
