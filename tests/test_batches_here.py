@@ -233,3 +233,15 @@ def test_whoever_stops_it_no_worker_is_left(
     assert ran == Ran(2, 2, {"timeout": 2}, ())
     assert len(lines(tmp_path / "r")) == 4
     assert {result_of(line.text).student for line in heard} == {"s002", "s003"}
+
+
+def test_a_run_that_is_broken_off_tells_what_is_left(tmp_path: Path) -> None:
+    hand_in(tmp_path / "in", ["5 N", "6 N", "7 N"])
+    stops = [KeyboardInterrupt()]
+
+    def take(line: Line) -> None:
+        while stops:
+            raise stops.pop()
+
+    ran = grade_files([str(tmp_path / "in")], GRADING, 1, take=take)
+    assert (ran.interrupted, ran.graded, ran.left) == (signal.SIGINT, 1, 2)

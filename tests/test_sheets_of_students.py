@@ -62,3 +62,16 @@ def test_variants_that_are_not_graded_are_told(path: Path, capfd: pytest.Capture
     assert "write `variants: {number: 1, seed: 7}` there" in capfd.readouterr().err
     assert run(["key", str(path)]) == 0
     assert "grades by the variants" not in capfd.readouterr().err
+
+
+def test_a_run_that_is_taken_up_again_prints_all(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    handed = path.parent / "in"
+    handed.mkdir()
+    line = ["check", "--set", str(path), str(handed), "--results", str(path.parent / "done.jsonl")]
+    for student, form in (("ann", []), ("bob", []), ("", ["--format", "csv"])):
+        if student:
+            (handed / f"{student}.yaml").write_text("answers: {}")
+        assert run([*line, *form]) == 0
+        told = capfd.readouterr().out
+        assert ("ann" in told, "bob" in told) == (True, student != "ann")
+        assert form or "slope.a                      nobody answered" in told

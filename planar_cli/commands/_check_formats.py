@@ -30,7 +30,7 @@ def as_record(one: Checked) -> dict[str, Any]:
     return {
         "file": one.path,
         "problem": one.title,
-        "outcome": one.outcome,
+        "outcome": told(one),
         "answers": answers,
         "message": one.message,
         "diagnostics": [as_data(d) for d in one.diagnostics],

@@ -77,6 +77,8 @@ class _Class:
         self.report: ClassReport = ClassReport()
         self.kept: list[Result] = []
         self.names = Names()
+        self.printed: set[tuple[str, str]] = set()
+        """File and student of what was printed, where a results file may hold more."""
         self.is_whole = False
         self.titles = {t.problem: t.title for paper in homework.papers.values() for t in paper.tasks}
 
@@ -94,36 +96,50 @@ class _Class:
         with _executor(self.options["cluster"]) as executor:
             ran = grade_files(files, grading, jobs, self.options["results"], shard, executor, self._take)
         if self.options["results"]:
-            self._count_done_before(ran)
+            self._take_done_before(ran)
         if shard == (1, 1) and (told := passed_over(files)):
             echo(f"note: {told}", err=True)
         self.is_whole = shard == (1, 1) and not ran.interrupted
         self._close(ran)
         if ran.interrupted:
+            left = f"{ran.left} file{'s'[: ran.left != 1]} not graded" if ran.left else "nothing was left"
+            way = (
+                "the same command goes on there" if self.options["results"] else "--results FILE goes on when run again"
+            )
+            echo(f"broken off: {left}; {way}", err=True)
             return 128 + ran.interrupted
         return cli.UNDECIDED if sum(ran.ended.values()) > ran.ended.get("ok", 0) else cli.SOLVED
 
-    def _count_done_before(self, ran: Ran) -> None:
-        """With a results file the report and exports are of all that stands there."""
+    def _take_done_before(self, ran: Ran) -> None:
+        """With a results file all that stands there is printed, and the report and exports are of all."""
         from planar_cli.homework.class_report import ClassReport
-        from planar_cli.homework.results import results
+        from planar_cli.homework.results import merge, result_of
 
         if ran.skipped:
             self.report, self.kept = ClassReport(), []
-            for result in results([self.options["results"]]):
+            for text in merge([self.options["results"]]):
+                result = result_of(text)
                 self._add(result)
+                if (result.source, result.student) not in self.printed:
+                    self._print(text, result)
 
     def _take(self, line: Line) -> None:
         from planar_cli.homework.results import result_of
 
         result = result_of(line.text)
         self._add(result)
+        if self.options["results"]:
+            self.printed.add((result.source, result.student))
+        self._print(line.text, result)
+
+    def _print(self, text: str, result: Result) -> None:
+        """One submission, and its text to the student. `text`: its line of JSON."""
         if self.options["feedback"]:
-            text = feedback(result, self.homework.title, self.titles)
+            said = feedback(result, self.homework.title, self.titles)
             folder = self.options["feedback"]
-            write_files({file_of(result.student, folder, self.names): text.encode()}, folder)
+            write_files({file_of(result.student, folder, self.names): said.encode()}, folder)
         if self.form == "jsonl":
-            echo(line.text if not self.options["for_student"] else _for_student(line.text), exact=True)
+            echo(text if not self.options["for_student"] else _for_student(text), exact=True)
         elif self.form == "csv":
             echo(rows_of(result, self.options["for_student"]), end="", exact=True)
         elif self.form == "terminal":
@@ -253,7 +269,8 @@ def _print_report(report: ClassReport) -> None:
         ungradable = f", {row.ungradable} ungradable" if row.ungradable else ""
         mistakes = f"; {row.mistakes}" if row.mistakes else ""
         name = f"{row.problem}.{row.find}"
-        echo(visible(f"{name:<28} {row.right} of {row.answers} right{ungradable}{carried}{mistakes}"))
+        counted = f"{row.right} of {row.answers} right" if row.answers else "nobody answered"
+        echo(visible(f"{name:<28} {counted}{ungradable}{carried}{mistakes}"))
     shared = by_variant(report, SHARED)
     if len(shared) > 1:
         echo("")

@@ -16,7 +16,7 @@ import re
 import threading
 import zlib
 from collections import Counter
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import replace
 from functools import partial
@@ -41,7 +41,7 @@ AHEAD = 64
 class Ran:
     """What came of a run: submissions graded in it by how that ended, and those that were done before.
 
-    `interrupted`: the number of the signal that ended it early, 0 if none did.
+    `interrupted`: the number of the signal that ended it early, 0 if none did; `left`: so many files are not done then.
     """
 
     graded: int
@@ -49,10 +49,11 @@ class Ran:
     ended: Mapping[str, int]
     twice: tuple[str, ...]
     interrupted: int = 0
+    left: int = 0
 
 
 def grade_files(
-    names: Iterable[str],
+    names: Sequence[str],
     grading: Grading,
     jobs: int,
     results: str | None = None,
@@ -72,9 +73,12 @@ def grade_files(
     before: list[int] = []
     ended: Counter[str] = Counter()
     own = os.path.abspath(results) if results is not None else ""
-    files = (p for p in submission_files(names) if in_shard(p, shard) and os.path.abspath(p) != own)
+
+    def files() -> Iterator[str]:
+        return (p for p in submission_files(names) if in_shard(p, shard) and os.path.abspath(p) != own)
+
     order = InOrder(take)
-    batches = batches_of(order.expecting(_undone(files, index, grading.key, before.append)))
+    batches = batches_of(order.expecting(_undone(files(), index, grading.key, before.append)))
     lines = graded_here(grading, batches, jobs) if executor is None else graded_by(executor, batches, grading)
     interrupted = 0
     try:
@@ -92,7 +96,8 @@ def grade_files(
         if written is not None:
             written.close()
         order.close()
-    return Ran(sum(ended.values()), sum(before), dict(sorted(ended.items())), tuple(index.twice()), interrupted)
+    left = sum(1 for _ in _undone(files(), index, grading.key, lambda _: None)) if interrupted else 0
+    return Ran(sum(ended.values()), sum(before), dict(sorted(ended.items())), tuple(index.twice()), interrupted, left)
 
 
 # --- what is to be done ----------------------------------------------------------------------------------------------

@@ -93,7 +93,7 @@ than 10 000 characters, costs that line alone.
     planar check --set set.yaml submissions/                       every student, and the class
     planar check --set set.yaml submissions/ --export gradebook -o out
     planar check --set set.yaml submissions/ --feedback texts      a text for each student, with nothing of the key
-    planar check --set set.yaml submissions/ --results done.jsonl  goes on there when it is run again
+    planar check --set set.yaml submissions/ --results done.jsonl  goes on there when it is run again, and prints all
     planar check --set set.yaml --tolerance-report                 does 1 % fail who only rounds, in any variant, or
                                                                    pass a wrong model?
     planar check --set set.yaml --false-matches                    how often a random wrong number is diagnosed
