@@ -9,10 +9,10 @@ from dataclasses import replace
 from typing import Protocol
 
 from planar_cli.errors import Diagnostic, FileProblem, PlanarError
+from planar_cli.homework.marked_solution import plainly_read
 from planar_cli.homework.paper import Printed
 from planar_cli.homework.ready import Prepared, Values
 from planar_cli.homework.set_file import HomeworkSet
-from planar_cli.homework.worked_problem import plainly_read
 from planar_cli.problem.nodes import read_file
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.variations import with_first_values, with_values

@@ -16,10 +16,11 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
-from planar_cli.equation.parts_of_accelerations import marked
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words, in_case, is_energy
 from planar_cli.homework.headings import heading_of, lines_of
+from planar_cli.homework.literal_angles import with_names
+from planar_cli.homework.marked_solution import has_letters, marked_solution, plainly_read
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.own_gravity import gravity_of
 from planar_cli.homework.own_names import own_names
@@ -29,7 +30,6 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.nodes import Node, read_file
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.structure import problem_of
 from planar_cli.problem.variations import number_of, with_first_values, with_values
 from planar_cli.records import changing, record
 from planar_cli.registry import members
@@ -38,7 +38,6 @@ from planar_cli.replay.numbers import Numbers, Replay, Run
 from planar_cli.replay.opened import NotWritten
 from planar_cli.replay.written import equations_of, is_mode
 from planar_cli.solve.instant.verify import Disagreement
-from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.units import Unit, pretty_unit
@@ -101,31 +100,18 @@ def read_and_solve(path: str, name: str) -> WorkedProblem:
 
 def worked(path: str, name: str, node: Node) -> WorkedProblem:
     """The same from its tree."""
-    problem, wrong = problem_of(path, node, [])
-    if problem is None or wrong:
-        raise FileProblem(wrong)
-    solution = _solved(problem)
+    plain = plainly_read(path, node)
+    lettered = with_names(node)
+    if lettered is not node and not has_letters(plain):
+        with suppress(PlanarError, Disagreement):
+            return _worked(name, path, node, plainly_read(path, lettered))
+    return _worked(name, path, node, plain)
+
+
+def _worked(name: str, path: str, node: Node, problem: Problem) -> WorkedProblem:
+    solution = marked_solution(problem)
     parts = tuple(_part(p, _of_part(solution.problem, p), problem) for p in solution.parts)
     return WorkedProblem(name, path, node, problem, solution, parts)
-
-
-def plainly_read(path: str, node: Node) -> Problem:
-    """The problem of a tree as `planar solve` has it."""
-    problem, wrong = problem_of(path, node, [])
-    if problem is None or wrong:
-        raise FileProblem(wrong)
-    return problem
-
-
-def _solved(problem: Problem) -> Solution:
-    """The solution with the parts of accelerations marked in its equations, where it can be had so."""
-    if problem.symbols or any(c.problem.symbols for c in problem.cases):
-        return solve_problem(problem, problem.method)
-    try:
-        with marked():
-            return solve_problem(problem, problem.method)
-    except (PlanarError, Disagreement):
-        return solve_problem(problem, problem.method)
 
 
 def with_numbers(problem: WorkedProblem, values: Mapping[str, str]) -> WorkedProblem:

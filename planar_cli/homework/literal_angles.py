@@ -1,0 +1,80 @@
+"""Angles that a file writes as numbers, given names: what a student does wrong with a slope of 30° is the same whether
+the file says `angle: -30 deg` or gives the angle a letter.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from planar_cli.homework.printed_names import POINT, PREFIX
+from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
+
+PLACES = ("points", "bodies", "surfaces", "guides", "joints", "loads", "frames")
+"""Sections in which an angle is one of the drawing; what is known of a state is no part of it."""
+_ANGLE = re.compile(r"([+-]?)\s*(\d{1,3}(?:\.\d{1,6})?)\s*(?:deg|°)")
+
+
+def with_names(node: Node) -> Node:
+    """A file in which each such angle, from the nearest level line, has a name in `given`. Level and upright directions
+    stay: nobody has their sine and cosine wrong.
+    """
+    if not isinstance(node, Mapping):
+        return node
+    names: dict[Fraction, str] = {}
+    found = _of_file(node, names)
+    if not names:
+        return node
+    given = node.get("given")
+    pairs = given.pairs if isinstance(given, Mapping) else ()
+    more = tuple((_scalar(name, node), _scalar(f"{_number(angle)} deg", node)) for angle, name in names.items())
+    kept = tuple((k, v) for k, v in found.pairs if k.text != "given")
+    return Mapping(((_scalar("given", node), Mapping((*pairs, *more), node.mark)), *kept), node.mark)
+
+
+def _of_file(node: Mapping, names: dict[Fraction, str]) -> Mapping:
+    """A file, or a case of it."""
+    return Mapping(tuple((key, _section(key.text, value, names)) for key, value in node.pairs), node.mark)
+
+
+def _section(key: str, value: Node, names: dict[Fraction, str]) -> Node:
+    if key in PLACES:
+        return _named(value, names)
+    if key == "cases" and isinstance(value, Mapping):
+        cases = ((name, _of_file(case, names) if isinstance(case, Mapping) else case) for name, case in value.pairs)
+        return Mapping(tuple(cases), value.mark)
+    return value
+
+
+def _named(node: Node, names: dict[Fraction, str]) -> Node:
+    match node:
+        case Mapping(pairs=pairs):
+            return Mapping(tuple((key, _named(value, names)) for key, value in pairs), node.mark)
+        case Sequence(items=items):
+            return Sequence(tuple(_named(item, names) for item in items), node.mark)
+    written = _ANGLE.fullmatch(node.text.strip())
+    parts = None if written is None else _parts(Fraction(written[2]) * (-1 if written[1] == "-" else 1))
+    if parts is None:
+        return node
+    before, angle = parts
+    name = names.setdefault(angle, PREFIX + _number(angle).replace(".", POINT))
+    return Scalar(f"{before}{name}", False, node.mark, node.end)
+
+
+def _parts(angle: Fraction) -> tuple[str, Fraction] | None:
+    """`150 deg` as `180 deg - ` and 30; None: it lies along an axis."""
+    turns = {0: "", 180: "180 deg + ", -180: "-180 deg + "}
+    for level, before in turns.items():
+        rest = angle - level
+        if 0 < abs(rest) < 90:
+            sign = before[:-2] + "- " if before else "-"
+            return (before if rest > 0 else sign), abs(rest)
+    return None
+
+
+def _number(angle: Fraction) -> str:
+    return f"{float(angle):g}"
+
+
+def _scalar(text: str, node: Mapping) -> Scalar:
+    return Scalar(text, False, node.mark, node.mark)
