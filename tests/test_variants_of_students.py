@@ -87,3 +87,16 @@ def test_a_component_has_the_heading_of_its_own_variant(tmp_path: Path) -> None:
         degrees = float(dict(values).get("beta", "30 deg").split()[0])
         (a,) = task.expected
         assert a.heading == pytest.approx(-math.radians(degrees))
+
+
+def test_variants_differ_in_their_answers_where_they_can(tmp_path: Path) -> None:
+    """The mass is of no matter to a = g (sin β - μ cos β)."""
+    (problem,) = made(tmp_path, "variants: {number: 3}").problems
+    Path(problem.path).write_text(SLOPE.replace("5 deg, 35 deg]", "33 deg, 35 deg]"))
+    for seed in (1, 2, 3):
+        assert len({task.expected[0].text for task in prepared(problem, 3, seed).tasks[1:]}) == 3
+    ready = prepared(problem, 5, 1)
+    assert len(set(ready.values[1:])) == 5
+    assert (
+        "slope: 2 of 5 variants have the answers of another one, as there are no others that are fit" in ready.warnings
+    )

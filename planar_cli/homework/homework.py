@@ -110,6 +110,9 @@ def _warnings(problem: SetProblem, drawn: Variants, wanted: int) -> list[str]:
         found.append(f"{problem.name}: {there}{fit}, for {wanted} variants; they are given out again")
     elif wanted > len(drawn.taken):
         found.append(f"{problem.name}: only {len(drawn.taken)} of {wanted} variants are fit; they are given out again")
+    if drawn.repeated:
+        alike = f"{drawn.repeated} of {len(drawn.taken)} variants have the answers of another one"
+        found.append(f"{problem.name}: {alike}, as there are no others that are fit")
     if drawn.tried and drawn.rate < FEW:
         reasons = ", ".join(f"{count} because {why}" for why, count in drawn.rejected.most_common(3))
         found.append(f"{problem.name}: only {100 * drawn.rate:.0f} % of the combinations are fit ({reasons})")

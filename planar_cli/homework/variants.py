@@ -85,6 +85,24 @@ class Variants:
     """So many there are of the values that the file allows."""
     refused: dict[tuple[str, str], tuple[Draw, str]] = field(default_factory=dict)
     """By each value of a name, the first combination with it that is not fit by the equations, and why."""
+    alike: list[Variant] = field(default_factory=list)
+    """Fit combinations with the answers of one that is taken: they are taken where there are too few others."""
+    repeated: int = 0
+    """So many of these are taken."""
+    answers: set[tuple[str, ...]] = field(default_factory=set)
+    """Those of the variants taken, as a key tells them."""
+
+    def take(self, variant: Variant) -> None:
+        """One that is fit."""
+        answers = tuple(e.text for e in variant.expected)
+        (self.alike if answers in self.answers else self.taken).append(variant)
+        self.answers.add(answers)
+
+    def fill(self, count: int) -> None:
+        """So many variants where others that differ in an answer are not there."""
+        more = self.alike[: max(count - len(self.taken), 0)]
+        self.taken += more
+        self.repeated = len(more)
 
     @property
     def never(self) -> tuple[tuple[tuple[str, str], Counter[str]], ...]:
@@ -115,12 +133,14 @@ def variants_of(problem: WorkedProblem, count: int, seed: int, formulas: Formula
         together = max(int(SPARE * count), AT_LEAST)
         while len(found.taken) < count and (some := list(islice(drawn, together))):
             _take_written(problem, some, count, found)
+        found.fill(count)
         if _solved_anew_agree(problem, found):
             return found
         note = "solved one by one, as the equations of the file do not fit all values"
         found = Variants(note=note, combinations=found.combinations)
         drawn = draws(varied, f"{seed}/{problem.name}")
     _take_solved(problem, drawn, count, found, formulas)
+    found.fill(count)
     return found
 
 
@@ -148,7 +168,7 @@ def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, fou
         if why[k]:
             found.rejected[why[k]] += 1
             continue
-        found.taken.append(Variant(draw, out.expected(k)))
+        found.take(Variant(draw, out.expected(k)))
 
 
 class _CarriedOut:
@@ -281,4 +301,4 @@ def _take_solved(
         told = {} if formulas is None or not any(e.formula for e in expected) else formulas(anew.solution, {})
         pairs = zip(base, expected, strict=True)
         taken = tuple(replace(as_in_file(before, now, told.get(now.find)), scale=before.scale) for before, now in pairs)
-        found.taken.append(Variant(draw, taken, anew))
+        found.take(Variant(draw, taken, anew))
