@@ -67,13 +67,16 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
         status = max(status, more)
         told += [one] if one is not None else []
     if told:
-        write(_text(told, form, len(paths) > 1), output, exact=form != "table")
+        from planar_cli.formats._terminals import shown_on
+
+        with shown_on(sys.stdout, output) as width:
+            write(_text(told, form, len(paths) > 1, width), output, exact=True)
     if plot is not None:
         write_bytes(picture([(one.title, one.study) for one in told if one.study is not None], plot), plot)
     return status
 
 
-def _text(told: Sequence[Told], form: str, several: bool) -> str:
+def _text(told: Sequence[Told], form: str, several: bool, width: int) -> str:
     """All as one output."""
     from planar_cli.simulate.accuracy_report import as_csv, as_data, as_markdown, as_summary, as_text
 
@@ -86,7 +89,7 @@ def _text(told: Sequence[Told], form: str, several: bool) -> str:
         return as_csv(told)
     if form == "markdown":
         return "\n".join(map(as_markdown, told))
-    return as_summary(told) if several else as_text(told[0])
+    return as_summary(told, width) if several else as_text(told[0], width)
 
 
 def _told(path: str, options: dict[str, Any], brief: bool) -> tuple[int, Told]:

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 STATUS = {"followed": cli.SOLVED, "contradicted": cli.DISAGREES, "not followed": cli.UNDECIDED}
 OUTPUTS = ("table", "csv", "json", "npz")
+MOST_PLOTS = 3
+"""In letters below the table."""
 PLOTS = ("time", "path", "phase", "energy")
 PICTURES, FILMS = (".svg", ".png"), (".svg", ".html")
 
@@ -80,7 +82,7 @@ def command(
     for path in files:
         try:
             with limits(timeout):
-                more, piece = _simulated(path, request, motions)
+                more, piece = _simulated(path, request, motions, file)
         except PlanarError as error:
             more, piece = cli.tell(error), None
         status = max(status, more)
@@ -131,7 +133,7 @@ def _film(motions: Sequence[Motion], speed: float | None, path: str) -> bytes:
     return (animated(shown) if path.lower().endswith(".svg") else page(shown)).encode()
 
 
-def _simulated(path: str, request: Request, motions: list[Motion]) -> tuple[int, Any]:
+def _simulated(path: str, request: Request, motions: list[Motion], file: str | None) -> tuple[int, Any]:
     """One file as text, or as data for JSON and npz."""
     from planar_cli.problem.structure import load
     from planar_cli.simulate.report import Watch, told
@@ -139,8 +141,20 @@ def _simulated(path: str, request: Request, motions: list[Motion]) -> tuple[int,
     problem, wrong, _ = load(path)
     if wrong or problem is None:
         raise FileProblem(wrong)
-    ended, piece = told(problem, request, Watch(_progress(problem), motions=motions))
+    from planar_cli.formats._terminals import shown_on
+
+    with shown_on(sys.stdout, file) as width:
+        watch = Watch(_progress(problem), partial(_small_plots, width), motions, width)
+        ended, piece = told(problem, request, watch)
     return STATUS[ended], piece
+
+
+def _small_plots(width: int, motion: Motion) -> list[str]:
+    """The first columns of the table that change, as plots in letters."""
+    from planar_cli.figures.plots import changing_graphs
+    from planar_cli.formats._small_plot import small_plot
+
+    return [line for graph in changing_graphs(motion)[:MOST_PLOTS] for line in ("", *small_plot(graph, width))]
 
 
 def _progress(problem: Problem) -> Callable[[float, float], None] | None:
@@ -165,4 +179,4 @@ def _put(pieces: list[Any], request: Request, file: str | None) -> None:
         if pieces:
             write(dumps(pieces[0] if len(pieces) == 1 else {"simulations": pieces}), file, exact=True)
     elif pieces:
-        write("\n".join(pieces), file, exact=request.output != "table")
+        write("\n".join(pieces), file, exact=True)

@@ -60,6 +60,13 @@ def _time(motion: Motion) -> tuple[Graph, ...]:
     return _beside(graphs, over_time(motion.other, plotted(motion.other, [q.column for q in shown])))
 
 
+def changing_graphs(motion: Motion) -> tuple[Graph, ...]:
+    """The quantities that change, without another motion beside them."""
+    columns = columns_of(motion.run.problem, motion.asked)
+    changing = [q for q in plotted(motion.run, columns) if q.pieces and not q.constant]
+    return over_time(motion.run, changing)
+
+
 def _beside(graphs: Sequence[Graph], others: Sequence[Graph]) -> tuple[Graph, ...]:
     """Graphs with the curves of another motion, dashed."""
     return tuple(_with(own, other) if other is not None else own for own, other in zip_longest(graphs, others) if own)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Sequence
 from dataclasses import replace
 from io import StringIO
 from typing import ClassVar, TextIO, final
 
 from planar_cli.formats._layout import FIRM, Row, Span, fill, indent, row_cells, settled, side_spans, spans, words
+from planar_cli.formats._terminals import PIPE_WIDTH, width_of
 from planar_cli.formats.base import Format, runs
 from planar_cli.plain_letters import in_plain, is_poor, letters
 from planar_cli.records import record
@@ -34,9 +34,6 @@ from planar_cli.report.blocks import (
 )
 from planar_cli.report.names import plain_name, printable
 
-PIPE_WIDTH = 110
-SMALLEST_WIDTH = 20
-_LARGEST_WIDTH = 120
 _BODY = 2
 _NUMBER = 4
 _NOTE_COLUMN = 56
@@ -267,14 +264,6 @@ class Terminal(Format[Row]):
         for line in lines:
             rows += fill(indent(hang) if rows else head, line, hang, self.width)
         return rows
-
-
-def width_of(stream: TextIO) -> int:
-    """The columns of a terminal; of anything else those that COLUMNS says, else `PIPE_WIDTH`."""
-    told = os.environ.get("COLUMNS", "")
-    if not stream.isatty() and not (told.isdecimal() and int(told)):
-        return PIPE_WIDTH
-    return max(min(shutil.get_terminal_size().columns, _LARGEST_WIDTH), SMALLEST_WIDTH)
 
 
 def _alike(run: Sequence[Equation]) -> list[list[Equation]]:

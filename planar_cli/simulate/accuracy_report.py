@@ -7,6 +7,7 @@ import io
 import math
 import re
 from collections.abc import Iterator, Sequence
+from itertools import groupby, zip_longest
 from typing import Any
 
 from planar_cli.integrators.base import EPSILON
@@ -14,13 +15,14 @@ from planar_cli.motion.estimate import Growth
 from planar_cli.problem.show import harmless, spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.simulate.accuracy import Advice, Row, Study
+from planar_cli.simulate.columns import NARROW, USUAL, in_width, wrapped
 from planar_cli.simulate.diagram import diagram
 from planar_cli.simulate.solving import Solved
 
 HEADS = ("integrator", "tolerance or step", "error", "estimated", "energy", "drift", "evaluations", "time")
 SUMMARY = ("scene", "error", "estimated", "energy", "drift", "time", "6 digits in", "ended", "horizon")
-LEFT = (0, 7)
-"""The columns that hold texts."""
+SHORT, NOTE = "setting", 3
+"""What the second column is called in a narrow table; what stands before a note."""
 MIDDLE, SIX, LONGEST = 1e-9, 6, 48
 """The tolerance, the digits, and the longest text of a line."""
 CSV_HEADS = (
@@ -51,21 +53,39 @@ class Told:
     """Why there is no study."""
 
 
-def as_text(told: Told) -> str:
+def as_text(told: Told, width: int = USUAL) -> str:
     """For a terminal: the table, the diagram, and what follows from them."""
     study = told.study
     if study is None:
-        return "\n".join([told.title, "", *_endings(told), ""])
-    rows = [_cells(row) for row in study.rows]
-    widths = [max(len(r[i]) for r in (HEADS, *rows)) for i in range(len(HEADS))]
-    lines = [told.title, "", *_head(study), ""]
-    for row, cells in zip((None, *study.rows), (HEADS, *rows), strict=True):
-        line = "  ".join(
-            c.ljust(w) if i < 2 else c.rjust(w) for i, (c, w) in enumerate(zip(cells, widths, strict=True))
-        )
-        lines.append("  " + line.rstrip() + (f"   {row.note}" if row is not None and row.note else ""))
-    lines += ["", *diagram(study), "", *_conclusions(study), *_endings(told), ""]
+        return "\n".join(wrapped([told.title, "", *_endings(told), ""], width))
+    lines = [*wrapped([told.title, "", *_head(study), ""], width), *_table(study, width)]
+    lines += ["", *diagram(study, width), ""] if lines[-1] else [*diagram(study, width), ""]
+    lines += wrapped([*_conclusions(study), *_endings(told), ""], width)
     return "\n".join(lines)
+
+
+def _table(study: Study, width: int) -> Iterator[str]:
+    """All rows; in a narrow terminal those of one integrator after the other."""
+    if width >= NARROW:
+        table = in_width(HEADS, [_cells(row) for row in study.rows], 2, width, left=(0, 1))
+        yield from _with_notes(table, [row.note for row in study.rows], width)
+        return
+    for kind, group in groupby(study.rows, key=lambda row: row.integrator):
+        rows = list(group)
+        yield kind
+        table = in_width((SHORT, *HEADS[2:]), [_cells(row)[1:] for row in rows], 1, width, left=(0,))
+        yield from _with_notes(table, [row.note for row in rows], width)
+        yield ""
+
+
+def _with_notes(table: Sequence[str], notes: Sequence[str], width: int) -> Iterator[str]:
+    """Why a row has no error, behind it, or below where there is no room."""
+    for line, note in zip_longest(table, ["", *notes], fillvalue=""):
+        if note and len(line) + NOTE + len(note) > width:
+            yield line
+            yield from wrapped([" " * 2 * NOTE + note], width)
+        else:
+            yield line + (" " * NOTE + note if note else "")
 
 
 def as_markdown(told: Told) -> str:
@@ -87,16 +107,12 @@ def _words(text: str) -> str:
     return re.sub(r"([\\`*_{}\[\]<>#|~$&!])", r"\\\1", harmless(text, kept=""))
 
 
-def as_summary(told: Sequence[Told]) -> str:
+def as_summary(told: Sequence[Told], width: int = USUAL) -> str:
     """A line for every scene, at the tolerance nearest to MIDDLE, and why others could not be studied."""
-    cells = [SUMMARY, *(_line(one.title, one.study) for one in told if one.study is not None)]
-    widths = [max(len(c[i]) for c in cells) for i in range(len(SUMMARY))]
-    lines = [
-        "  ".join(c.ljust(w) if i in LEFT else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
-        for row in cells
-    ]
+    cells = [_line(one.title, one.study) for one in told if one.study is not None]
+    lines = in_width(SUMMARY, cells, 1, width, left=(0, 7), indent=0)
     missing = [f"{one.title}: {one.failed}" for one in told if one.study is None]
-    return "\n".join([*(line.rstrip() for line in lines), *([""] if missing else []), *missing, ""])
+    return "\n".join([*lines, *wrapped([*([""] if missing else []), *missing, ""], width)])
 
 
 def _line(title: str, study: Study) -> tuple[str, ...]:

@@ -10,10 +10,13 @@ from io import BytesIO
 from planar_cli.errors import PlanarError
 from planar_cli.problem.show import harmless
 from planar_cli.simulate.accuracy import Row, Study
+from planar_cli.simulate.columns import USUAL, wrapped
 
 WIDTH, HEIGHT = 64, 18
 """Of the field of a diagram in letters."""
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
+BESIDE, FEWEST = 12, 16
+"""What the numbers beside it take, and the narrowest field."""
 ESTIMATED = "·"
 """Where an estimated error stands for its row."""
 LEAST = 1e-16
@@ -36,12 +39,12 @@ def _lowest(study: Study) -> float:
     return max(known, LEAST) if math.isfinite(known) else LEAST
 
 
-def diagram(study: Study) -> list[str]:
+def diagram(study: Study, columns: int = USUAL) -> list[str]:
     """Time [s] to the right, error upward, both by powers of ten; a letter for every integrator."""
     curves = _curves(study)
     if not curves:
         return []
-    low = _lowest(study)
+    low, width = _lowest(study), max(min(WIDTH, columns - BESIDE), FEWEST)
     times = [math.log10(r.seconds) for rows in curves.values() for r in rows]
     errors = [
         math.log10(max(e, low))
@@ -52,10 +55,10 @@ def diagram(study: Study) -> list[str]:
     ]
     left, right = math.floor(min(times)), math.ceil(max(times) + 1e-9)
     bottom, top = math.floor(min(errors)), math.ceil(max(errors) + 1e-9)
-    field = [[" "] * (WIDTH + 1) for _ in range(HEIGHT + 1)]
+    field = [[" "] * (width + 1) for _ in range(HEIGHT + 1)]
 
     def put(row: Row, error: float, letter: str) -> None:
-        x = round(WIDTH * (math.log10(row.seconds) - left) / (right - left))
+        x = round(width * (math.log10(row.seconds) - left) / (right - left))
         y = round(HEIGHT * (top - math.log10(max(error, low))) / (top - bottom))
         if letter != ESTIMATED or field[y][x] == " ":
             field[y][x] = letter
@@ -69,18 +72,17 @@ def diagram(study: Study) -> list[str]:
         for row in rows:
             if row.estimated is not None:
                 put(row, row.estimated, ESTIMATED)
-    lines = ["error (parts of the scales) over time [s]:"]
+    lines = [*wrapped(["error (parts of the scales) over time [s]:"], columns)]
     marks = _marks(bottom, top, HEIGHT)
     for i, cells in enumerate(field):
         lines.append(f"{marks.get(HEIGHT - i, ''):>7} |{''.join(cells).rstrip()}")
-    lines.append(" " * 8 + "+" + "-" * (WIDTH + 1))
-    scale = [" "] * (WIDTH + 12)
-    for x, text in _marks(left, right, WIDTH).items():
+    lines.append(" " * 8 + "+" + "-" * (width + 1))
+    scale = [" "] * (width + 12)
+    for x, text in _marks(left, right, width).items():
         scale[x : x + len(text)] = text
     lines.append(" " * 8 + "".join(scale).rstrip())
-    lines.append(
-        "  " + "   ".join(f"{letter} {kind}" for letter, (kind, _) in named) + f"   {ESTIMATED} estimated error"
-    )
+    named_so = [f"{letter} {kind}" for letter, (kind, _) in named]
+    lines += wrapped(["  " + "   ".join([*named_so, f"{ESTIMATED} estimated error"])], columns)
     return lines
 
 

@@ -14,6 +14,7 @@ from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.show import spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.simulate.answers import Answered
+from planar_cli.simulate.columns import USUAL, in_width, wrapped
 from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, number_of, stops
@@ -58,6 +59,8 @@ class Watch:
     """Gives the lines below the table of a motion."""
     motions: list[Motion] = field(default_factory=list)
     """The motions, as they are followed."""
+    width: int = USUAL
+    """Columns of a table in letters."""
 
 
 def told(problem: Problem, request: Request, watch: Watch) -> tuple[str, Any]:
@@ -87,7 +90,7 @@ def told(problem: Problem, request: Request, watch: Watch) -> tuple[str, Any]:
         return status, whole
     if request.output == "csv":
         return status, "\n".join(told_parts)
-    return status, "\n".join([problem.title or problem.file, "", *told_parts])
+    return status, "\n".join([*wrapped([problem.title or problem.file], watch.width), "", *told_parts])
 
 
 def _refusal(case: str, error: FileProblem | NoSolution | NotFollowed, request: Request) -> Any:
@@ -152,15 +155,9 @@ def _part(
     if request.output == "csv":
         return found, _status(found), "\n".join([*_csv(table), ""])
     lines = [f"CASE  {case.replace('_', ' ')}", ""] if case else []
-    lines += [
-        *_head(found.run),
-        "",
-        *_aligned(table),
-        *watch.plot(motion),
-        *_happened(found.run.trajectory),
-        *_answers(found, other),
-    ]
-    return found, _status(found), "\n".join([*lines, *_checks(found), ""])
+    lines += [*wrapped(_head(found.run), watch.width), "", *_aligned(table, watch.width), *watch.plot(motion)]
+    told = [*_happened(found.run.trajectory), *_answers(found, other), *_checks(found)]
+    return found, _status(found), "\n".join([*lines, *wrapped(told, watch.width), ""])
 
 
 def _without(problem: Problem, request: Request, settings: Settings, stated: Sequence[Answer]) -> Simulation | None:
@@ -205,13 +202,10 @@ def _many(count: int, word: str) -> str:
     return f"{count} {word}" if count == 1 else f"{count} {word}s"
 
 
-def _aligned(table: Table) -> Iterator[str]:
+def _aligned(table: Table, width: int) -> list[str]:
     heads = [f"{n} [{pretty_unit(u)}]" if u != "1" else n for n, u in zip(table.names, table.units, strict=True)]
     rows = [[_cell(v, size) for v, size in zip(row, table.sizes, strict=True)] for row in table.rows]
-    widths = [max(len(h), *(len(r[i]) for r in rows), 0) for i, h in enumerate(heads)] if rows else map(len, heads)
-    widths = list(widths)
-    for cells in (heads, *rows):
-        yield "  " + "  ".join(c.rjust(w) for c, w in zip(cells, widths, strict=True))
+    return in_width(heads, rows, 1, width)
 
 
 def _cell(value: float, size: float) -> str:

@@ -1,0 +1,103 @@
+"""A graph as a small plot in letters, for a terminal."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
+from planar_cli.formats._graph import Ticked, ticked
+from planar_cli.formats._layout import settled, spans
+from planar_cli.plain_letters import letters
+from planar_cli.report.blocks import Line
+from planar_cli.report.graphs import Graph, Scaled
+from planar_cli.report.numbers import superscript
+
+WIDEST, FEWEST, ROWS = 66, 12, 8
+"""Columns of the field at most and at least, and its rows."""
+INDENT = 2
+EACH = 9
+"""So many columns a number on the axis of time has."""
+NARROW = 60
+"""In fewer columns what is measured stands below the axis, not behind it."""
+POINT = "●"
+
+
+def small_plot(graph: Graph, width: int) -> list[str]:
+    """The lines of a plot that is no wider than `width`."""
+    up = ticked(graph.up.low, graph.up.high, ROWS // 2)
+    told = {k: letters(up.told(t).replace("−", "-")) for k, t in enumerate(up.ticks)}
+    beside = max(map(len, told.values()))
+    behind = f" {_measured(graph.across, 0)}" if width >= NARROW else ""
+    columns = max(min(WIDEST, width - INDENT - beside - 3 - len(behind)), FEWEST)
+    across = ticked(graph.across.low, graph.across.high, max(1, columns // EACH), tight=True)
+    canvas = Canvas(columns, ROWS)
+    spot = _Spots(across, up, columns)
+    for curve in graph.curves:
+        for piece in curve.pieces:
+            for start, end in pairwise((piece[0], *piece)):
+                canvas.stroke(spot(start), spot(end))
+    for curve in graph.curves if len(graph.curves) > 1 else ():
+        if curve.pieces and curve.words:
+            _label(canvas, spot(curve.pieces[-1][-1]), _text(curve.words))
+    for dot in graph.dots:
+        x, y = spot(dot.at)
+        canvas.put(round(x) // ACROSS, round(y) // DOWN, POINT)
+        _label(canvas, (x, y), _text(dot.words))
+    marks = {round(spot((across.low, t))[1]) // DOWN: told[k] for k, t in enumerate(up.ticks)}
+    lines = [" " * INDENT + _measured(graph.up, up.power)]
+    for row, cells in enumerate(canvas.lines()):
+        axis = "┤" if row in marks else "│"
+        lines.append(" " * INDENT + marks.get(row, "").rjust(beside) + letters(f" {axis}") + cells)
+    return [*lines, *_axis(graph.across, across, spot, width, INDENT + beside + 1)]
+
+
+class _Spots:
+    """Where numbers are on a canvas, in dots."""
+
+    def __init__(self, across: Ticked, up: Ticked, columns: int) -> None:
+        self.across, self.up = across, up
+        self.width, self.height = columns * ACROSS - 1, ROWS * DOWN - 1
+
+    def __call__(self, at: tuple[float, float]) -> tuple[float, float]:
+        x = (at[0] - self.across.low) / (self.across.high - self.across.low)
+        y = (at[1] - self.up.low) / (self.up.high - self.up.low)
+        return x * self.width, (1 - y) * self.height
+
+
+def _label(canvas: Canvas, at: tuple[float, float], text: str) -> None:
+    """Words beside a place, where nothing stands yet; else not at all, as the list of what happens has them."""
+    column, row = round(at[0]) // ACROSS, round(at[1]) // DOWN
+    left, right = column - len(text), column + 1
+    around = ((right, row - 1), (left, row - 1), (right, row + 1), (left, row + 1), (right + 1, row), (left - 1, row))
+    for place in around:
+        if canvas.is_free(*place, len(text)):
+            canvas.put(*place, text)
+            return
+
+
+def _axis(scaled: Scaled, across: Ticked, spot: _Spots, width: int, start: int) -> list[str]:
+    """The line of the axis, and its numbers below."""
+    columns = (spot.width + 1) // ACROSS
+    places = {round(spot((t, spot.up.low))[0]) // ACROSS: t for t in across.ticks}
+    line = "".join("┬" if k in places else "─" for k in range(columns))
+    below = [" "] * (columns + EACH)
+    for column, t in places.items():
+        text = letters(across.told(t).replace("−", "-"))
+        begin = max(column - (len(text) - 1) // 2, 0)
+        if all(c == " " for c in below[max(begin - 1, 0) : begin + len(text) + 1]):
+            below[begin : begin + len(text)] = text
+    words = _measured(scaled, across.power)
+    whole = " " * start + letters("└" + line)
+    last = " " * (start + 1) + "".join(below).rstrip()
+    if width >= NARROW:
+        return [f"{whole} {words}", last]
+    return [whole, last, " " * (start + 1 + max(columns - len(words), 0)) + words]
+
+
+def _measured(axis: Scaled, power: int) -> str:
+    unit = " ".join(p for p in (f"10{superscript(str(power))}" if power else "", axis.unit) if p)
+    return _text(axis.words) + letters(f" in {unit}" if unit else "")
+
+
+def _text(words: Line) -> str:
+    return "".join(s.text for s in settled(spans(words)))
