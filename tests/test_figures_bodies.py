@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 from conftest import PROBLEMS
@@ -12,7 +13,11 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.outlines import outlines
 from planar_cli.figures.rings import inside, meets
-from planar_cli.report.marks import Arc, Arrow, Figure, Hatched, Polyline, Spot, Symbol
+from planar_cli.formats._on_paper import Scale, on_paper
+from planar_cli.formats._paper import Stroke
+from planar_cli.formats._svg import papers_of
+from planar_cli.report.blocks import line
+from planar_cli.report.marks import Arc, Arrow, Figure, Hatched, Panel, Polyline, Spot, Symbol, Turn
 from planar_cli.report.narrate import narrate
 
 
@@ -77,3 +82,27 @@ def test_a_point_over_which_a_rope_runs_is_a_wheel_that_hangs_from_above() -> No
     assert all(math.dist(ropes[1][i], wheels[i].center) == pytest.approx(wheels[i].radius) for i in (0, 1))
     (wall,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "wall")
     assert math.sin(2 * wall.angle) == pytest.approx(0, abs=1e-9), "upright, or level"
+
+
+def test_an_arrow_along_a_bar_lies_on_a_light_bar() -> None:
+    figure = drawings("textbook/ex-4-06")["rod"]
+    assert all(m.style == "slim" for p in figure.panels for m in p.marks if isinstance(m, Polyline))
+
+
+def test_each_dimension_line_has_its_words_within_it() -> None:
+    (paper,) = papers_of(drawings("systems/rear-wheel-drive")["scene"])
+    lengths = [p for p in paper.placed if p.words.within]
+    assert len(lengths) >= 2
+    for placed in lengths:
+        x, y = placed.words.anchor
+        assert placed.box.left < x < placed.box.right
+        assert placed.box.top < y < placed.box.bottom
+
+
+def test_the_arrow_of_a_couple_keeps_off_the_rim_about_which_it_is() -> None:
+    wheel, couple = Arc((0.0, 0.0), 0.17, "body"), Turn((0.0, 0.0), 1, "force", line("M"))
+    paper = on_paper(Panel((wheel, couple, couple)), Scale(100.0))
+    strokes = [s for s in paper.strokes if isinstance(s, Stroke) and s.kind == "force"]
+    radii = sorted(math.hypot(*s.places[0]) for s in strokes)
+    assert all(abs(b - a) >= 5.0 for a, b in pairwise(radii))
+    assert all(abs(r - 17.0) >= 5.0 for r in radii)

@@ -20,7 +20,20 @@ from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Surface
 from planar_cli.report.blocks import line
-from planar_cli.report.marks import Angle, Arrow, Axes, Hatched, Mark, Panel, Spot, Symbol, Tag, Turn, spots_of
+from planar_cli.report.marks import (
+    Angle,
+    Arrow,
+    Axes,
+    Dimension,
+    Hatched,
+    Mark,
+    Panel,
+    Spot,
+    Symbol,
+    Tag,
+    Turn,
+    spots_of,
+)
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
@@ -119,11 +132,21 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     yield from (Symbol("point", s) for s in shown.values())
     tagged = {**shown, **_particles(drawn, problem, shown)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
-    yield from measure_marks(drawn, problem, tagged)
+    measures = [*measure_marks(drawn, problem, tagged)]
+    yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
         yield from given_motion_marks(moving, problem, aside)
     yield Axes(problem.plane == "vertical")
     yield from _bodies_named(drawn, problem, tagged)
+
+
+def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]:
+    """Where coordinates are measured from, if both x and y are and no point with a name lies there."""
+    level = [m for m in measures if isinstance(m, Dimension) and m.level]
+    across = {abs(m.start[0] - m.end[0]) > abs(m.start[1] - m.end[1]) for m in level}
+    if len(across) == 2 and all(math.hypot(*s) > 1e-9 for s in tagged.values()):
+        yield Symbol("origin", (0.0, 0.0))
+        yield Tag((0.0, 0.0), line("0"))
 
 
 def _standing(drawn: Drawn, problem: Problem, surface: Surface, mark: Hatched) -> dict[str, Symbol]:

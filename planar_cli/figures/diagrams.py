@@ -65,7 +65,7 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
     assert drawn.scene is not None
     (body, *others) = (drawn.scene.bodies[name] for name in row.body.split(", "))
-    marks: list[Mark] = [m for b in (body, *others) for m in body_marks(drawn, b)]
+    marks: list[Mark] = [_slim(m) for b in (body, *others) for m in body_marks(drawn, b)]
     center = drawn.spot(body.center)
     if body.rigid and center is not None:
         marks.append(Symbol("centre", center))
@@ -107,6 +107,12 @@ def _mark(
     key = (round(at[0], 9), round(at[1], 9), round(angle, 3), inward)
     again = taken[key] = taken.get(key, -1) + 1
     yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward)
+
+
+def _slim(mark: Mark) -> Mark:
+    """A bar that leaves an arrow along it to be seen."""
+    bar = isinstance(mark, Polyline) and not mark.closed and mark.style == "body"
+    return replace(mark, style="slim") if isinstance(mark, Polyline) and bar else mark
 
 
 def _on_edge(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:

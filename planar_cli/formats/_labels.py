@@ -18,8 +18,10 @@ ANGLES = tuple(math.radians(a) for a in range(0, 360, 20))
 FAR = (1.0, 2.2, 4.0, 7.0, 11.0, 16.0)
 """Distances from the anchor in parts of the gap that is usual."""
 ROUNDS = 4
-CLASH, COVERS, AWAY, TURNED = 1e6, 3.0, 2.0, 1.5
-"""What it costs to overlap another label; to cover a cell of a stroke; to stand farther; to be off the best angle."""
+CLASH, COVERS, AWAY, TURNED, OUTSIDE = 1e6, 3.0, 2.0, 1.5, 25.0
+"""What it costs to overlap another label; to cover a cell of a stroke; to stand farther; to be off the best angle; to
+stand outside a gap that is left for it.
+"""
 
 
 def with_labels(paper: Paper) -> Paper:
@@ -53,12 +55,22 @@ def _best(words: Words, others: Sequence[Box], ink: Counter[tuple[int, int]]) ->
 
 
 def _candidates(words: Words, others: Sequence[Box], ink: Counter[tuple[int, int]]) -> Iterator[_Candidate]:
+    x, y, half_w, half_h = *words.anchor, words.width / 2, words.height / 2
+    if words.within:
+        box = Box(x - half_w, y - half_h, x + half_w, y + half_h)
+        yield _Candidate(box, sum(box.overlaps(o) for o in others) * CLASH + COVERS * _covered(box, ink))
     for far in FAR:
         for angle in (*words.angles, *ANGLES):
             box = _box(words, angle, words.gap * far)
             off = min((abs(math.remainder(angle - a, 2 * math.pi)) for a in words.angles), default=0.0)
             clashes = sum(box.overlaps(o) for o in others)
-            cost = clashes * CLASH + COVERS * _covered(box, ink) + AWAY * (far - 1) + TURNED * off
+            cost = (
+                clashes * CLASH
+                + (OUTSIDE if words.within else 0.0)
+                + COVERS * _covered(box, ink)
+                + AWAY * (far - 1)
+                + TURNED * off
+            )
             yield _Candidate(box, cost)
 
 

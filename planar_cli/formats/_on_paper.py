@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import singledispatch
-from itertools import pairwise
 from typing import Any
 
 from planar_cli.formats._graph import graph_pieces
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words, along, box_of, runs_of
+from planar_cli.formats._signs import sign
+from planar_cli.formats._strokes import HEAD, LATER, WAY, Piece, arc, hatching, moved, pointed
 from planar_cli.records import record
 from planar_cli.report.blocks import Line
 from planar_cli.report.graphs import Graph
@@ -32,24 +34,21 @@ from planar_cli.report.marks import (
     spots_of,
 )
 
-ARROW, HEAD, WING = 46.0, 9.0, 3.6
-"""The length of an arrow, and of its head and half its width."""
-TICK, EVERY = 7.0, 7.0
-"""Hatching."""
-BLOCK = 26.0
-SLIDER = (24.0, 14.0)
-HANGER = 24.0
-ASIDE = 18.0
-"""How far a dimension is drawn beside what it measures."""
+ASIDE, ROW = 18.0, 24.0
+"""How far a dimension is drawn beside what it measures, and how far rows of them are apart."""
 VERTEX = 26.0
 """The radius of the arc of an angle."""
-COUPLE = 17.0
+COUPLES, CLEAR = (17.0, 24.0, 31.0, 12.0), 5.0
+"""The radii of the arrow of a couple, the best first, and how far it keeps from other circles about its place."""
 AXIS, APART = 30.0, 62.0
 """The length of an axis, and how far the axes are beside everything."""
-STEP = math.radians(6)
-LATER, WAY = "hidden", "way"
-"""The style of a position that a body has later, its outline alone, and of the way there."""
-Piece = Stroke | Disc | Words
+EXTENSION = "measure extension"
+"""What leads from a place to its dimension: it lies below all else."""
+LEFT = 12.0
+"""So much is left of a dimension line on either side of its words."""
+BELOW = (LATER, WAY, EXTENSION)
+ARROW = 46.0
+"""The length of an arrow."""
 
 
 @record
@@ -68,14 +67,14 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     level = [m for m in panel.marks if isinstance(m, Dimension) and m.level]
     axes = [m for m in panel.marks if isinstance(m, Axes)]
     inner = [m for m in panel.marks if not isinstance(m, Axes) and m not in level]
-    pieces = [piece for mark in inner for piece in _drawn(mark, scale)]
+    pieces = [piece for mark in _with_room(inner, scale) for piece in _drawn(mark, scale)]
     frame = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
     pieces += _beside(level, frame or Box(0.0, 0.0, 0.0, 0.0), scale)
     whole = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
     if whole is not None:
         pieces += [p for mark in axes for p in _axes(mark, (whole.left - APART, whole.bottom))]
     # What is somewhere only later lies below all that is there.
-    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind not in (LATER, WAY))
+    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind not in BELOW)
     return Paper(tuple(strokes), tuple(p for p in pieces if isinstance(p, Words) and p.runs))
 
 
@@ -97,12 +96,6 @@ def _axes(mark: Axes, at: Spot) -> Iterator[Piece]:
         yield Words((Run("g", formula=True),), moved(start, -math.pi / 2, AXIS * 0.3), "axis", (0.0,), 3.0)
 
 
-def moved(start: Spot, angle: float, ahead: float, left: float = 0.0) -> Spot:
-    """On paper: the place `ahead` in a direction (counterclockwise as seen), and `left` of it."""
-    cos, sin = math.cos(angle), math.sin(angle)
-    return start[0] + ahead * cos - left * sin, start[1] - ahead * sin - left * cos
-
-
 @singledispatch
 def _drawn(mark: Any, scale: Scale) -> Iterator[Piece]:
     raise TypeError(type(mark).__name__)
@@ -110,6 +103,10 @@ def _drawn(mark: Any, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _polyline(mark: Polyline, scale: Scale) -> Iterator[Piece]:
+    if mark.style == "slim":
+        # Light within, so that an arrow along it is seen.
+        yield from (Stroke(tuple(map(scale.spot, mark.places)), kind) for kind in ("slim", "slim core"))
+        return
     filled = mark.closed and mark.style != LATER
     kind = f"{mark.style} area" if filled else f"{mark.style} bar" if mark.style == "body" else mark.style
     yield Stroke(tuple(map(scale.spot, mark.places)), kind, mark.closed)
@@ -124,30 +121,11 @@ def _arc(mark: Arc, scale: Scale) -> Iterator[Piece]:
         yield Stroke(arc(center, radius, mark.start, mark.sweep), mark.style)
 
 
-def arc(center: Spot, radius: float, start: float, sweep: float) -> tuple[Spot, ...]:
-    """Places along an arc on paper, angles counterclockwise as seen."""
-    count = max(int(abs(sweep) / STEP), 2)
-    return tuple(moved(center, start + sweep * i / count, radius) for i in range(count + 1))
-
-
 @_drawn.register
 def _hatched(mark: Hatched, scale: Scale) -> Iterator[Piece]:
     places = tuple(map(scale.spot, mark.places))
     yield Stroke(places, "ground")
     yield from hatching(places)
-
-
-def hatching(places: tuple[Spot, ...], right: float = 1.0) -> Iterator[Piece]:
-    """Short strokes on the right of the way along some places, or on the left (-1)."""
-    rest = EVERY / 2
-    for (x0, y0), (x1, y1) in pairwise(places):
-        length = math.hypot(x1 - x0, y1 - y0)
-        angle = math.atan2(-(y1 - y0), x1 - x0)
-        while rest < length:
-            at = moved((x0, y0), angle, rest)
-            yield Stroke((at, moved(at, angle, -TICK * 0.7, -TICK * right)), "hatch")
-            rest += EVERY
-        rest -= length
 
 
 @_drawn.register
@@ -175,64 +153,7 @@ def _dashpot(mark: Dashpot, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
-    at = scale.spot(mark.at)
-    match mark.kind:
-        case "pin":
-            yield Disc(at, 3.6, "pin")
-        case "support":
-            feet = (moved(at, 0, -10, -16), moved(at, 0, 10, -16))
-            yield Stroke((feet[0], at, feet[1]), "support area", True)
-            base = (moved(feet[0], 0, -5), moved(feet[1], 0, 5))
-            yield Stroke(base, "ground")
-            yield from hatching(base)
-            yield Disc(at, 3.6, "pin")
-        case "particle":
-            yield Disc(at, 5.0, "mass")
-        case "block":
-            corners = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
-            yield Stroke(tuple(moved(at, mark.angle, a * BLOCK, b * BLOCK) for a, b in corners), "body area", True)
-        case "slider" | "rail":
-            yield from _slider(at, mark.angle, mark.kind == "rail")
-        case "weld":
-            yield Stroke(tuple(moved(at, 0, a, b) for a, b in ((-4, -4), (4, -4), (4, 4), (-4, 4))), "mass area", True)
-        case "centre":
-            yield Disc(at, 4.5, "centre")
-            yield Stroke((moved(at, 0, -7), moved(at, 0, 7)), "centre")
-            yield Stroke((moved(at, 0, 0, -7), moved(at, 0, 0, 7)), "centre")
-        case "point":
-            yield Disc(at, 1.8, "dot")
-        case "place":
-            yield Disc(at, 5.0, LATER)
-        case "break":
-            for ahead in (-3.0, 3.0):
-                yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
-        case "hanger":
-            yield from _hanger(at, mark.angle)
-        case "wall":
-            wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
-            yield Stroke(wall, "ground")
-            yield from hatching(wall, -1)
-
-
-def _hanger(at: Spot, angle: float) -> Iterator[Piece]:
-    """What holds a wheel: a bar from its axle to a fixed edge, in a direction."""
-    yield Stroke((at, moved(at, angle, HANGER)), "spring")
-    edge = (moved(at, angle, HANGER, 11), moved(at, angle, HANGER, -11))
-    yield Stroke(edge, "ground")
-    yield from hatching(edge, -1)
-    yield Disc(at, 2.6, "pin")
-
-
-def _slider(at: Spot, angle: float, fixed: bool) -> Iterator[Piece]:
-    """A box; on a fixed rail with the rail on both sides of it."""
-    half = SLIDER[0] / 2, SLIDER[1] / 2
-    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    for side in (1, -1) if fixed else ():
-        rail = tuple(moved(at, angle, a * 2.1 * half[0], side * (half[1] + 2)) for a in (-1, 1))
-        yield Stroke(rail, "ground")
-        yield from hatching(rail, -side)
-    yield Stroke(tuple(moved(at, angle, a * half[0], b * half[1]) for a, b in corners), "body area", True)
-    yield Disc(at, 2.6, "pin")
+    yield from sign(mark, scale.spot(mark.at))
 
 
 @_drawn.register
@@ -242,15 +163,6 @@ def _arrow(mark: Arrow, scale: Scale) -> Iterator[Piece]:
     yield from pointed((tail, tip), mark.style)
     outer = tail if mark.inward else tip
     yield _words(mark, outer, mark.angle + (math.pi if mark.inward else 0.0), mark.style)
-
-
-def pointed(places: tuple[Spot, ...], kind: str) -> Iterator[Piece]:
-    """A line with an arrow head at its end."""
-    (x0, y0), tip = places[-2:]
-    angle = math.atan2(y0 - tip[1], tip[0] - x0)
-    neck = moved(tip, angle, -HEAD * 0.8)
-    yield Stroke((*places[:-1], neck), kind)
-    yield Stroke((tip, moved(tip, angle, -HEAD, WING), moved(tip, angle, -HEAD, -WING)), f"{kind} head", True)
 
 
 def _words(mark: Any, anchor: Spot, angle: float, kind: str) -> Words:
@@ -271,12 +183,25 @@ def _span(mark: Span, scale: Scale) -> Iterator[Piece]:
     yield Words(runs_of(mark.words), middle, mark.style, sides, 4.0)
 
 
+def _with_room(marks: Sequence[Mark], scale: Scale) -> Iterator[Mark]:
+    """The marks, each couple with an arc of its own: not on a rim or hub about its place, nor on the arc of another."""
+    rims = [(m.center, m.radius * scale.pixels) for m in marks if isinstance(m, Arc)]
+    for mark in marks:
+        if isinstance(mark, Turn):
+            near = [r for center, r in rims if math.dist(scale.spot(center), scale.spot(mark.at)) < 2.0]
+            radius = next((c for c in COUPLES if all(abs(c - r) >= CLEAR for r in near)), COUPLES[-1])
+            rims.append((mark.at, radius))
+            yield replace(mark, radius=radius)
+        else:
+            yield mark
+
+
 @_drawn.register
 def _turn(mark: Turn, scale: Scale) -> Iterator[Piece]:
-    at = scale.spot(mark.at)
-    places = arc(at, COUPLE, math.radians(-60 if mark.sense > 0 else 240), mark.sense * math.radians(270))
+    at, radius = scale.spot(mark.at), mark.radius or COUPLES[0]
+    places = arc(at, radius, math.radians(-60 if mark.sense > 0 else 240), mark.sense * math.radians(270))
     yield from pointed(places, mark.style)
-    yield _words(mark, moved(at, math.pi / 2, COUPLE), math.pi / 2, mark.style)
+    yield _words(mark, moved(at, math.pi / 2, radius), math.pi / 2, mark.style)
 
 
 def _beside(level: Sequence[Dimension], frame: Box, scale: Scale) -> Iterator[Piece]:
@@ -292,7 +217,7 @@ def _beside(level: Sequence[Dimension], frame: Box, scale: Scale) -> Iterator[Pi
         while any(low < b - 1 and a < high - 1 for a, b in rows.get((across, row), ())):
             row += 1
         rows.setdefault((across, row), []).append((low, high))
-        away = ASIDE * (1 + row)
+        away = ASIDE + ROW * row
         aside = frame.bottom + away - end[1] if across else end[0] - frame.left + away
         # On paper the way from left to right has what is below on its right, the way upward what is left on its left.
         side = (-1 if end[0] > start[0] else 1) if across else (1 if end[1] < start[1] else -1)
@@ -305,27 +230,42 @@ def _dimension(mark: Dimension, scale: Scale) -> Iterator[Piece]:
 
 
 def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[Piece]:
-    """A dimension line so far on the left of the way from place to place; 0: an arrow on the way itself."""
+    """A dimension line so far on the left of the way from place to place, with its words in a gap of it where it is
+    long enough; 0: an arrow on the way itself.
+    """
     start, end = places
     length = math.dist(start, end)
     if length < 2.0:
         return
     angle, side = math.atan2(start[1] - end[1], end[0] - start[0]), (aside > 0) - (aside < 0)
     ends = (moved(start, angle, 0, aside), moved(end, angle, 0, aside))
+    middle = ((ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2)
+    out = angle + math.pi / 2 * (side or 1)
+    told = Words(runs_of(words), middle, "measure", (out, out + math.pi), 3.0)
+    gap = _gap(told, angle) if side else 0.0
+    gap = gap if length > 2 * (gap + LEFT) else 0.0
     if side:
         for place, beside in zip((start, end), ends, strict=True):
             over = moved(beside, angle, 0, 4 * side)
-            yield Stroke((moved(place, angle, 0, 4 * side), over), "measure")
-        yield from _ticked(ends, angle, both=True)
+            yield Stroke((moved(place, angle, 0, 4 * side), over), EXTENSION)
+    yield from _ticked(ends, angle, both=bool(side), gap=gap)
+    yield replace(told, within=gap > 0)
+
+
+def _gap(words: Words, angle: float) -> float:
+    """Half the length of a line in some direction that words in its middle cover."""
+    wide, high = words.width / 2 + 3.0, words.height / 2
+    return min(wide / max(abs(math.cos(angle)), 1e-9), high / max(abs(math.sin(angle)), 1e-9))
+
+
+def _ticked(ends: tuple[Spot, Spot], angle: float, both: bool, gap: float = 0.0) -> Iterator[Piece]:
+    """A line with heads, and a gap so far on either side of its middle."""
+    half = math.dist(*ends) / 2
+    if gap:
+        yield Stroke((ends[0], moved(ends[0], angle, half - gap)), "measure")
+        yield Stroke((moved(ends[1], angle, gap - half), ends[1]), "measure")
     else:
-        yield from _ticked(ends, angle, both=False)
-    middle = ((ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2)
-    out = angle + math.pi / 2 * (side or 1)
-    yield Words(runs_of(words), middle, "measure", (out, out + math.pi), 3.0)
-
-
-def _ticked(ends: tuple[Spot, Spot], angle: float, both: bool) -> Iterator[Piece]:
-    yield Stroke(ends, "measure")
+        yield Stroke(ends, "measure")
     for tip, way in ((ends[1], angle), *(((ends[0], angle + math.pi),) if both else ())):
         head = (tip, moved(tip, way, -6.5, 2.2), moved(tip, way, -6.5, -2.2))
         yield Stroke(head, "measure head", True)

@@ -63,6 +63,7 @@ class Words:
     kind: str
     angles: tuple[float, ...] = ()
     gap: float = 6.0
+    within: bool = False
     fixed: bool = False
 
     @property

@@ -17,7 +17,7 @@ from planar_cli.report.lines import Line
 Spot = tuple[float, float]
 """A place, m."""
 Style = Literal[
-    "body", "thin", "hidden", "ground", "rope", "way", "force", "inertia", "velocity", "acceleration", "axis"
+    "body", "slim", "thin", "hidden", "ground", "rope", "way", "force", "inertia", "velocity", "acceleration", "axis"
 ]
 """What a line stands for; each has its own look."""
 SymbolKind = Literal[
@@ -32,6 +32,7 @@ SymbolKind = Literal[
     "weld",
     "wall",
     "place",
+    "origin",
     "hanger",
     "break",
 ]
@@ -85,8 +86,9 @@ class Dashpot:
 class Symbol:
     """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
-    behind the end of something that goes on along `angle`, what holds a wheel from there, the place where a particle is
-    later, a break in what is too long to be drawn, along `angle`.
+    behind the end of something that goes on along `angle`, what holds a wheel from there, where
+    coordinates are measured from, the place where a particle is later, a break in what is too long to be drawn, along
+    `angle`.
     """
 
     kind: SymbolKind
@@ -120,12 +122,15 @@ class Span:
 
 @record
 class Turn:
-    """A couple, or a rotation, about a place: +1 counterclockwise, -1 clockwise."""
+    """A couple, or a rotation, about a place: +1 counterclockwise, -1 clockwise. `radius`: of its arrow on paper, px
+    (0: what is usual).
+    """
 
     at: Spot
     sense: int
     style: Style
     words: Line = ()
+    radius: float = 0.0
 
 
 @record

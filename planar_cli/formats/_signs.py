@@ -1,0 +1,84 @@
+"""Signs of fixed size on paper: pins, supports, sliders, walls, mass centres, points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from planar_cli.formats._paper import Disc, Spot, Stroke
+from planar_cli.formats._strokes import LATER, Piece, hatching, moved
+from planar_cli.report.marks import Symbol
+
+BLOCK = 26.0
+SLIDER = (24.0, 14.0)
+HANGER = 24.0
+
+
+def sign(mark: Symbol, at: Spot) -> Iterator[Piece]:
+    """A sign at a place on paper."""
+    match mark.kind:
+        case "pin":
+            yield Disc(at, 3.6, "pin")
+        case "support":
+            feet = (moved(at, 0, -10, -16), moved(at, 0, 10, -16))
+            yield Stroke((feet[0], at, feet[1]), "support area", True)
+            base = (moved(feet[0], 0, -5), moved(feet[1], 0, 5))
+            yield Stroke(base, "ground")
+            yield from hatching(base)
+            yield Disc(at, 3.6, "pin")
+        case "particle":
+            yield Disc(at, 5.0, "mass")
+        case "block":
+            corners = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
+            yield Stroke(tuple(moved(at, mark.angle, a * BLOCK, b * BLOCK) for a, b in corners), "body area", True)
+        case "slider" | "rail":
+            yield from _slider(at, mark.angle, mark.kind == "rail")
+        case "weld":
+            yield Stroke(tuple(moved(at, 0, a, b) for a, b in ((-4, -4), (4, -4), (4, 4), (-4, 4))), "mass area", True)
+        case _:
+            yield from _place(mark, at)
+
+
+def _place(mark: Symbol, at: Spot) -> Iterator[Piece]:
+    """A sign that tells where something is."""
+    match mark.kind:
+        case "centre":
+            yield Disc(at, 4.5, "centre")
+            yield Stroke((moved(at, 0, -7), moved(at, 0, 7)), "centre")
+            yield Stroke((moved(at, 0, 0, -7), moved(at, 0, 0, 7)), "centre")
+        case "origin":
+            yield from (Stroke((moved(at, a, -6), moved(at, a, 6)), "measure") for a in (0.0, math.pi / 2))
+        case "point":
+            yield Disc(at, 1.8, "dot")
+        case "place":
+            yield Disc(at, 5.0, LATER)
+        case "break":
+            for ahead in (-3.0, 3.0):
+                yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
+        case "hanger":
+            yield from _hanger(at, mark.angle)
+        case "wall":
+            wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
+            yield Stroke(wall, "ground")
+            yield from hatching(wall, -1)
+
+
+def _hanger(at: Spot, angle: float) -> Iterator[Piece]:
+    """What holds a wheel: a bar from its axle to a fixed edge, in a direction."""
+    yield Stroke((at, moved(at, angle, HANGER)), "spring")
+    edge = (moved(at, angle, HANGER, 11), moved(at, angle, HANGER, -11))
+    yield Stroke(edge, "ground")
+    yield from hatching(edge, -1)
+    yield Disc(at, 2.6, "pin")
+
+
+def _slider(at: Spot, angle: float, fixed: bool) -> Iterator[Piece]:
+    """A box; on a fixed rail with the rail on both sides of it."""
+    half = SLIDER[0] / 2, SLIDER[1] / 2
+    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    for side in (1, -1) if fixed else ():
+        rail = tuple(moved(at, angle, a * 2.1 * half[0], side * (half[1] + 2)) for a in (-1, 1))
+        yield Stroke(rail, "ground")
+        yield from hatching(rail, -side)
+    yield Stroke(tuple(moved(at, angle, a * half[0], b * half[1]) for a, b in corners), "body area", True)
+    yield Disc(at, 2.6, "pin")
