@@ -20,7 +20,7 @@ SHELVES = ("joints", "loads", "principles", "integrators", "homework.mistakes", 
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "coordinates", "bodies", "joints", "loads")
 AFTER = ("quantities", "statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
-BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
+BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy", "figures_documents_watch")
 LAST = ("cases", "answers", "variants", "homework_sets_submissions", "checks_confirmed", "examples", "pitfalls")
 
 
