@@ -17,7 +17,7 @@ PDF = "pdf"
 PICTURE = ".svg"
 CALLED = re.compile(rf"\]\(([0-9a-f]{{16}}{re.escape(PICTURE)})\)")
 """A picture in the text of Markdown, by the name that tells what is in it."""
-PAGES = ("markdown", "html", "pdf")
+PAGES = ("markdown", "html", "latex", PDF)
 """Formats of pages to be read, which can hold worked solutions."""
 
 

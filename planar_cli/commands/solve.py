@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 LARGEST_FIGURES = 40
 PDF = "pdf"
 """The page of the format `html`, on paper."""
+ILLUSTRATED = ("html", "latex", PDF)
+"""Formats with figures."""
 OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
 
 
@@ -114,7 +116,7 @@ def _write_pages(pages: Sequence[Document], wanted: Wanted) -> None:
     """Several pages with figures as one, on a screen or on paper."""
     from planar_cli.formats.base import in_one
 
-    text: str = member("formats", "html")().render(in_one(pages))
+    text: str = member("formats", "html" if wanted.form == PDF else wanted.form)().render(in_one(pages))
     if wanted.form != PDF:
         write(text, wanted.output, exact=True)
         return
@@ -187,7 +189,7 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
         from planar_cli.report.stated_text import with_task
 
         document = with_task(document, problem)
-    if wanted.form in ("html", PDF):
+    if wanted.form in ILLUSTRATED:
         from planar_cli.figures.illustrated import illustrated
 
         return Report(status, page=illustrated(document, solution))
@@ -212,6 +214,6 @@ def _compared(problem: Problem, wanted: Wanted) -> Report:
     if wanted.json:
         return Report(cli.SOLVED, data=comparison_data(problem, rows))
     document = comparison_document(problem, rows)
-    if wanted.form in ("html", PDF):
+    if wanted.form in ILLUSTRATED:
         return Report(cli.SOLVED, page=document)
     return Report(cli.SOLVED, _printed(document, wanted))

@@ -87,7 +87,7 @@ PRINT = re.sub(r"var\(--(\w+)\)", lambda m: LIGHT[m[1]], RULES)
 
 
 @record
-class _Laid:
+class Laid:
     """A panel with the box that it fills, as high as those beside it, and what stands over it."""
 
     paper: Paper
@@ -97,12 +97,12 @@ class _Laid:
 
 def svg(figure: Figure, look: Look = "own") -> str:
     """A figure as one SVG element."""
-    return _element(_laid(figure), figure.words, figure.between, look)
+    return _element(laid_out(figure), figure.words, figure.between, look)
 
 
 def panels(figure: Figure, look: Look = "own") -> list[str]:
     """Each panel of a figure as an SVG element of its own; set side by side they are in one scale and level."""
-    laid = _laid(figure)
+    laid = laid_out(figure)
     if len(laid) == 1:
         return [svg(figure, look)]
     over = any(one.head for one in laid)
@@ -111,18 +111,19 @@ def panels(figure: Figure, look: Look = "own") -> list[str]:
     return [_element([one], words, "", look, over) for one, words in zip(laid, told, strict=True)]
 
 
-def _laid(figure: Figure) -> list[_Laid]:
+def laid_out(figure: Figure) -> list[Laid]:
+    """The panels of a figure with all words at their places."""
     papers = papers_of(figure)
     heads = [runs_of(p.head) for p in figure.panels]
     boxes = [_box(p, sum(r.width for r in head)) for p, head in zip(papers, heads, strict=True)]
     top, bottom = min(b.top for b in boxes), max(b.bottom for b in boxes)
     return [
-        _Laid(paper, Box(box.left, top, box.right, bottom), head)
+        Laid(paper, Box(box.left, top, box.right, bottom), head)
         for paper, box, head in zip(papers, boxes, heads, strict=True)
     ]
 
 
-def _element(laid: Sequence[_Laid], words: str, between: str, look: Look, headed: bool = False) -> str:
+def _element(laid: Sequence[Laid], words: str, between: str, look: Look, headed: bool = False) -> str:
     """Panels side by side. `headed`: there is room for a head, though none of these may have one."""
     root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
     ET.SubElement(root, "title").text = words

@@ -43,6 +43,7 @@ does. In `text`, `{m}` stands for the value of m; a name in braces that is not g
     planar key set.yaml                          the key, on the terminal
     planar key set.yaml -o out --format html     a sheet and a key for each variant, and the key of all
     planar key set.yaml -o out --both            the key with the worked solutions too
+    planar key set.yaml -o out --format pdf      for the printer (extra `pdf`); latex: sources to go on with
     planar key set.yaml -o out --export moodle   questions for a course system
 
 A worked page is made for each variant by itself, on all cores, and takes as long as `planar solve` does: 300 variants
@@ -61,8 +62,11 @@ how to hand in. Where the set lists `students`, each has a sheet of his or her o
 that vary. Sheets and keys that an earlier run wrote to the folder are removed if nobody changed them since
 (`.planar-key.json` there tells which they are).
 
-The formats are markdown, html, json and csv; a browser sets the formulas of an HTML page by itself. The same seed gives
-the same files, byte for byte. A sheet as CSV can be filled in and handed in as it is.
+The formats are markdown, html, latex, pdf, json and csv. A page of HTML is one file, whose formulas a browser sets by
+itself; LaTeX compiles with pdflatex and xelatex. Sheets show the scene of each problem as it is given, with the values
+of the variant: what is sought, as a place or a direction, is not in the figure. Worked solutions have their diagrams.
+Figures of Markdown are files beside it, sheet-07-1.svg and so on; hand them out with the sheet. The same seed gives the
+same files, byte for byte. A sheet as CSV can be filled in and handed in as it is.
 
 Submissions
 

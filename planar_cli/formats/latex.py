@@ -1,0 +1,216 @@
+"""A document as LaTeX source that compiles with pdflatex, xelatex and lualatex, figures as TikZ.
+
+Words of a file are neutralised letter by letter (report/tex_words.py); formulas are those of the report.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from typing import ClassVar, final
+
+from planar_cli.formats import _latex
+from planar_cli.formats._formulas import joined
+from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked
+from planar_cli.formats._tikz import COLOURS, tikz
+from planar_cli.formats.base import Pages, runs_of
+from planar_cli.records import record
+from planar_cli.report import latex
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Bullet,
+    Check,
+    Drawing,
+    Equation,
+    Forces,
+    Heading,
+    Inline,
+    Line,
+    Name,
+    Note,
+    Paragraph,
+    Result,
+    Table,
+    Text,
+    Title,
+    Typed,
+)
+from planar_cli.report.tex_words import LETTER, in_ascii, words
+
+PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
+\ifdefined\Umathcode\else
+  \usepackage[T1]{{fontenc}}
+  \usepackage[utf8]{{inputenc}}
+\fi
+\usepackage{{lmodern}}
+\usepackage{{textcomp}}
+\usepackage[margin=22mm]{{geometry}}
+\usepackage{{amsmath,amssymb,array,longtable,tikz}}
+\providecommand{{\lt}}{{<}}
+\providecommand{{\gt}}{{>}}
+% A letter without a command: as it is where TeX reads Unicode, else by its number.
+\ifdefined\Umathcode
+  \newcommand{{\{LETTER}}}[1]{{\symbol{{"#1}}}}
+\else
+  \newcommand{{\{LETTER}}}[1]{{[U+#1]}}
+\fi
+% A title or heading: its size, its words, what stands beside it.
+\newcommand{{\planarhead}}[3]{{\par\addvspace{{1.2\bigskipamount}}%
+  {{#1\bfseries\noindent #2\hfill{{\normalfont\small #3}}\par}}%
+  \nopagebreak\smallskip}}
+% A formula on display, which may break, and its number.
+\newcommand{{\planarshown}}[2]{{\par\smallskip{{\leftskip=2em\parfillskip=0pt\hangindent=2em\noindent #1%
+  \unskip\nobreak\hfill\penalty50\hskip1em\null\nobreak\hfill\hbox{{#2}}\par}}\smallskip}}
+\newcommand{{\planaranswer}}[1]{{\par\medskip
+  \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}#1\end{{minipage}}}}\par\medskip}}
+\newcommand{{\planarlist}}[1]{{\begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}
+\setlength{{\parindent}}{{0pt}}
+\setlength{{\parskip}}{{0.4\baselineskip}}
+\setlength{{\emergencystretch}}{{4em}}
+\renewcommand{{\arraystretch}}{{1.3}}
+\allowdisplaybreaks
+"""
+SIZES = (r"\LARGE", r"\Large", r"\large", r"\normalsize")
+WIDE = 76
+"""So many letters fit side by side in a table."""
+
+
+@final
+@record
+class Latex(Pages):
+    """LaTeX source. Each piece is a paragraph."""
+
+    kind: ClassVar[str] = "latex"
+    suffix: ClassVar[str] = ".tex"
+
+    below: int = 0
+
+    def part(self, blocks: Sequence[Block]) -> str:
+        return "\n\n".join(piece for run in runs_of(blocks) for piece in self.pieces(run))
+
+    def whole(self, title: str, parts: Sequence[str]) -> str:
+        body = "\n\n".join(p for p in parts if p)
+        return f"{PREAMBLE}{COLOURS}\\begin{{document}}\n{body}\n\\end{{document}}\n"
+
+    def titles(self, run: Sequence[Title]) -> list[str]:
+        return [self._head(words(t.text), t.level) for t in run]
+
+    def headings(self, run: Sequence[Heading]) -> list[str]:
+        return [self._heading(h) for h in run]
+
+    def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:
+        return [_inline(p.line) for p in run]
+
+    def bullets(self, run: Sequence[Bullet]) -> list[str]:
+        return [_listed(_inline(b.line) for b in run)]
+
+    def equations(self, run: Sequence[Equation]) -> list[str]:
+        return [_shown(e) for e in run]
+
+    def results(self, run: Sequence[Result]) -> list[str]:
+        return [rf"$\Rightarrow$ {_inline(r.line)}" for r in run]
+
+    def forces(self, run: Sequence[Forces]) -> list[str]:
+        both = any(f.right and f.right != NOTHING for f in run)
+        heads = ("body", *(run[0].heads if both else run[0].heads[:1]))
+        sides = [(_inline(f.left), *([_inline(f.right)] if both else [])) for f in run]
+        rows = [(rf"\textbf{{{words(f.body)}}}", *told) for f, told in zip(run, sides, strict=True)]
+        return [_table([words(h) for h in heads], rows)]
+
+    def tables(self, run: Sequence[Table]) -> list[str]:
+        return [_table([_inline(c) for c in t.header], [tuple(map(_inline, row)) for row in t.rows]) for t in run]
+
+    def answers(self, run: Sequence[Answer]) -> list[str]:
+        listed = _listed(_answer(a) for a in run)
+        inside = rf"\textbf{{Answer}}\par{listed}"
+        return [rf"\planaranswer{{{inside}}}"]
+
+    def checks(self, run: Sequence[Check]) -> list[str]:
+        told = r" \textbullet{} ".join(_inline(tuple(q for p in c.line for q in checked(p))) for c in run)
+        return [rf"{{\small\textbf{{Check}} {told}\par}}"]
+
+    def notes(self, run: Sequence[Note]) -> list[str]:
+        label = rf"\textbf{{{words(run[0].kind)}}}"
+        if len(run) == 1:
+            return [f"{label} {_inline(run[0].line)}"]
+        return [f"{label}\n{_listed(_inline(n.line) for n in run)}"]
+
+    def drawings(self, run: Sequence[Drawing]) -> list[str]:
+        return [f"\\begin{{center}}\n{tikz(d.figure)}\n\\end{{center}}" for d in run]
+
+    def typed(self, run: Sequence[Typed]) -> list[str]:
+        rows = chain.from_iterable(t.rows for t in run)
+        lines = "\\\\\n".join(rf"\mbox{{{words(r).replace(' ', '~')}}}" for r in rows)
+        return [f"{{\\small\\ttfamily\n{lines}\\par}}"]
+
+    def _head(self, text: str, level: int, aside: str = "") -> str:
+        size = SIZES[min(max(level, 0) + self.below, len(SIZES) - 1)]
+        return rf"\planarhead{{{size}}}{{{text}}}{{{aside}}}"
+
+    def _heading(self, heading: Heading) -> str:
+        label = heading.label.capitalize() if heading.label.isupper() else heading.label
+        between = ": " if heading.label in NAMING else ". "
+        aside = words(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
+        # The table below has it at its head.
+        aside = "" if heading.aside == DIAGRAMS else aside
+        return self._head(words(between.join(t for t in (label, heading.text) if t)), 2, aside)
+
+
+def _formula(part: Inline) -> str:
+    return in_ascii(_latex.formula(part))
+
+
+def _inline(line: Line) -> str:
+    """A line with its formulas between dollar signs."""
+    return in_ascii(joined(line, _formula, words, _marked).strip())
+
+
+def _marked(part: Text) -> str:
+    command = {"strong": "textbf", "muted": "textit"}[part.style]
+    return rf"\{command}{{{words(part.text)}}}"
+
+
+def _answer(answer: Answer) -> str:
+    relation = ": " if answer.relation == ":" else f" {answer.relation} "
+    return _inline((Name(answer.name), Text(relation), *answer.line))
+
+
+def _listed(entries: Iterator[str]) -> str:
+    rows = "\n".join(rf"\item {entry}" for entry in entries)
+    return rf"\planarlist{{{rows}}}"
+
+
+def _shown(told: Equation) -> str:
+    """An equation in pieces between which a line may end."""
+    first, *others = [_latex.display(s) for s in told.sides]
+    relations = [latex.relation(told.relation), *("=" for _ in others)]
+    sides = [first, *(f"{{}} {r} {side}" for r, side in zip(relations, others, strict=False))]
+    between = r"\allowbreak ".join(rf"$\displaystyle {in_ascii(s)}$" for s in sides)
+    lead = rf"$\displaystyle {in_ascii(_latex.display(told.lead))}$\quad " if told.lead else ""
+    note = rf" \qquad $\displaystyle {in_ascii(_latex.display(told.note))}$" if told.note else ""
+    number = f"({told.number})" if told.number is not None else ""
+    return rf"\planarshown{{{lead}{between}{note}}}{{{number}}}"
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table that may go on on the next page; columns as wide as what is in them, where that fits."""
+    longest = [max(map(_size, column)) for column in zip(header, *rows, strict=True)]
+    if sum(longest) <= WIDE:
+        columns = "|".join("l" for _ in header)
+    else:
+        parts = [min(max(n, 8), WIDE // 2) for n in longest]
+        columns = "|".join(
+            rf">{{\raggedright\arraybackslash}}p{{{0.94 * part / sum(parts) - 0.02:.3f}\linewidth}}" for part in parts
+        )
+    head = " & ".join(rf"\textbf{{{cell}}}" for cell in header)
+    body = "\n".join(rf"{' & '.join(row)} \\ \hline" for row in rows)
+    return (
+        f"\\begin{{longtable}}[l]{{|{columns}|}}\n\\hline\n{head} \\\\ \\hline\n\\endhead\n{body}\n\\end{{longtable}}"
+    )
+
+
+def _size(cell: str) -> int:
+    """About how many letters wide a cell is."""
+    return len(re.sub(r"\\[A-Za-z]+|[{}$^_~\\]", "", cell))
