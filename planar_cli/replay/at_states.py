@@ -47,7 +47,7 @@ def at_state(
     new = {s: sp.Symbol(f"{s.name}__{state}", real=True) for s in moving if s not in known}
     here = {**new, **known}
     return AtState(
-        tuple(_renamed(of_block(b, defined), here) for b in blocks),
+        tuple(renamed(of_block(b, defined), here) for b in blocks),
         {here.get(s, s): sp.sympify(e).xreplace(here) for s, e in defined.items()},
         tuple(sp.sympify(e).xreplace(here) for e in asked),
         {own: general for general, own in new.items()},
@@ -100,7 +100,8 @@ def _moving(varying: set[sp.Symbol], defined: Named) -> list[sp.Symbol]:
     return sorted(found, key=lambda s: s.name)
 
 
-def _renamed(step: Step, here: Mapping[sp.Symbol, sp.Symbol]) -> Step:
+def renamed(step: Step, here: Mapping[sp.Symbol, sp.Symbol]) -> Step:
+    """A step in other symbols."""
     unknowns = tuple(here.get(u, u) for u in step.unknowns)
     residuals = tuple(sp.sympify(r.xreplace(dict(here))) for r in step.residuals)
     return Step(unknowns, residuals, step.kinds, step.bodies, ways=step.ways)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TypeVar
 
@@ -14,10 +14,10 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion
 from planar_cli.problem.facts import Mode, Row
 from planar_cli.problem.facts import Test as Assumption
-from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps
+from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps, renamed
 from planar_cli.replay.equations import Asked, Equations, Step, Test
 from planar_cli.replay.opened import NotWritten, of_block
-from planar_cli.solve.between.trace import MotionTrace, RouteStep
+from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.instant.instant import TINY
 from planar_cli.solve.instant.parting import parting
 from planar_cli.solve.solution import Found, InstantSolution
@@ -196,6 +196,8 @@ class _Motion(_Writer):
         super().__init__(part)
         self.motion = motion
         self.constant: list[Step] = []
+        self.called: dict[sp.Expr, sp.Symbol] = {}
+        """Formulas of what is constant on a stretch, with the unknown of its equations."""
 
     def equations(self) -> Equations:
         motion, route = self.motion, self.motion.route
@@ -218,19 +220,40 @@ class _Motion(_Writer):
         return self.made()
 
     def _take_constants(self) -> None:
-        """Forces and accelerations that are constant, by the equations of which formulas of them were made."""
+        """Forces and accelerations that are constant, by the equations of which formulas of them were made; on each
+        stretch by its own, where they are others there.
+        """
         sought = {u for step in self.motion.route.steps for u in step.unknowns}
-        for regime in self.motion.regimes:
-            steps = constant_steps(regime.solution, self.motion, sought)
+        taken = set[sp.Symbol]()
+        for k, regime in enumerate(self.motion.regimes):
+            here = dict[sp.Symbol, sp.Symbol]()
             numbers = StateNumbers(self._known, self.defined)
-            for step in steps:
+            for general in constant_steps(regime.solution, self.motion, sought):
+                own = {u: sp.Symbol(f"{u.name}__{k + 1}c", real=True) for u in general.unknowns if u in taken}
+                step = renamed(general, {**here, **own})
                 if sought.isdisjoint(step.unknowns) and self._gives_what_is_known(step, numbers):
+                    here |= own
+                    taken.update(general.unknowns)
                     self.constant.append(step)
+                    self.general |= {n: u for u, n in own.items()}
                     self.numbers |= {u: numbers.found[u] for u in step.unknowns}
-                    sought.update(step.unknowns)
+                    self._name_at_states(regime, {u: here.get(u, u) for u in general.unknowns})
         for unknown in (u for step in self.constant for u in step.unknowns):
             self.defined.pop(unknown, None)
         self.steps = [*self.constant, *self.steps]
+
+    def _name_at_states(self, regime: RegimeTrace, constant: Mapping[sp.Symbol, sp.Symbol]) -> None:
+        """What is constant on a stretch is so at its states, if it has that number there. `constant`: by the symbol of
+        the general position.
+        """
+        states = {s for stretch in regime.stretches for s in stretch}
+        for general, symbol in constant.items():
+            for own, formula in list(self.defined.items()):
+                name, _, state = own.name.rpartition("__")
+                if name == general.name and state in states and formula not in constant.values():
+                    due = self._known(own)
+                    if due is not None and abs(self.numbers[symbol] - due) <= SAME * abs(due):
+                        self.called[formula] = self.defined[own] = symbol
 
     def _gives_what_is_known(self, step: Step, numbers: StateNumbers) -> bool:
         """Does a constant step rest on data and other constants alone, and give the numbers of the solution?"""
@@ -257,7 +280,8 @@ class _Motion(_Writer):
             found = by_name.get(request.find.name)
             if found is None or not is_number(found):
                 continue
-            self.asked[found.name] = Asked(tuple(map(sp.sympify, request.parts)), found.turn)
+            parts = tuple(self.called.get(e, e) for e in map(sp.sympify, request.parts))
+            self.asked[found.name] = Asked(parts, found.turn)
             if self.loose(self.gathered(), self.asked[found.name]):
                 self._ask_at_state(found)
 
