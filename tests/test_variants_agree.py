@@ -7,7 +7,9 @@ import pickle
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+import sympy as sp
 
 from planar_cli.homework.carried_errors import Carrier
 from planar_cli.homework.homework import prepared
@@ -17,7 +19,9 @@ from planar_cli.homework.solved_anew import to_check
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.what_mistakes_give import with_mistakes
 from planar_cli.homework.worked_problem import WorkedProblem, base_expected, models_of, read_and_solve, with_numbers
+from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
+from planar_cli.replay.single import NoNumber, Single
 
 
 def ready(folder: Path, text: str, number: int) -> tuple[WorkedProblem, Prepared]:
@@ -175,3 +179,67 @@ def test_wrong_equations_make_no_mistakes_and_carry_nothing(tmp_path: Path) -> N
     wrong = replace(data, equations={**data.equations, "strong": replace(folded, asked=strong.asked, case="strong")})
     assert Carrier({"p": data}).for_variant(0)(task, one, {"N": (300.0,)}) is not None
     assert Carrier({"p": wrong}).for_variant(0)(task, one, {"N": (300.0,)}) is None
+
+
+LEDGE = """
+plane: vertical
+given: {v_0: {one_of: [11 m/s, 25 m/s, 40 m/s]}, h: 5 m}
+bodies: {s: {particle: [0, 0], mass: any}}
+states:
+  0: [v(s).y = v_0, v(s).x = 0, t = 0]
+  top: [v(s).y = 0]
+  1: [y(s) = h]
+find: {t: t @ 1}
+"""
+SPRING = """
+plane: vertical
+given: {W: {one_of: [10 lbf, 30 lbf]}, beta: 25 deg, d: {one_of: [24 in, 42 in, 48 in]}, k: 20 lbf/in, mu: 0.2}
+coordinates: {s: ft}
+points: {O: [0, 0], P: {from: O, distance: s, angle: -beta}, S: {from: O, distance: d + 3 ft, angle: -beta}}
+surfaces: {slope: {through: O, angle: -beta}}
+bodies: {block: {particle: P, weight: W}}
+joints:
+  - contact: {between: [block, slope], mu: mu}
+loads:
+  - spring: {between: [P, S], stiffness: k, natural_length: 3 ft, acts: push, name: sp}
+states:
+  0: [s = 0, at rest]
+  1: [s = d]
+  2: [at rest]
+find: {c: s @ 2 - d in in, F: force(sp).mag @ 2}
+"""
+
+
+@pytest.mark.parametrize(("text", "number"), [(LEDGE, 3), (SPRING, 6)])
+def test_a_root_stays_on_its_branch(text: str, number: int, tmp_path: Path) -> None:
+    """The stone on its way down, the spring compressed, however far from the values of the file."""
+    worked, made = ready(tmp_path, text, number)
+    assert made.taken == number
+    assert not any("one by one" in w for w in made.warnings)
+    assert_solved_anew_the_same(worked, made)
+
+
+def test_a_mistake_stays_on_the_branch_of_the_answer(tmp_path: Path) -> None:
+    """d = 24 in put in as 24 ft compresses the spring more, not less than nothing."""
+    _, made = ready(tmp_path, SPRING, 1)
+    (c, _) = made.tasks[0].expected
+    wrong = [m.values[0] for m in c.mistakes if m.name == "given-not-converted" and "d was" in m.feedback]
+    assert wrong == pytest.approx([8.458861254], rel=1e-6)
+
+
+def test_what_is_of_no_second_degree_is_followed() -> None:
+    """x³ - 3 x + c from the root in the middle, whose slope is negative, and beyond the fold no root."""
+    x, c = sp.symbols("x c", real=True)
+    equations = Equations(
+        "", {"c": c}, {}, (Step((x,), (x**3 - 3 * x + c,)),), {"x": Asked((x,))}, (), {c: 0.0, x: 0.0}
+    )
+    replay = Replay(equations)
+    values = np.array([0.5, 1.9, 2.5])
+    (found,) = replay.run({c: values}).asked("x")
+    assert found[:2] ** 3 - 3 * found[:2] == pytest.approx(-values[:2])
+    assert (np.abs(found[:2]) < 1).all()
+    assert np.isnan(found[2])
+    single = Single(replay)
+    assert single.run({c: 1.9}, {}, {c: 0.0, x: 0.0})[x] == pytest.approx(found[1])
+    with pytest.raises(NoNumber):
+        single.run({c: 2.5}, {}, {c: 0.0, x: 0.0})

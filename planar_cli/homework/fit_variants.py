@@ -28,7 +28,7 @@ from planar_cli.homework.worked_problem import (
 )
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.variations import number_of, written
-from planar_cli.replay.numbers import Numbers
+from planar_cli.replay.solver import Numbers
 from planar_cli.solve.solution import Found
 
 NUDGE, STEEP = 1e-5, 40.0

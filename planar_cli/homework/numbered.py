@@ -22,8 +22,8 @@ from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Node, Scalar
 from planar_cli.problem.variations import with_first_values
 from planar_cli.records import record
-from planar_cli.replay.numbers import Numbers
 from planar_cli.replay.opened import NotWritten
+from planar_cli.replay.solver import Numbers
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.units import PURE, Unit, parse_unit
 

@@ -20,7 +20,8 @@ from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import Variant, columns
 from planar_cli.homework.worked_problem import Carried, Part, WorkedProblem, base_expected, models_of
 from planar_cli.records import record
-from planar_cli.replay.numbers import Numbers, Rounding
+from planar_cli.replay.numbers import Rounding
+from planar_cli.replay.solver import Numbers
 from planar_cli.solve.solution import Found
 from planar_cli.units import parse_unit
 

@@ -52,7 +52,7 @@ from planar_cli.homework.worked_problem import (
 from planar_cli.problem.reading import Report
 from planar_cli.problem.variations import Variation, variations_of
 from planar_cli.records import changing, record
-from planar_cli.replay.numbers import Numbers
+from planar_cli.replay.solver import Numbers
 from planar_cli.solve.solution import Found
 
 AT_MOST = 4

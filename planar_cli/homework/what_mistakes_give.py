@@ -14,8 +14,8 @@ from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.worked_problem import Carried, WorkedProblem, models_of
 from planar_cli.registry import members
-from planar_cli.replay.numbers import Numbers
 from planar_cli.replay.opened import NotWritten
+from planar_cli.replay.solver import Numbers
 
 NOTHING = 1e-6
 """A number below this part of the right one is what is left of zero, and no mistake that somebody makes."""

@@ -34,8 +34,9 @@ from planar_cli.problem.variations import number_of, with_first_values, with_val
 from planar_cli.records import changing, record
 from planar_cli.registry import members
 from planar_cli.replay.equations import Equations
-from planar_cli.replay.numbers import Numbers, Replay, Run
+from planar_cli.replay.numbers import Replay, Run
 from planar_cli.replay.opened import NotWritten
+from planar_cli.replay.solver import Numbers
 from planar_cli.replay.written import equations_of, is_mode
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found

@@ -11,84 +11,10 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from planar_cli.replay.equations import Equations, Step
-from planar_cli.replay.opened import NotWritten, opened
+from planar_cli.replay.opened import opened
+from planar_cli.replay.solver import Numbers, Solver, compiled, real
 
-Numbers = NDArray[np.float64]
 Rounding = Callable[[Numbers], Numbers]
-ROUNDS, STRIDES = 60, 6
-"""Steps of Newton's method; stretches in which inputs go from those of the solution to others."""
-CLOSE = 1e-13
-"""A change by less, in parts of an unknown, is the last."""
-FOUND, TINY = 1e-6, 1e-9
-"""A search whose last change was more than this part of an unknown (and of a tiny number) has found nothing."""
-
-
-def compiled(exprs: Sequence[sp.Expr], names: Sequence[sp.Symbol], numbers: str = "numpy") -> Callable[..., list[Any]]:
-    """A function of the numbers of `names` that gives those of all expressions; `numbers`: numpy's, or those of math.
-
-    Only symbols of ours get into the text that is compiled: no name of a file does.
-    """
-    if any(e.has(sp.zoo, sp.nan, sp.oo) for e in exprs):
-        raise NotWritten("a formula has no value")
-    loose = set().union(*(e.free_symbols for e in exprs), set()) - set(names)
-    assert not loose, f"{loose} have no numbers"
-    ours = {s: sp.Symbol(f"q{i}", real=True) for i, s in enumerate(names)}
-    made: Callable[..., list[Any]] = sp.lambdify(
-        [ours[s] for s in names], [e.xreplace(ours) for e in exprs], modules=numbers, cse=True, docstring_limit=0
-    )
-    return made
-
-
-class Solver:
-    """One step: its residuals and their slopes. `needs`: what they rest on beside its unknowns."""
-
-    def __init__(self, step: Step, equations: Equations) -> None:
-        self.unknowns = step.unknowns
-        residuals = [opened(r, step.unknowns, equations.defined) for r in step.residuals]
-        inside = set().union(*(r.free_symbols for r in residuals), set())
-        self.needs = tuple(sorted(inside - set(step.unknowns), key=lambda s: s.name))
-        slopes = [sp.diff(r, u) for r in residuals for u in step.unknowns]
-        self.linear = all(not s.free_symbols & set(step.unknowns) for s in slopes)
-        self.exprs = [*residuals, *slopes]
-        self._call = compiled(self.exprs, [*self.needs, *step.unknowns])
-
-    def __call__(self, known: Sequence[Numbers], start: Numbers) -> Numbers:
-        """The unknowns, one row each, from a start; NaN where none are found."""
-        found, size, count = start.astype(float), len(self.unknowns), start.shape[1]
-        for _ in range(1 if self.linear else ROUNDS):
-            with np.errstate(all="ignore"):
-                called = self._call(*known, *found)
-            numbers = np.array([np.broadcast_to(_real(x), count) for x in called], dtype=float)
-            slopes = numbers[size:].reshape(size, size, count).transpose(2, 0, 1)
-            step = _solved(slopes, numbers[:size].T).T
-            found = found - step
-            if np.all(~np.isfinite(step) | (np.abs(step) <= CLOSE * np.maximum(np.abs(found), 1e-30))):
-                break
-        lost = False if self.linear else np.abs(step) > FOUND * np.maximum(np.abs(found), TINY)
-        return np.where(lost, np.nan, found)
-
-
-def _real(numbers: Any) -> Any:
-    """NaN in place of what is not real."""
-    return np.where(np.imag(numbers) == 0, np.real(numbers), np.nan) if np.iscomplexobj(numbers) else numbers
-
-
-def _solved(slopes: Numbers, residuals: Numbers) -> Numbers:
-    """Solutions of linear systems, NaN where a system has none."""
-    fit = np.isfinite(slopes).all((1, 2)) & np.isfinite(residuals).all(1)
-    out = np.full(residuals.shape, np.nan)
-    if fit.any():
-        # Rows of unit size, so that what counts as singular does not depend on units.
-        rows = np.abs(slopes[fit]).max(2, keepdims=True)
-        fine = (rows > 0).all((1, 2))
-        index = np.flatnonzero(fit)[fine]
-        if index.size:
-            scaled = slopes[index] / rows[fine]
-            right = residuals[index] / rows[fine][:, :, 0]
-            regular = np.abs(np.linalg.det(scaled)) > 1e-14
-            if regular.any():
-                out[index[regular]] = np.linalg.solve(scaled[regular], right[regular][:, :, None])[:, :, 0]
-    return out
 
 
 class Replay:
@@ -104,6 +30,8 @@ class Replay:
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
         self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], Solver] = {}
         self._for_fixed: dict[frozenset[sp.Symbol], list[Solver]] = {}
+        self._unchanged: Replay = self if like is None else like._unchanged
+        self._senses: dict[tuple[Solver, tuple[float, ...]], float] = {}
 
     @property
     def solvers_of_steps(self) -> Iterable[tuple[Step, Solver]]:
@@ -124,20 +52,41 @@ class Replay:
         """
         count = max((np.size(v) for v in (*inputs.values(), *(fixed or {}).values())), default=1)
         base = self.equations.value
-        strides = 1 if self._all_linear() or not inputs else STRIDES
-        from_here = {u: np.full(count, (start or {}).get(u, base[u])) for u in self.equations.unknowns}
-        run = Run(self, {}, count)
-        for k in range(1, strides + 1):
-            part = k / strides
-            at = {
-                s: np.full(count, base[s]) + part * (np.broadcast_to(inputs[s], count) - base[s])
-                if s in inputs
-                else np.full(count, base[s])
-                for s in self.equations.inputs.values()
-            }
-            run = self._once(at, fixed or {}, from_here, count, (rounding, exact))
-            from_here = {u: run.values[u] for u in self.equations.unknowns}
+        at = {s: np.full(count, base[s]) for s in self.equations.inputs.values()}
+        at |= {s: np.broadcast_to(n, count) for s, n in (*inputs.items(), *(fixed or {}).items())}
+        run, before = Run(self, at, count, rounding, exact), self._at({**base, **(start or {})})
+        for solver in self.solvers(frozenset(fixed or {})):
+            first = [float(before.number(s)[0]) for s in solver.needs]
+            there = [float(before.number(u)[0]) for u in solver.unknowns]
+            sense = 0.0 if solver.linear else self._sense(solver, first, there, start or {})
+            known = [run.number(s) for s in solver.needs]
+            found = solver(known, np.array([np.full(count, x) for x in there]), first, sense)
+            for unknown, numbers in zip(solver.unknowns, found, strict=True):
+                run.values.setdefault(unknown, run.rounded(unknown, numbers))
         return run
+
+    def _at(self, values: Mapping[sp.Symbol, float]) -> Run:
+        return Run(self, {s: np.array([v]) for s, v in values.items()}, 1)
+
+    def _sense(
+        self, solver: Solver, first: Sequence[float], there: Sequence[float], start: Mapping[sp.Symbol, float]
+    ) -> float:
+        """The branch of a step. One that was changed has its larger root where the unchanged one has; where that cannot
+        be told, any root.
+        """
+        key = solver, (*first, *there)
+        if key not in self._senses:
+            right = next((s for s in self._unchanged._solvers if s.unknowns == solver.unknowns), None)
+            if right is None or right is solver:
+                found = solver.sense(first, there)
+            elif solver.second is None or right.second is None:
+                found = 0.0
+            else:
+                base = self._unchanged._at({**self._unchanged.equations.value, **start})
+                known = [float(base.number(s)[0]) for s in right.needs]
+                found = right.sense(known, there) * right.leading(known) * solver.leading(first)
+            self._senses[key] = found
+        return self._senses[key]
 
     def solvers(self, fixed: frozenset[sp.Symbol]) -> list[Solver]:
         """What solves the steps where some unknowns are fixed."""
@@ -149,25 +98,6 @@ class Replay:
                     found.append(whole if len(left) == len(whole.unknowns) else self._without(k, fixed))
             self._for_fixed[fixed] = found
         return self._for_fixed[fixed]
-
-    def _all_linear(self) -> bool:
-        return all(s.linear for s in self._solvers)
-
-    def _once(
-        self,
-        at: dict[sp.Symbol, Numbers],
-        fixed: Mapping[sp.Symbol, Numbers],
-        start: dict[sp.Symbol, Numbers],
-        count: int,
-        rounded: tuple[Rounding | None, frozenset[sp.Symbol]],
-    ) -> Run:
-        run = Run(self, {**at, **{s: np.broadcast_to(v, count) for s, v in fixed.items()}}, count, *rounded)
-        for solver in self.solvers(frozenset(fixed)):
-            known = [run.number(s) for s in solver.needs]
-            found = solver(known, np.array([start[u] for u in solver.unknowns]))
-            for unknown, numbers in zip(solver.unknowns, found, strict=True):
-                run.values.setdefault(unknown, run.rounded(unknown, numbers))
-        return run
 
     def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> Solver:
         """A step in which some unknowns are fixed: with as many of its equations as unknowns are left, those that fix
@@ -230,7 +160,7 @@ class Run:
         names, call = self.replay.formula(sp.sympify(expr))
         with np.errstate(all="ignore"):
             (found,) = call(*(self.number(s) for s in names))
-        return np.broadcast_to(np.asarray(_real(found), dtype=float), self.count)
+        return np.broadcast_to(np.asarray(real(found), dtype=float), self.count)
 
     def asked(self, find: str) -> tuple[Numbers, ...]:
         """The parts of a find."""

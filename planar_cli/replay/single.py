@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from planar_cli.replay.numbers import CLOSE, FOUND, ROUNDS, TINY, Replay, Solver, compiled
+from planar_cli.replay.numbers import Replay
+from planar_cli.replay.solver import CLOSE, FOUND, ROUNDS, STRIDES, TINY, Solver, compiled, second_root
 
 Values = dict[sp.Symbol, float]
 FAILURES = (ArithmeticError, ValueError, TypeError)
@@ -27,27 +28,62 @@ class Single:
 
     def __init__(self, replay: Replay) -> None:
         self.replay = replay
-        self._calls: dict[int, Callable[..., list[Any]]] = {}
+        self._calls: dict[tuple[int, bool], Callable[..., list[Any]]] = {}
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
 
     def run(self, inputs: Mapping[sp.Symbol, float], fixed: Mapping[sp.Symbol, float], start: Values) -> Values:
         """Numbers of inputs and unknowns, some of them fixed, near a start. NoNumber: there are none."""
-        values = {**inputs, **fixed}
+        values, before = {**inputs, **fixed}, dict(start)
         for solver in self.replay.solvers(frozenset(fixed)):
             try:
                 known = [self.number(s, values) for s in solver.needs]
-                values.update(zip(solver.unknowns, self._solved(solver, known, start), strict=True))
+                values.update(zip(solver.unknowns, self._solved(solver, known, before), strict=True))
             except FAILURES as error:
                 raise NoNumber(str(error)) from None
         return values
 
-    def _solved(self, solver: Solver, known: Sequence[float], start: Values) -> list[float]:
-        found, size = [start[u] for u in solver.unknowns], len(solver.unknowns)
-        if id(solver) not in self._calls:
-            self._calls[id(solver)] = compiled(solver.exprs, [*solver.needs, *solver.unknowns], "math")
-        call = self._calls[id(solver)]
-        for _ in range(1 if solver.linear else ROUNDS):
-            numbers = call(*known, *found)
+    def _solved(self, solver: Solver, known: Sequence[float], before: Values) -> list[float]:
+        """The unknowns of a step, on the branch on which they were before."""
+        there = [before[u] for u in solver.unknowns]
+        if solver.linear:
+            return self._newton(solver, known, there, 1)
+        first = [self.number(s, before) for s in solver.needs]
+        sense = solver.sense(first, there)
+        if solver.second is not None and sense:
+            found = [float(second_root(self._called(solver, solver.second, known), sense, math.sqrt))]
+            if not math.isfinite(found[0]):
+                raise NoNumber("no finite solution")
+            return found
+        for strides in STRIDES:
+            try:
+                found = self._followed(solver, first, known, there, strides)
+            except FAILURES:
+                continue
+            if not sense or solver.sense(known, found) == sense:
+                return found
+        raise NoNumber("no solution is found")
+
+    def _followed(
+        self, solver: Solver, first: Sequence[float], last: Sequence[float], there: list[float], strides: int
+    ) -> list[float]:
+        found = previous = there
+        for k in range(1, strides + 1):
+            at = [a + k / strides * (b - a) for a, b in zip(first, last, strict=True)]
+            ahead = [2 * x - y for x, y in zip(found, previous, strict=True)]
+            previous, found = found, self._newton(solver, last if k == strides else at, ahead, ROUNDS)
+        return found
+
+    def _called(self, solver: Solver, exprs: list[sp.Expr], numbers: Sequence[float]) -> list[Any]:
+        key = id(solver), exprs is solver.second
+        if key not in self._calls:
+            names = solver.needs if exprs is solver.second else (*solver.needs, *solver.unknowns)
+            self._calls[key] = compiled(exprs, names, "math")
+        return self._calls[key](*numbers)
+
+    def _newton(self, solver: Solver, known: Sequence[float], start: list[float], rounds: int) -> list[float]:
+        found, size = start, len(solver.unknowns)
+        for _ in range(rounds):
+            numbers = self._called(solver, solver.exprs, (*known, *found))
             if size == 1:
                 step = [numbers[0] / numbers[1]]
             else:
