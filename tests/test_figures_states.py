@@ -17,14 +17,14 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
 from planar_cli.report.blocks import Name, Text, line
-from planar_cli.report.marks import Angle, Arrow, Axes, Dimension, Figure, Hatched, Polyline, Symbol, Tag
+from planar_cli.report.marks import Angle, Arc, Arrow, Axes, Dimension, Figure, Hatched, Mark, Polyline, Symbol, Tag
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
 
 EVERY = 12
 """Of so many problem files one is drawn in each run, as in test_figures.py."""
-DOTS = ("point", "particle", "place", "pin")
+DOTS = ("point", "particle", "place", "pin", "ring")
 
 
 def named(stem: str) -> Path:
@@ -157,3 +157,36 @@ def test_nothing_to_draw_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert command.callback is not None
     assert command.callback((str(path),), str(tmp_path), "svg", 60.0) == UNDECIDED
     assert "nothing to draw" in capsys.readouterr().err
+
+
+def marks_of(stem: str) -> tuple[Mark, ...]:
+    found = scene_of(named(stem))
+    assert found is not None
+    return found[0].panels[0].marks
+
+
+def test_a_rope_that_is_slack_at_first_hangs_in_waves() -> None:
+    ropes = [m for m in marks_of("falling-rod-caught-by-a-cord") if isinstance(m, Polyline) and m.style == "rope"]
+    assert [len(rope.places) > 20 for rope in ropes] == [True]
+
+
+def test_what_a_body_hangs_on_is_drawn_in_later_states_too() -> None:
+    hidden = [m for m in marks_of("bullet-in-a-hanging-block") if isinstance(m, Polyline) and m.style == "hidden"]
+    assert [m.places[0] for m in hidden] == [(0, 0)]
+
+
+def test_a_groove_goes_through_the_ball_in_it() -> None:
+    (groove,) = (m for m in marks_of("ball-in-a-forked-slot") if isinstance(m, Hatched))
+    assert min(math.dist(spot, (-0.8, 0)) for spot in groove.places) < 1e-6
+    assert math.dist(groove.places[0], groove.places[-1]) < 1e-6
+
+
+def test_a_point_beside_its_rod_is_held_and_one_on_it_is_seen() -> None:
+    coupler = [m for m in marks_of("coupler-point-of-a-four-bar") if isinstance(m, Polyline) and m.style == "thin"]
+    assert [len(m.places) for m in coupler] == [3]
+    rings = [m for m in marks_of("slider-crank-offset") if isinstance(m, Symbol) and m.kind == "ring"]
+    assert len(rings) == 1
+
+
+def test_a_hoop_is_no_disk() -> None:
+    assert [m.hollow for m in marks_of("bead-on-a-turning-hoop") if isinstance(m, Arc)] == [True]

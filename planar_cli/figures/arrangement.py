@@ -8,17 +8,19 @@ from typing import TYPE_CHECKING
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Moving, given_motion_marks
+from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sketch_of, touching
+from planar_cli.figures.paths import curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.joints.base import Joint
-from planar_cli.problem.scene import Circle, Line, Particle, Problem, Surface
+from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import (
     Angle,
@@ -28,6 +30,7 @@ from planar_cli.report.marks import (
     Hatched,
     Mark,
     Panel,
+    Polyline,
     Spot,
     Symbol,
     Tag,
@@ -40,6 +43,8 @@ from planar_cli.solve.solution import InstantSolution
 if TYPE_CHECKING:
     from planar_cli.simulate.run import Run
 
+ON = 1e-6
+"""What is so near to a bar, in parts of its length, is on it."""
 ALONE = 1.0
 """The size of a scene that is one point, m."""
 
@@ -53,7 +58,10 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     problem, system = drawn.scene.problem, instant.trial.system
     if motion is None or not problem.states:
         moving = Moving(drawn, system.motion) if system.motion is not None else None
-        return arranged(drawn, moving)
+        bodies = drawn.scene.bodies
+        curves = [curve_of(drawn, name) for name, body in bodies.items() if isinstance(body.shape, Particle)]
+        ways = (Polyline(curve, "way") for curve in curves if len(curve) > 1)
+        return _panel((*_marks(drawn, moving, problem.joints), *ways))
     drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
     systems = {id(r.solution.instant.scene): r.solution.trial.system for r in motion.regimes}
     led = systems.get(id(drawn.scene), system).motion
@@ -93,15 +101,16 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     """`joints`: those of the whole file, whenever they hold; `later`: further positions, to which surfaces go on."""
     scene, problem = drawn.scene, drawn.scene.problem
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
-    centers = [s for b in scene.bodies.values() if (s := drawn.spot(b.center)) is not None]
+    masses = {n: s for n, b in scene.bodies.items() if (s := drawn.spot(b.center)) is not None}
+    centers, named = list(masses.values()), {**masses, **points}
     size = extent([*points.values(), *centers]) or ALONE
     spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
     standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
-        if surface.name in shaped:
+        if surface.name in shaped or _is_rim(drawn, surface):
             continue
-        places = [points[p] for p in touching(problem, surface, joints) if p in points]
+        places = [named[p] for p in touching(problem, surface, joints) if p in named]
         near_it = [b for b in partners(problem, surface, joints) if b in scene.bodies]
         near = [s for b in near_it if (s := drawn.spot(scene.bodies[b].center)) is not None]
         beside = scene.bodies if isinstance(surface.shape, Line | Circle) else near_it
@@ -127,9 +136,13 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 continue
             yield standing.get(name, here) if isinstance(here, Symbol) else here
     yield from sketched
-    named = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
-    shown = {name: points[name] for name in named if name in points}
-    yield from (Symbol("point", s) for s in shown.values())
+    yield from slack_marks(drawn, joints)
+    written = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
+    shown = {name: points[name] for name in written if name in points}
+    bars = [m for n in scene.bodies.values() for m in body_marks(drawn, n) if isinstance(m, Polyline) and not m.closed]
+    pinned = {m.at for m in sketched if isinstance(m, Symbol)}
+    rings = {s for s in shown.values() if s not in pinned and any(_is_on(s, bar) for bar in bars)}
+    yield from (Symbol("ring" if s in rings else "point", s) for s in shown.values())
     tagged = {**shown, **_particles(drawn, problem, shown)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
     measures = [*measure_marks(drawn, problem, tagged)]
@@ -163,6 +176,21 @@ def _standing(drawn: Drawn, problem: Problem, surface: Surface, mark: Hatched) -
             if body is not None and isinstance(body.shape, Particle) and (spot := drawn.spot(body.center)) is not None:
                 found[name] = Symbol("block", spot, along)
     return found
+
+
+def _is_rim(drawn: Drawn, surface: Surface) -> bool:
+    """Is a surface the rim of the round body that carries it, which is drawn already?"""
+    body = drawn.scene.bodies.get(surface.body or "")
+    if body is None or not isinstance(body.shape, Round) or not isinstance(surface.shape, Circle):
+        return False
+    radii = (drawn.length(surface.shape.radius), drawn.length(body.shape.radius))
+    return surface.shape.center == body.shape.center and radii[0] == radii[1]
+
+
+def _is_on(spot: Spot, bar: Polyline) -> bool:
+    """Is a place on a bar?"""
+    around = math.dist(spot, bar.places[0]) + math.dist(spot, bar.places[-1])
+    return around < math.dist(bar.places[0], bar.places[-1]) * (1 + ON)
 
 
 def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot]) -> dict[str, Spot]:

@@ -4,6 +4,7 @@ which it rests, by rates that are the same all the time or rest on the time alon
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -13,16 +14,18 @@ from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.motion.regime import Regime
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
 from planar_cli.report.marks import Spot
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 
 if TYPE_CHECKING:
     from planar_cli.equation.scene import Scene
-    from planar_cli.problem.geometry import Vec
     from planar_cli.simulate.run import Run
     from planar_cli.solve.law import Law
 
 STEPS = 32
+AROUND = math.radians(60)
+"""A curve that rests on an angle is drawn so far on either side."""
 
 
 def path_of(motion: MotionTrace, run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
@@ -32,6 +35,23 @@ def path_of(motion: MotionTrace, run: Run | None, body: str, since: str, until: 
             found = _by_coordinate(motion, regime, body, since, until)
             return found or _by_rates(motion, regime, body, since, until) or followed_path(run, body, since, until)
     return ()
+
+
+def curve_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
+    """The curve on which a particle is by a formula of one angle of the file, on both sides of where it is drawn; none:
+    it is on none.
+    """
+    scene, center = drawn.scene, _place(drawn.scene, name)
+    known = scene.ledger.values
+    place = Vec(*(e.xreplace({s: known[s] for s in e.free_symbols & known.keys()}) for e in (center.x, center.y)))
+    own = {c.name for c in scene.problem.coordinates}
+    angles = {s for e in (place.x, place.y) for s in e.free_symbols if s.name in own and scene.ledger.units[s].angle}
+    middle = drawn.number(angle) if len(angles) == 1 and (angle := angles.pop()) else None
+    if middle is None:
+        return ()
+    ways = (middle + AROUND * (2 * i / STEPS - 1) for i in range(STEPS + 1))
+    spots = [Drawn(scene, drawn.value, {angle: sp.Rational(f"{way:.9g}")}).spot(place) for way in ways]
+    return tuple(s for s in spots if s is not None)
 
 
 def _place(scene: Scene, name: str) -> Vec:

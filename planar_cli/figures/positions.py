@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import TINY, Drawn
+from planar_cli.figures.held_later import held_marks
 from planar_cli.figures.paths import followed_path, path_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.expression import Quantity
@@ -181,6 +182,8 @@ def position_marks(places: Sequence[Later], motion: MotionTrace | None, run: Run
         seen = [n for n in p.spots if any(_moved(n, p, q) for q in places) and (first or _moved(n, places[0], p))]
         for name in seen if not first else ():
             yield from p.marks(name)
+        if not first and p.first is None and not any(p.shift):
+            yield from held_marks(p.there, places[0].there)
         for name in _apart(p, seen) if p.words else ():
             yield Tag(p.at(name), line(p.words))
 

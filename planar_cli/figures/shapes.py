@@ -14,6 +14,9 @@ from planar_cli.figures.rings import around
 from planar_cli.problem.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Style, Symbol
 
+HOOP = "ring"
+ASIDE = 1e-6
+"""What is farther from a rod, in parts of its length, is not on it."""
 SMOOTH = 36
 """So many strokes make an arc."""
 
@@ -43,6 +46,16 @@ def _rod(shape: Rod, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Ma
     if start is not None and center is not None:
         end = (2 * center[0] - start[0], 2 * center[1] - start[1])
         yield Polyline((start, end), style)
+        yield from _aside(drawn, body, start, end, style)
+
+
+def _aside(drawn: Drawn, body: BodyModel, start: Spot, end: Spot, style: Style) -> Iterator[Mark]:
+    """What holds points that belong to a rod and are not on it, as the coupler point of a four-bar."""
+    written = next((b for b in drawn.scene.problem.bodies if b.name == body.name), None)
+    for name in written.points if written is not None else ():
+        spot = drawn.carried(body.name, name)
+        if spot is not None and math.dist(start, spot) + math.dist(spot, end) > math.dist(start, end) * (1 + ASIDE):
+            yield Polyline((start, spot, end), "hidden" if style == "hidden" else "thin")
 
 
 @_shape.register
@@ -51,7 +64,7 @@ def _round(shape: Round, drawn: Drawn, body: BodyModel, style: Style) -> Iterato
     for side in (shape.radius, shape.hub):
         radius = drawn.length(side) if side is not None else None
         if center is not None and radius:
-            yield Arc(center, radius, style if side is shape.radius else "thin")
+            yield Arc(center, radius, style if side is shape.radius else "thin", hollow=shape.kind == HOOP)
 
 
 @_shape.register

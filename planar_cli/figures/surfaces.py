@@ -151,6 +151,8 @@ def _curve(drawn: Drawn, surface: Surface, shape: Curve, touching: Sequence[Spot
     else:
         ways = [math.atan2(p[1], p[0]) for p in seen]
         low, high = min(ways) - REACH, max(ways) + REACH
+        if _is_closed(drawn, place, x):
+            low, high = -math.pi, math.pi
     found = []
     for i in range(STEPS + 1):
         at = low + (high - low) * i / STEPS
@@ -158,6 +160,13 @@ def _curve(drawn: Drawn, surface: Surface, shape: Curve, touching: Sequence[Spot
         if spot is not None:
             found.append(moved(origin, turn, *spot))
     return found
+
+
+def _is_closed(drawn: Drawn, place: Vec, x: sp.Symbol) -> bool:
+    """Does a curve come back to where it began after one turn, with a place everywhere?"""
+    spots = [_at(drawn, place, x, math.pi * i / 6) for i in range(-6, 7)]
+    first, last = spots[0], spots[-1]
+    return None not in spots and first is not None and last is not None and math.dist(first, last) < 1e-6
 
 
 def _at(drawn: Drawn, place: Vec, x: sp.Symbol, at: float) -> Spot | None:

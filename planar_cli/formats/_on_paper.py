@@ -116,7 +116,8 @@ def _polyline(mark: Polyline, scale: Scale) -> Iterator[Piece]:
 def _arc(mark: Arc, scale: Scale) -> Iterator[Piece]:
     center, radius = scale.spot(mark.center), mark.radius * scale.pixels
     if abs(mark.sweep) >= 2 * math.pi - 1e-9:
-        yield Disc(center, radius, mark.style if mark.style == LATER else f"{mark.style} area")
+        filled = mark.style != LATER and not mark.hollow
+        yield Disc(center, radius, f"{mark.style} area" if filled else mark.style)
     else:
         yield Stroke(arc(center, radius, mark.start, mark.sweep), mark.style)
 

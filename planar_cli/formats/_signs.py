@@ -50,6 +50,8 @@ def _place(mark: Symbol, at: Spot) -> Iterator[Piece]:
             yield from (Stroke((moved(at, a, -6), moved(at, a, 6)), "measure") for a in (0.0, math.pi / 2))
         case "point":
             yield Disc(at, 1.8, "dot")
+        case "ring":
+            yield Disc(at, 2.4, "pin")
         case "place":
             yield Disc(at, 5.0, LATER)
         case "break":

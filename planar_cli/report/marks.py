@@ -35,6 +35,7 @@ SymbolKind = Literal[
     "origin",
     "hanger",
     "break",
+    "ring",
 ]
 
 
@@ -49,13 +50,16 @@ class Polyline:
 
 @record
 class Arc:
-    """Part of a circle, from the angle `start` on through `sweep` (2π: all of it, with the area of a body)."""
+    """Part of a circle, from the angle `start` on through `sweep` (2π: all of it, with the area of a body, unless it
+    is `hollow`, as a hoop).
+    """
 
     center: Spot
     radius: float
     style: Style
     start: float = 0.0
     sweep: float = 6.283185307179586
+    hollow: bool = False
 
 
 @record
@@ -88,7 +92,7 @@ class Symbol:
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
     behind the end of something that goes on along `angle`, what holds a wheel from there, where
     coordinates are measured from, the place where a particle is later, a break in what is too long to be drawn, along
-    `angle`.
+    `angle`, a point on a bar.
     """
 
     kind: SymbolKind
