@@ -33,9 +33,9 @@ OURS = frozenset(
     "uparrow downarrow nearrow nwarrow searrow swarrow leftrightarrow updownarrow circlearrowleft circlearrowright sin "
     "cos tan cot sec csc arcsin arccos arctan sinh cosh tanh ln exp max min alpha beta gamma delta epsilon zeta eta "
     "theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega "
-    "vartheta quotedblbase o O ae AE oe OE l L i u r H v c k".split()
+    "vartheta char quotedblbase o O ae AE oe OE l L i u r H v c k".split()
 )
-ENVIRONMENTS = {"document", "itemize", "longtable", "tikzpicture", "center", "cases", "minipage"}
+ENVIRONMENTS = {"document", "itemize", "longtable", "tabular", "tikzpicture", "center", "cases", "minipage"}
 
 
 def page_of(path: Path) -> doc.Document:

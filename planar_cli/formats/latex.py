@@ -61,11 +61,13 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
   {{#1\bfseries\noindent #2\hfill{{\normalfont\small #3}}\par}}%
   \nopagebreak\smallskip}}
 % A formula on display, which may break, and its number.
-\newcommand{{\planarshown}}[2]{{\par\smallskip{{\leftskip=2em\parfillskip=0pt\hangindent=2em\noindent #1%
+\newcommand{{\planarshown}}[2]{{\par\smallskip
+  {{\leftskip=2em\rightskip=0pt plus 1fil\parfillskip=0pt\hangindent=2em\noindent #1%
   \unskip\nobreak\hfill\penalty50\hskip1em\null\nobreak\hfill\hbox{{#2}}\par}}\smallskip}}
 \newcommand{{\planaranswer}}[1]{{\par\medskip
   \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}#1\end{{minipage}}}}\par\medskip}}
-\newcommand{{\planarlist}}[1]{{\begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}
+\newcommand{{\planarlist}}[1]{{{{\topsep=2pt\partopsep=0pt\parskip=0pt
+  \begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}}}
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{0.4\baselineskip}}
 \setlength{{\emergencystretch}}{{4em}}
@@ -75,6 +77,8 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
 SIZES = (r"\LARGE", r"\Large", r"\large", r"\normalsize")
 WIDE = 76
 """So many letters fit side by side in a table."""
+HIGH = 25
+"""So many rows fit on a page."""
 
 
 @final
@@ -195,20 +199,19 @@ def _shown(told: Equation) -> str:
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table that may go on on the next page; columns as wide as what is in them, where that fits."""
+    """A table with columns as wide as what is in them; one that does not fit so, or on a page, has columns of fixed
+    widths, by which it is right when TeX reads it once.
+    """
     longest = [max(map(_size, column)) for column in zip(header, *rows, strict=True)]
-    if sum(longest) <= WIDE:
+    body = "\n".join([rf"{' & '.join(row)} \\ \hline" for row in rows])
+    head = " & ".join(rf"\textbf{{{cell}}}" for cell in header) + r" \\ \hline"
+    if sum(longest) <= WIDE and len(rows) <= HIGH:
         columns = "|".join("l" for _ in header)
-    else:
-        parts = [min(max(n, 8), WIDE // 2) for n in longest]
-        columns = "|".join(
-            rf">{{\raggedright\arraybackslash}}p{{{0.94 * part / sum(parts) - 0.02:.3f}\linewidth}}" for part in parts
-        )
-    head = " & ".join(rf"\textbf{{{cell}}}" for cell in header)
-    body = "\n".join(rf"{' & '.join(row)} \\ \hline" for row in rows)
-    return (
-        f"\\begin{{longtable}}[l]{{|{columns}|}}\n\\hline\n{head} \\\\ \\hline\n\\endhead\n{body}\n\\end{{longtable}}"
-    )
+        return f"\\begin{{tabular}}{{|{columns}|}}\n\\hline\n{head}\n{body}\n\\end{{tabular}}"
+    parts = [min(max(n, 8), WIDE // 2) for n in longest]
+    share = 0.94 / max(sum(parts), WIDE)
+    columns = "|".join(rf">{{\raggedright\arraybackslash}}p{{{share * part:.3f}\linewidth}}" for part in parts)
+    return f"\\begin{{longtable}}[l]{{|{columns}|}}\n\\hline\n{head}\n\\endhead\n{body}\n\\end{{longtable}}"
 
 
 def _size(cell: str) -> int:

@@ -25,8 +25,10 @@ _SIGNS = {
     "`": r"\textasciigrave{}",
     # No ligature is made of two of them.
     "-": "{-}",
+    # The sign of the font: the command of TeX draws a long line.
+    "_": r"\char95{}",
     "'": "{'}",
-    **{c: "\\" + c for c in "{}$&#%_"},
+    **{c: "\\" + c for c in "{}$&#%"},
 }
 _MATHS = {
     **{letter: "\\" + word for word, letter in GREEK.items()},
