@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import pytest
 
+from planar_cli.commands._handed_out import page
 from planar_cli.commands._told_formulas import told_formulas
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.ready import Prepared
+from planar_cli.homework.paper import Paper
+from planar_cli.homework.ready import Homework, Prepared
+from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
+from planar_cli.homework.sheets import Handed
+from planar_cli.report.handed_out import key, sheet
 
 HIT = """
 plane: vertical
@@ -51,3 +56,11 @@ def test_the_formula_of_the_file_stands_where_it_holds(hit: Prepared) -> None:
         coefficient = 6 * 1.2 * (3 * b - 2.4) * 1.6 / (2 * (6 * 1.44 + 3 * b**2))
         assert j.text == f"(1 + e) M m v_0 l (3 b - 2 l) / (2 (M l² + 3 m b²)) = {coefficient:.4f} v_0 (v_0 in m/s)"
         assert v.text.endswith(" v_0"), "a pure number needs no unit"
+
+
+def test_the_sheet_tells_in_which_letters_a_formula_is_asked(hit: Prepared) -> None:
+    homework = Homework("hit", "", {1: Paper(1, (hit.tasks[1],))}, {}, "", (), Rules())
+    told = page(sheet(homework, Handed("sheet-1", 1)), "", "markdown").decode()
+    assert "in N·s, as a formula in v\\_0 (1 point)" in told
+    assert "# 2/7*v_0" in told
+    assert "$v_{0}$ in m/s)" in page(key(homework, [1], worked=False), "", "markdown").decode()

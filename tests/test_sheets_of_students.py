@@ -75,3 +75,23 @@ def test_a_run_that_is_taken_up_again_prints_all(path: Path, capfd: pytest.Captu
         told = capfd.readouterr().out
         assert ("ann" in told, "bob" in told) == (True, student != "ann")
         assert form or "slope.a                      nobody answered" in told
+
+
+def test_names_that_no_student_reads_are_told(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    hung = """
+plane: vertical
+text: A lamp of mass 2 kg hangs from a rope. Find the tension in the rope.
+points: {A: [0, 0], B: [0, 1 m]}
+bodies: {lamp: {particle: A, mass: 2 kg}}
+joints: [{rope: {path: [B, A], name: cord}}]
+instant: [at rest]
+find: {T: tension(cord), a: a(lamp).mag}
+"""
+    (path.parent / "slope.yaml").write_text(hung)
+    assert run(["validate", str(path)]) == 0
+    told = capfd.readouterr().err
+    assert "slope.T asks for the tension in cord, and the text does not tell 'cord'" in told
+    assert "slope.a" not in told
+    path.write_text(path.read_text().replace("[slope.yaml]", "[{file: slope.yaml, ask: {T: the tension in the rope}}]"))
+    assert run(["validate", str(path)]) == 0
+    assert "warning" not in capfd.readouterr().err

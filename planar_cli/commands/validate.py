@@ -14,6 +14,7 @@ from planar_cli.commands._output import write
 from planar_cli.diagnostics import as_annotation, as_data, show_all
 from planar_cli.errors import Diagnostic
 from planar_cli.formats.json import dumps
+from planar_cli.problem.show import visible
 
 RIGHT, BAD = 0, 2
 
@@ -27,6 +28,7 @@ def command(files: tuple[str, ...], form: str) -> int:
     from planar_cli.problem.files import problem_files
 
     wrong: list[Diagnostic] = []
+    warnings: list[str] = []
     read: dict[str, str] = {}
     for one in (v for path in problem_files(files) for v in validated(path)):
         # A folder may hold a set and its problems.
@@ -34,16 +36,20 @@ def command(files: tuple[str, ...], form: str) -> int:
             continue
         read[os.path.normpath(one.path)] = one.path
         wrong += one.wrong
+        warnings += [f"{one.path}: {w}" for w in one.warnings]
         if form == "text":
             show_all(one.wrong, {d.mark.file: one.source for d in one.wrong})
-    _report([*read.values()], wrong, form)
+    for warning in warnings if form == "text" else ():
+        click.echo(visible(f"warning: {warning}"), err=True)
+    _report([*read.values()], wrong, warnings, form)
     return BAD if wrong else RIGHT
 
 
-def _report(read: list[str], wrong: list[Diagnostic], form: str) -> None:
+def _report(read: list[str], wrong: list[Diagnostic], warnings: list[str], form: str) -> None:
     """The whole result for programs, or one closing line for people."""
     if form == "json":
-        write(dumps({"files": read, "diagnostics": [as_data(d) for d in wrong]}), None, exact=True)
+        data = {"files": read, "diagnostics": [as_data(d) for d in wrong]}
+        write(dumps(data | ({"warnings": warnings} if warnings else {})), None, exact=True)
     elif form == "github":
         for diagnostic in wrong:
             click.echo(as_annotation(diagnostic))

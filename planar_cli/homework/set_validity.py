@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from planar_cli.errors import Diagnostic, FileProblem
+from planar_cli.homework.asked_words import asked_words
+from planar_cli.homework.printed_names import printed
 from planar_cli.homework.set_file import SetProblem, read_set
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.records import record
@@ -21,6 +25,8 @@ class Validated:
     path: str
     wrong: tuple[Diagnostic, ...]
     source: str
+    warnings: tuple[str, ...] = ()
+    """What hinders nothing."""
 
 
 def validated(path: str) -> Iterator[Validated]:
@@ -36,7 +42,8 @@ def validated(path: str) -> Iterator[Validated]:
         return
     read = [(p, load(p.path)) for p in homework_set.problems]
     unknown = [d for p, (problem, own, _) in read if problem is not None and not own for d in _unknown(p, problem)]
-    yield Validated(path, tuple(unknown), source)
+    said = [w for p, (problem, own, _) in read if problem is not None and not own for w in _said_to_nobody(p, problem)]
+    yield Validated(path, tuple(unknown), source, tuple(said))
     for p, (_, own, text) in read:
         yield Validated(p.path, tuple(own), text)
 
@@ -48,3 +55,27 @@ def _unknown(own: SetProblem, problem: Problem) -> Iterator[Diagnostic]:
         if name not in names:
             text = f"{own.path} has no find '{name}'"
             yield Diagnostic(own.mark, "PL802", text, f"there are {', '.join(names)}")
+
+
+def _said_to_nobody(own: SetProblem, problem: Problem) -> Iterator[str]:
+    """Finds of which the sheet asks by names that stand neither in the text nor in the figure, which has points and
+    bodies: those of joints, loads and states.
+    """
+    finds = {f.name: (f, one) for one in (problem, *(c.problem for c in problem.cases)) for f in one.find}
+    for name, (find, part) in finds.items():
+        words, what = asked_words(find), find.found.what
+        if name in own.ask or not isinstance(what, Quantity) or words == printed(name):
+            continue
+        seen = {p.name for p in part.points} | {b.name for b in part.bodies}
+        at = what.at if isinstance(what.at, tuple) else (what.at or "",)
+        states = [s for s in at if s and not _stands(f"state {s}", problem.text)]
+        things = [n for t in what.things if t != "all" for n in t.split("/") if n not in seen]
+        strange = [t for t in things if not _stands(t, problem.text)]
+        if strange or states:
+            told = ", ".join([*(f"'{t}'" for t in strange), *(f"state {s}" for s in states)])
+            mend = f"say it in your words by `ask: {{{name}: …}}`"
+            yield f"{own.name}.{name} asks for the {words}, and the text does not tell {told}; {mend}"
+
+
+def _stands(words: str, text: str) -> bool:
+    return re.search(rf"(?<!\w){re.escape(words)}(?!\w)", text, re.IGNORECASE) is not None

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeAlias
 
+from planar_cli.homework.given_letters import GRAVITY
 from planar_cli.homework.paper import Expected, Paper, Printed, Task
 from planar_cli.homework.printed_names import printed
 from planar_cli.homework.ready import Homework
@@ -23,6 +24,8 @@ from planar_cli.units import pretty_unit
 Piece: TypeAlias = Block | Printed
 SUBSCRIPTED = re.compile(r"(?<![\w.])([A-Za-zΑ-Ωα-ω]_(?:[A-Z]/[A-Z]|[A-Za-z0-9Α-Ωα-ω]{1,8}))(?![\w])")
 """One letter with its subscript among words; longer words are names that somebody types."""
+WITH_UNITS = re.compile(r"(.*) (\([^()]* in [^()]*\))")
+"""A formula, and the units in which its letters are."""
 DATUM = re.compile(r"([^\W\d]\w*) = (.*)")
 
 
@@ -73,8 +76,18 @@ def _asked(expected: Expected) -> Line:
     # The name of the find stands before it already.
     what = "" if expected.asked in ("", printed(expected.find)) else f": {expected.asked}"
     in_unit = f", in {unit}" if unit and expected.kind != "word" else ""
+    if expected.kind == "formula":
+        in_unit += (
+            f", as a formula in {' and '.join(map(printed, free))}" if (free := _free(expected)) else ", as a formula"
+        )
     points = f" ({expected.points:g} {'point' if expected.points == 1 else 'points'})"
     return line(Text(_plain(expected.find), "strong"), _words_after(what), f"{two}{in_unit}{points}")
+
+
+def _free(expected: Expected) -> list[str]:
+    """The letters of a problem that its sheet gives no numbers for; g is known to all."""
+    names = {n for n, _ in (*expected.letters, *expected.others)} - dict(expected.known).keys() - {GRAVITY[0]}
+    return sorted(names)
 
 
 def _words_after(text: str) -> Line:
@@ -121,8 +134,7 @@ def _example(expected: Expected, comma: bool) -> str:
         # In quotes: a bracket begins a list in YAML.
         return f'"[{first}; -{second}]{unit}"' if comma else f'"[{first}, -{second}]{unit}"'
     if expected.kind == "formula":
-        letters = [n for n, _ in (*expected.letters, *expected.others)]
-        return _made_up([n for n in letters if n not in dict(expected.known)] or letters)
+        return _made_up(_free(expected) or [n for n, _ in (*expected.letters, *expected.others)])
     if expected.kind != "number":
         return ""
     return f"{first}{unit}{' cw' if expected.rotation else ''}"
@@ -152,17 +164,24 @@ def key(homework: Homework, variants: Iterable[int], worked: bool, short: bool =
 def _short(paper: Paper) -> Iterator[Block]:
     header = tuple(line(h) for h in ("Problem", "Find", "Answer", "Points"))
     rows = tuple(
-        (line(_plain(t.problem)), line(_plain(e.find)), _answer(e), line(f"{e.points:g}"))
-        for t in paper.tasks
-        for e in t.expected
+        (line(_plain(t.problem)), _find(e), _answer(e), line(f"{e.points:g}")) for t in paper.tasks for e in t.expected
     )
     yield Table(header, rows)
     yield from (Bullet(_varied(t)) for t in paper.tasks if t.drawn)
 
 
+def _find(expected: Expected) -> Line:
+    """The name of a find, where it is a letter as it is printed."""
+    name = printed(expected.find)
+    return line(Name(expected.find) if len(name) == 1 or SUBSCRIPTED.fullmatch(name) else _plain(expected.find))
+
+
 def _answer(expected: Expected) -> Line:
     text = _plain(expected.text)
-    return lettered(text) if expected.kind in ("formula", "equation") else line(text)
+    if expected.kind not in ("formula", "equation"):
+        return line(text)
+    told = WITH_UNITS.fullmatch(text)
+    return line(lettered(told[1]), " ", _words(told[2])) if told else lettered(text)
 
 
 def _varied(task: Task) -> Line:

@@ -39,7 +39,8 @@ is clearly wrong with the values of the file, by three tolerances, clearly wrong
 variants `planar key` says, also which mistakes hardly change an answer and are graded right, as `--tolerance-report`
 does. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
-    planar validate set.yaml                     is anything wrong with the set or its problem files?
+    planar validate set.yaml                     is anything wrong with the set or its problem files, and does each
+                                                 sheet ask by names that a student reads?
     planar key set.yaml                          the key, on the terminal
     planar key set.yaml -o out --format html     a sheet and a key for each variant, and the key of all
     planar key set.yaml -o out --both            the key with the worked solutions too
