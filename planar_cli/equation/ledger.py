@@ -76,7 +76,8 @@ class Ledger:
     where in parts of its size (of a radian, for an angle). `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
     the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene. `above_zero`: sums that
-    the file assumes to be positive. `coefficients`: the names of letters that are coefficients of friction.
+    the file assumes to be positive. `coefficients`: the names of letters that are coefficients of friction or of
+    restitution.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)

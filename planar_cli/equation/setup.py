@@ -33,7 +33,6 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.impulse_letters import impulse_letters
-from planar_cli.problem.not_negative import coefficients_in_letters
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
@@ -98,7 +97,7 @@ class Setup:
         written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
         names = frozenset(s.name for s in written) | differences(problem)
         self.ledger = Ledger(us=problem.us, reserved=names, scales=scales_of(problem))
-        self.ledger.coefficients = coefficients_in_letters(problem)
+        self.ledger.coefficients = frozenset(s.name for s in problem.symbols if s.coefficient)
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []
         self.motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]] = {}

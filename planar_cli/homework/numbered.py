@@ -55,21 +55,34 @@ def numbered(problem: WorkedProblem) -> Numbered | None:
     """The same problem with numbers; None: it has no letters, or its equations do not tell its answers."""
     symbols = _symbols(problem)
     drawn = [_drawn(part) for part in problem.parts]
-    # What is assumed of a case holds of the file too, but not the other way round.
-    for first in reversed(drawn if symbols else ()):
-        letters = {name: v for one in (*drawn, first) for name, v in one.items()}
-        if letters.keys() >= symbols.keys() and (found := _solved_with(problem, symbols, letters)) is not None:
-            return found
+    # What is assumed of a case holds of the file too, but not the other way round. With the numbers of the others
+    # a case may have no solution: then they go without it.
+    for node in (problem.node, _without_cases(problem.node)):
+        for first in reversed(drawn if symbols else ()):
+            letters = {name: v for one in (*drawn, first) for name, v in one.items()}
+            if letters.keys() >= symbols.keys():
+                found = _solved_with(problem, node, symbols, letters)
+                if found is not None:
+                    return found
     return None
 
 
-def _solved_with(problem: WorkedProblem, symbols: Mapping[str, str], drawn: Mapping[str, float]) -> Numbered | None:
-    """The problem with these numbers, which are in its base units. None: it is not solved with them."""
+def _without_cases(node: Node) -> Node:
+    assert isinstance(node, MappingNode)
+    return MappingNode(tuple((k, v) for k, v in node.pairs if k.text != "cases"), node.mark)
+
+
+def _solved_with(
+    problem: WorkedProblem, node: Node, symbols: Mapping[str, str], drawn: Mapping[str, float]
+) -> Numbered | None:
+    """The file, with its cases or without, with these numbers, which are in its base units. None: it is not solved with
+    them.
+    """
     us = problem.problem.us
     units = {GRAVITY[0]: "ft/s^2" if us else GRAVITY[1], **symbols}
     letters = {n: v / in_base(parse_unit(units[n]), us) for n, v in drawn.items() if n in units}
     try:
-        with_numbers = worked(problem.path, problem.name, _with_numbers(problem.node, letters, units))
+        with_numbers = worked(problem.path, problem.name, _with_numbers(node, letters, units))
     except (PlanarError, Disagreement):
         return None
     if all(part.replay is None for part in with_numbers.parts):

@@ -5,6 +5,7 @@ stands squared only.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from planar_cli.problem.expression import Binary, Extreme, Name, Number, Quantity, Scaled
 from planar_cli.problem.scene import Body, Circle, Composite, Polar, Problem, Shape, TwoFacts
@@ -14,7 +15,7 @@ from planar_cli.problem.walk import Tree, children, walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
-COEFFICIENTS = ("mu", "mu_s", "mu_k")
+COEFFICIENTS = ("mu", "mu_s", "mu_k", "restitution")
 RATES = ("stiffness", "coefficient", "natural_length", "linear", "quadratic")
 """Keys of springs, dampers and drags."""
 SIZES = ("radius", "hub", "width", "height", "length")
@@ -27,10 +28,12 @@ def limits_of_friction(problem: Problem) -> frozenset[str]:
     return _sought(problem, (getattr(j, key, None) for j in problem.joints for key in FRICTION))
 
 
-def coefficients_in_letters(problem: Problem) -> frozenset[str]:
-    """The names of the letters that stand alone for coefficients of friction."""
+def with_coefficients(problem: Problem) -> Problem:
+    """The letters that stand alone for coefficients of friction or restitution are marked: both are below one."""
     named = {s.name for j in problem.joints for k in COEFFICIENTS if isinstance(s := getattr(j, k, None), Name)}
-    return frozenset(named & {symbol.name for symbol in problem.symbols})
+    if not named:
+        return problem
+    return replace(problem, symbols=tuple(replace(s, coefficient=s.name in named) for s in problem.symbols))
 
 
 def not_negative(problem: Problem) -> frozenset[str]:

@@ -31,7 +31,8 @@ class Symbol:
     distance: bool = False
     written: str = ""
     varies: bool = False
-    """The value as the file writes it; of one that `varies` the first of its range or list."""
+    coefficient: bool = False
+    """Of friction or restitution. `written`: as the file has it; where it `varies` the first of its range."""
 
 
 @record
@@ -71,9 +72,8 @@ class Midpoint:
 
 @record
 class TwoFacts:
-    """A point by two of: x, y, lines (through a point, at an angle), distances from points.
-
-    Where two places fit, `side` chooses: left, right, above or below the other place.
+    """A point by two of: x, y, lines (through a point, at an angle), distances from points. Of two places
+    `side` chooses one: left, right, above or below the other place.
     """
 
     x: Side | None

@@ -23,6 +23,7 @@ from planar_cli.problem.from_rest import with_ways_from_rest
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.guided_points import with_guided_points
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
+from planar_cli.problem.not_negative import with_coefficients
 from planar_cli.problem.open_ends import with_open_ends
 from planar_cli.problem.order_of_states import in_order
 from planar_cli.problem.osculating import with_osculating_circles
@@ -217,7 +218,7 @@ def _read(file: str, whole: Fields) -> Problem:
     problem = with_open_ends(replace(problem, us=is_us(problem)))
     problem = with_ways_from_rest(with_osculating_circles(problem))
     problem = with_guided_points(with_placed_particles(with_assumed(problem)))
-    return with_joints_called(with_later_meetings(problem))
+    return with_coefficients(with_joints_called(with_later_meetings(problem)))
 
 
 def _scene(whole: Fields, given: tuple[Symbol, ...], numbers: frozenset[str]) -> Scene:
