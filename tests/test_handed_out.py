@@ -3,38 +3,47 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
 from conftest import PROBLEMS, ROOT
+from exported import HOSTILE, PAPERS, TITLE
+from test_latex import demand_whole
 from worked import name_of, worked
 
 from planar_cli.cli import run
-from planar_cli.commands._handed_out import PAGES, PDF
+from planar_cli.commands._handed_out import PAGES, PDF, page
 from planar_cli.figures.handed_out import handed_out, letters_told
+from planar_cli.homework.ready import Homework
+from planar_cli.homework.sheets import handed
 from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Name, Value
+from planar_cli.report.handed_out import key, sheet
 from planar_cli.report.marks import Arrow, Dimension, Figure, Tag
 
 PROBLEM = ROOT / "tests" / "homework" / "slope.yaml"
+TWICE = ("latex", PDF)
+"""Made twice; other tests do so with the other formats."""
 EVERY = 12
 """Of so many problem files one is drawn in each run."""
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Sheets and keys with worked solutions in every format, each in a folder of its own, twice."""
+    """Sheets and keys with worked solutions in every format, each in a folder of its own."""
     whole = tmp_path_factory.mktemp("handed_out")
     homework_set = whole / "set.yaml"
     homework_set.write_text(f"problems: [{PROBLEM}]\nvariants: {{number: 1, seed: 7}}\n")
     for form in PAGES:
-        for again in ("once", "again"):
+        for again in ("once", "again") if form in TWICE else ("once",):
             line = ["key", str(homework_set), "--both", "--format", form, "--timeout", "0"]
             assert run([*line, "-o", str(whole / form / again)]) == 0
     return whole
 
 
-@pytest.mark.parametrize("form", PAGES)
+@pytest.mark.parametrize("form", TWICE)
 def test_the_same_seed_gives_the_same_bytes(folder: Path, form: str) -> None:
     once, again = ({p.name: p.read_bytes() for p in (folder / form / n).iterdir()} for n in ("once", "again"))
     assert once == again
@@ -113,3 +122,38 @@ def test_no_answer_stands_in_the_figure_of_a_sheet(path: Path) -> None:
     if figure is not None:
         file = path.read_text()
         assert all(n in file or n.lstrip("-0") in file for n in numbers_of(figure))
+
+
+@pytest.mark.parametrize("form", PAGES)
+def test_a_sheet_holds_nothing_of_the_key(folder: Path, form: str) -> None:
+    key = (folder / "markdown" / "once" / "key.md").read_text()
+    answers = re.findall(r"^\| slope \| \w+ \| (\d+\.\d+)", key, re.MULTILINE)
+    assert len(answers) == 2
+    shown = {p.name: text_of(p) for p in (folder / form / "once").iterdir() if p.name.startswith("sheet")}
+    assert shown
+    assert not [(name, a) for name, text in shown.items() for a in answers if a in text]
+
+
+def text_of(path: Path) -> str:
+    """The text of a file, of a PDF as a reader of PDF takes it out."""
+    if path.suffix != ".pdf":
+        return path.read_text()
+    found = shutil.which("pdftotext")
+    if found is None:
+        pytest.skip("no pdftotext is installed (Debian's package poppler-utils)")
+    told = subprocess.run([found, str(path), "-"], capture_output=True, text=True, check=True).stdout
+    assert "slope" in told
+    return told
+
+
+def test_words_of_a_hostile_set_do_nothing() -> None:
+    papers = dict(enumerate(PAPERS[:1]))
+    homework = Homework(TITLE, HOSTILE, papers, {}, "", students=((HOSTILE, 0),))
+    (one,) = handed(homework, [0])
+    for pieces in (sheet(homework, one), key(homework, [0], worked=False)):
+        made = list(pieces)
+        demand_whole(page(made, TITLE, "latex").decode())
+        html = page(made, TITLE, "html").decode()
+        assert "<script" not in html
+        assert page(made, TITLE, PDF).startswith(b"%PDF")
+        assert not re.search(r"(?<!\\)<script", page(made, TITLE, "markdown").decode().split("```")[0])
