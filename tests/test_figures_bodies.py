@@ -17,7 +17,7 @@ from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke
 from planar_cli.formats._svg import papers_of
 from planar_cli.report.blocks import line
-from planar_cli.report.marks import Arc, Arrow, Figure, Hatched, Panel, Polyline, Spot, Symbol, Turn
+from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Figure, Hatched, Panel, Polyline, Spot, Symbol, Turn
 from planar_cli.report.narrate import narrate
 
 
@@ -106,3 +106,32 @@ def test_the_arrow_of_a_couple_keeps_off_the_rim_about_which_it_is() -> None:
     radii = sorted(math.hypot(*s.places[0]) for s in strokes)
     assert all(abs(b - a) >= 5.0 for a, b in pairwise(radii))
     assert all(abs(r - 17.0) >= 5.0 for r in radii)
+
+
+def test_spring_and_damper_lie_side_by_side_and_end_at_the_body() -> None:
+    (panel,) = drawings("oscillations/quarter-car-on-a-washboard")["scene"].panels
+    coil, damper = (next(m for m in panel.marks if isinstance(m, kind)) for kind in (Coil, Dashpot))
+    assert abs(coil.lane - damper.lane) >= 15.0
+    assert min(coil.cuts) > 0.0
+
+
+def test_a_buffer_ends_at_its_own_length_with_a_plate() -> None:
+    (panel,) = drawings("energy/block-down-a-slope-onto-a-buffer")["scene"].panels
+    (coil,) = (m for m in panel.marks if isinstance(m, Coil))
+    (plate,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "plate")
+    (block,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "block")
+    assert plate.at == coil.end
+    assert math.dist(plate.at, block.at) > math.dist(coil.start, coil.end)
+    assert abs(coil.aside) == abs(plate.aside) == 10.0
+
+
+@pytest.mark.parametrize("name", ["systems/slab-on-rollers", "friction/crate-on-cart"])
+def test_a_face_that_is_an_edge_of_its_body_is_not_drawn_beyond_it(name: str) -> None:
+    (panel,) = drawings(name)["scene"].panels
+    assert not [m for m in panel.marks if isinstance(m, Polyline) and not m.closed and m.style == "body"]
+
+
+def test_a_crawler_has_an_endless_belt_round_its_wheels() -> None:
+    (panel,) = drawings("systems/crawler-track")["scene"].panels
+    belts = [m.places for m in panel.marks if isinstance(m, Polyline) and len(m.places) > 10]
+    assert [belt[0] == belt[-1] for belt in belts] == [True]

@@ -17,8 +17,10 @@ from planar_cli.figures.paths import curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
+from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
+from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
 from planar_cli.report.blocks import line
@@ -94,7 +96,7 @@ def _panel(marks: tuple[Mark, ...]) -> Panel:
     """Bodies that meet, and nothing else, are at one point although they are drawn side by side."""
     placed = extent([s for m in marks for s in spots_of(m)])
     signs = all(isinstance(m, Symbol | Arrow | Turn | Tag | Angle | Axes) for m in marks)
-    return Panel(marks, least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
+    return Panel(tuple(settled(marks)), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
 
 
 def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: Sequence[Later] = ()) -> Iterator[Mark]:
@@ -106,6 +108,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     size = extent([*points.values(), *centers]) or ALONE
     spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
     standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
+    inner: list[Mark] = []
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
         if surface.name in shaped or _is_rim(drawn, surface):
@@ -117,7 +120,9 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
         seen += [p.marks(b) for p in later for b in beside if b in p.spots]
         for mark in surface_marks(drawn, surface, places, seen, near or centers, size):
-            yield mark
+            yield from (
+                (mark,) if surface.body is None else within(mark, [*body_marks(drawn, scene.bodies[surface.body])])
+            )
             if isinstance(mark, Hatched):
                 standing.update(_standing(drawn, problem, surface, mark))
     sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
@@ -135,7 +140,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
             if isinstance(here, Symbol) and here.at in sliding:
                 continue
             yield standing.get(name, here) if isinstance(here, Symbol) else here
-    yield from sketched
+    yield from (*inner, *sketched)
     yield from slack_marks(drawn, joints)
     written = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
     shown = {name: points[name] for name in written if name in points}

@@ -29,7 +29,7 @@ def slide_marks(drawn: Drawn, slide: Slide) -> Iterator[Mark]:
     body = drawn.body(slide.body) if slide.body is not None else None
     if body is not None and body.name in lying(drawn):
         return
-    if body is None or (isinstance(body.shape, Particle) and not _stands(drawn, body, at, along)):
+    if body is None or (isinstance(body.shape, Particle) and not (slide.grounded and _stands(drawn, body, at, along))):
         yield Symbol("rail" if slide.grounded and not slide.drawn else "slider", at, along)
         return
     shape = [s for m in body_marks(drawn, body) if not isinstance(m, Symbol) for s in spots_of(m)]

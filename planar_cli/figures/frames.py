@@ -15,6 +15,7 @@ from planar_cli.figures.partners import partners, touching
 from planar_cli.figures.posed import Pose, Posed, carried, variables_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks
+from planar_cli.figures.within import within
 from planar_cli.motion.curves import Formula, formula_of
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.geometry import Vec
@@ -98,6 +99,9 @@ class _Stage:
             if surface.name in shaped:
                 continue
             marks = self._surface(surface)
+            if surface.body is not None:
+                carrier = next(m for m in models if m.name == surface.body)
+                marks = [w for m in marks for w in within(m, [*body_marks(first_pose, carrier)])]
             yield self._with_carrier(surface.body, marks)
             for mark in marks:
                 if isinstance(mark, Hatched) and isinstance(surface.shape, Line):

@@ -71,8 +71,23 @@ def _bar(sketch: Bar, drawn: Drawn, name: Line) -> Iterator[Mark]:
 def _spiral(sketch: Spiral, drawn: Drawn, name: Line) -> Iterator[Mark]:
     ends = _ends(drawn, sketch)
     if ends is not None:
+        free = None if sketch.free is None else drawn.number(sketch.free)
+        if free is not None:
+            yield from _buffer(ends, sketch.fixed, free)
+            return
         yield Coil(*ends)
         yield from _walls(ends, sketch.fixed)
+
+
+def _buffer(ends: tuple[Spot, Spot], fixed: tuple[bool, bool], free: float) -> Iterator[Mark]:
+    """A spring that only pushes: from where it is fastened as far as it goes, with a plate at its end."""
+    held, other = ends[::-1] if fixed[1] or not fixed[0] else ends
+    reach = min(free, math.dist(held, other))
+    way = math.atan2(other[1] - held[1], other[0] - held[0])
+    tip = (held[0] + reach * math.cos(way), held[1] + reach * math.sin(way))
+    yield Coil(held, tip)
+    yield Symbol("plate", tip, way)
+    yield from _walls((held, other), (any(fixed), False))
 
 
 @_drawn.register

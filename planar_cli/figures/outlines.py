@@ -88,6 +88,9 @@ def _contours(rest: Drawn, body: BodyModel) -> list[Contour]:
     written = _written(rest, body)
     if not isinstance(written.shape, Outline | Particle) or rim_of(written.shape) is not None:
         return []
+    belt = _belt(rest, written)
+    if belt:
+        return [Contour((*belt, belt[0]), False)]
     known, slides, path = _known(rest, written), _slide(rest, body.name) is not None, led(rest, body)
     if path:
         vane = Contour(tuple(path), False)
@@ -100,6 +103,25 @@ def _contours(rest: Drawn, body: BodyModel) -> list[Contour]:
 
 def _area(ring: Ring) -> Contour:
     return Contour(tuple(ring), len(ring) > 2)
+
+
+def _belt(rest: Drawn, written: Body) -> Ring:
+    """The endless belt of which a face runs over wheels: a body without mass centre, and with points on that face."""
+    scene, problem = rest.scene, rest.scene.problem
+    if not isinstance(written.shape, Outline) or written.shape.center is not None:
+        return []
+    for surface in problem.surfaces:
+        if surface.body != written.name or not isinstance(surface.shape, Line):
+            continue
+        over = set(partners(problem, surface))
+        rims = [rim for b in problem.bodies if b.name in over and (rim := rim_of(b.shape)) is not None]
+        wheels = [(rest.named(rim.center), rest.length(rim.radius)) for rim in rims]
+        told = [circle(center, radius) for center, radius in wheels if center is not None and radius]
+        at, angle = rest.carried(written.name, surface.shape.through), rest.angle(scene.surface_direction(surface))
+        own = [s for p in written.points if (s := rest.carried(written.name, p)) is not None]
+        if len(told) > 1 and at is not None and angle is not None and all(off(at, angle, p) < 1e-6 for p in own):
+            return around([p for ring in told for p in ring])
+    return []
 
 
 def _under(path: Ring, m: float) -> Ring:

@@ -131,18 +131,19 @@ def _hatched(mark: Hatched, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _coil(mark: Coil, scale: Scale) -> Iterator[Piece]:
-    start, end = scale.spot(mark.start), scale.spot(mark.end)
-    length, angle = math.hypot(end[0] - start[0], end[1] - start[1]), math.atan2(start[1] - end[1], end[0] - start[0])
+    start, end, angle = _held(mark, scale)
+    length = math.dist(start, end)
     lead, turns = length * 0.14, max(min(int((mark.like * scale.pixels or length) / 9), 12), 4)
     inner = length - 2 * lead
     zigzag = [moved(start, angle, lead + inner * (i + 0.5) / (2 * turns), 6.0 * (-1) ** i) for i in range(2 * turns)]
     yield Stroke((start, moved(start, angle, lead), *zigzag, moved(start, angle, length - lead), end), "spring")
+    yield from _yokes(mark, (start, end), angle)
 
 
 @_drawn.register
 def _dashpot(mark: Dashpot, scale: Scale) -> Iterator[Piece]:
-    start, end = scale.spot(mark.start), scale.spot(mark.end)
-    length, angle = math.hypot(end[0] - start[0], end[1] - start[1]), math.atan2(start[1] - end[1], end[0] - start[0])
+    start, end, angle = _held(mark, scale)
+    length = math.dist(start, end)
     low, high, wide = length * 0.35, length * 0.65, 7.0
     cup = [(high, wide), (low, wide), (low, -wide), (high, -wide)]
     yield Stroke((start, moved(start, angle, low)), "spring")
@@ -150,11 +151,27 @@ def _dashpot(mark: Dashpot, scale: Scale) -> Iterator[Piece]:
     piston = length * 0.5
     yield Stroke((moved(start, angle, piston, wide - 2), moved(start, angle, piston, 2 - wide)), "spring")
     yield Stroke((moved(start, angle, piston), end), "spring")
+    yield from _yokes(mark, (start, end), angle)
+
+
+def _held(mark: Coil | Dashpot, scale: Scale) -> tuple[Spot, Spot, float]:
+    """Where a spring or damper begins and ends, and its direction."""
+    start, end = scale.spot(mark.start), scale.spot(mark.end)
+    angle, side = math.atan2(start[1] - end[1], end[0] - start[0]), mark.aside + mark.lane
+    short = math.dist(start, end) > 2 * sum(mark.cuts)
+    first, last = mark.cuts if short else (0.0, 0.0)
+    return moved(start, angle, first, side), moved(end, angle, -last, side), angle
+
+
+def _yokes(mark: Coil | Dashpot, ends: tuple[Spot, Spot], angle: float) -> Iterator[Piece]:
+    """What joins one to another one beside it, at either end."""
+    if mark.lane:
+        yield from (Stroke((end, moved(end, angle, 0, -mark.lane)), "spring") for end in ends)
 
 
 @_drawn.register
 def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
-    yield from sign(mark, scale.spot(mark.at))
+    yield from sign(mark, moved(scale.spot(mark.at), mark.angle, 0.0, mark.aside))
 
 
 @_drawn.register

@@ -59,6 +59,8 @@ def _place(mark: Symbol, at: Spot) -> Iterator[Piece]:
                 yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
         case "hanger":
             yield from _hanger(at, mark.angle)
+        case "plate":
+            yield Stroke((moved(at, mark.angle, 0, 10), moved(at, mark.angle, 0, -10)), "ground")
         case "wall":
             wall = (moved(at, mark.angle, 0, -11), moved(at, mark.angle, 0, 11))
             yield Stroke(wall, "ground")

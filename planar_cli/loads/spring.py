@@ -72,7 +72,9 @@ class Spring(Load):
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         start, end = (scene.point(p) for p in self.between)
-        return (Spiral(start, end, fixed_ends(scene, *self.between)),)
+        pushes = self.acts == "push" and self.natural_length is not None
+        free = scene.value(self.natural_length) if pushes and self.natural_length is not None else None
+        return (Spiral(start, end, fixed_ends(scene, *self.between), free),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         if self.acts is None:

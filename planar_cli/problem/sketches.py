@@ -74,11 +74,14 @@ class Bar:
 
 @record
 class Spiral:
-    """A helical spring; `fixed`: which of its ends are fastened to the ground?"""
+    """A helical spring; `fixed`: which of its ends are fastened to the ground? `free`: of one that only pushes its
+    length while nothing touches it.
+    """
 
     start: Vec
     end: Vec
     fixed: tuple[bool, bool] = (False, False)
+    free: Any = None
 
 
 @record

@@ -33,6 +33,7 @@ SymbolKind = Literal[
     "wall",
     "place",
     "origin",
+    "plate",
     "hanger",
     "break",
     "ring",
@@ -71,33 +72,45 @@ class Hatched:
 
 @record
 class Coil:
-    """A helical spring between two places; `like`: with as many turns as one of this length has, m (0: its own)."""
+    """A helical spring between two places; `like`: with as many turns as one of this length has, m (0: its own).
+    `aside`, `lane`, `cuts`: as of a damper.
+    """
 
     start: Spot
     end: Spot
     like: float = 0.0
+    aside: float = 0.0
+    lane: float = 0.0
+    cuts: tuple[float, float] = (0.0, 0.0)
 
 
 @record
 class Dashpot:
-    """A viscous damper between two places."""
+    """A viscous damper between two places. On paper, px: `aside`: it lies so far to the left of the way from one to the
+    other; `lane`: so far beside another one, held with it at both ends; `cuts`: so much shorter it is at each end.
+    """
 
     start: Spot
     end: Spot
+    aside: float = 0.0
+    lane: float = 0.0
+    cuts: tuple[float, float] = (0.0, 0.0)
 
 
 @record
 class Symbol:
     """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
-    behind the end of something that goes on along `angle`, what holds a wheel from there, where
-    coordinates are measured from, the place where a particle is later, a break in what is too long to be drawn, along
-    `angle`, a point on a bar.
+    behind the end of something that goes on along `angle`, what holds a wheel from there, the plate at the end of a
+    spring that goes on along `angle`, where coordinates are measured from, the place where a particle is later, a break
+    in what is too long to be drawn, along `angle`, a point on a bar.
     """
 
     kind: SymbolKind
     at: Spot
     angle: float = 0.0
+    aside: float = 0.0
+    """So far to the left of the place, as seen along `angle`, it is on paper, px."""
 
 
 @record
