@@ -74,7 +74,8 @@ def _told(items: Sequence[Item]) -> str:
     for wordy, group in groupby(items, lambda i: i.kind == "words"):
         found = list(group)
         if wordy:
-            told += re.sub("</?mtext>", "", _joined(found)).replace("\N{NO-BREAK SPACE}", " ")
+            # The spaces at their ends stay firm: a unit does not begin a line.
+            told += re.sub("</?mtext>", "", _joined(found))
         elif mathml := _joined(found):
             told += f'<math><mstyle displaystyle="true">{mathml}</mstyle></math>'
     return told

@@ -476,6 +476,17 @@ def test_degrees_among_letters_are_mathematics() -> None:
     assert r"\text" not in page
 
 
+def test_words_behind_a_letter_keep_their_space() -> None:
+    told = doc.Equation(
+        (doc.Name("a"), doc.Name("b")), lead=(doc.Name("v_B"), doc.Text(" "), doc.Text("along x"), doc.Text(":"))
+    )
+    assert r"v_{B}\ \text{along x}: \quad a = b" in Markdown().render(doc.Document("", (told,)))
+    listed = doc.Equation(
+        (doc.Name("a"), doc.Name("b")), note=(doc.Text("not 0°"), doc.Text(": "), doc.Name("v"), doc.Text(" > 0"))
+    )
+    assert r":\ v \gt 0" in Markdown().render(doc.Document("", (listed,)))
+
+
 def test_an_aside_that_begins_with_a_number_needs_no_brackets() -> None:
     pages = [
         Markdown().render(doc.Document("", (doc.Heading("STEP 3", "Solving", x),))) for x in ("(1), (2)", "at rest")

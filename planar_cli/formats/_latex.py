@@ -35,7 +35,13 @@ def display(side: Inline | Line) -> str:
     match parts:
         case (Name(name), Text(", x" | ", y" as axis)):
             return latex_name(f"{name}_{axis[-1]}")
-    return "".join(formula(p) for p in parts)
+    told = [formula(p) for p in parts]
+    return "".join(map(_spaced, parts, told, [*told[1:], ""]))
+
+
+def _spaced(part: Inline, told: str, following: str) -> str:
+    """A space before words would be lost in a formula."""
+    return r"\ " if isinstance(part, Text) and part.text.isspace() and following.startswith(r"\text{") else told
 
 
 def formula(part: Inline) -> str:
