@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
+from planar_cli.commands._handed_out import page
 from planar_cli.commands._told_formulas import told_formulas
 from planar_cli.homework.carried_errors import Carrier, unpickled
 from planar_cli.homework.grading import grade
@@ -15,10 +16,11 @@ from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
-from planar_cli.homework.sheets import handed, sheet
+from planar_cli.homework.sheets import handed
 from planar_cli.homework.submissions import contents, submissions
 from planar_cli.homework.wrong_formulas import as_written
 from planar_cli.registry import members
+from planar_cli.report.handed_out import sheet
 
 SLOPE = """
 title: Block that slides down, in letters
@@ -168,9 +170,9 @@ def test_it_is_said_that_there_are_no_more_combinations(tmp_path: Path) -> None:
 
 def test_a_sheet_is_a_form_to_be_filled_in(blow: Homework, tmp_path: Path) -> None:
     (one, *_) = handed(blow, [1])
-    page = sheet(blow, one)
-    form = page.partition("```text\n")[2].partition("```")[0]
-    assert "  letters.v:  # 2/7*g*sqrt(v0)\n" in form
+    told = page(sheet(blow, one), "", "markdown").decode()
+    form = told.partition("```text\n")[2].partition("```")[0]
+    assert "  letters.v:  # 2/7*m*sqrt(v0)\n" in form
     (tmp_path / "ann.yaml").write_text(form)
     (handed_in,) = submissions(contents(str(tmp_path / "ann.yaml")))
     assert not any(text.strip() for *_, text in handed_in.answers)
