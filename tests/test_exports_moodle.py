@@ -284,6 +284,7 @@ def test_spellings_of_a_unit() -> None:
     assert dict(spellings("m/s"))["km/h"] == pytest.approx(3.6)
     assert spellings("1") == ()
     assert dict(spellings("m^2"))["cm^2"] == pytest.approx(1e4)
+    assert dict(spellings("lbf*ft"))["lb-ft"] == 1
 
 
 def test_a_long_title_keeps_what_tells_questions_apart() -> None:

@@ -60,7 +60,7 @@ def spellings(unit: str) -> tuple[tuple[str, float], ...]:
         return ()
     found: dict[str, float] = {}
     for other in (unit, *_WHOLE.get(unit, ()), *_others(unit)):
-        for name in _written(other):
+        for name in (n for spelt in _written(other) for n in _by_pounds(spelt)):
             found.setdefault(name, _ratio(base, parse_unit(other)))
     return tuple(found.items())
 
@@ -93,6 +93,13 @@ def _others(unit: str) -> Iterator[str]:
                 # A product of two has no power of its own.
                 if not rest.startswith("^") or "*" not in other:
                     yield other + rest
+
+
+def _by_pounds(unit: str) -> Iterator[str]:
+    """Where a force is due students write the pound of force as American books do: lb, lb·ft."""
+    yield unit
+    if "lbf" in unit:
+        yield unit.replace("lbf", "lb")
 
 
 def _written(unit: str) -> Iterator[str]:
