@@ -27,8 +27,8 @@ TABLE = """
 ← <-  → ->  ↔ <->  ↑ up  ↓ down  ↖ up-left  ↗ up-right  ↘ down-right  ↙ down-left  ↺ ccw  ↻ cw  ⇒ =>  ⇐ <=
 ⇔ <=>  ↦ ->  ∞ infinity  ∫ int  ∂ d  ∑ Sum  ∈ in  ∥ ||  ⊥ perp  ⟂ perp  ∠ angle  ≈ ~  ≠ !=  ≤ <=  ≥ >=  ≡ =
 ∝ ~  ≪ <<  ≫ >>  √ sqrt  – -  — --  ‐ -  ‑ -  • *  … ...  ′ '  ″ ''  ‴ '''  ° deg  “ "  ” "  „ "  ‘ '  ’ '  ‚ ,
-« "  » "  ✓ ok  ✗ x  ∅ none  ─ -  ━ -  │ |  ┃ |  ┌ +  ┐ +  └ +  ┘ +  ├ +  ┤ +  ┬ +  ┴ +  ┼ +  ╵ |  ╷ |  █ #  ▓ #
-▒ #  ░ .  ● o  ○ o  ◦ o  ℓ l  ß ss  æ ae  Æ AE  ø o  Ø O  œ oe  ł l  Ł L  đ d  ı i
+« "  » "  ⊕ +  ⊗ x  ✓ ok  ✗ x  ∅ none  ─ -  ━ -  │ |  ┃ |  ┌ +  ┐ +  └ +  ┘ +  ├ +  ┤ +  ┬ +  ┴ +  ┼ +  ╵ |  ╷ |  █ #
+▓ #  ▒ #  ░ .  ● o  ○ o  ◦ o  ℓ l  ß ss  æ ae  Æ AE  ø o  Ø O  œ oe  ł l  Ł L  đ d  ı i
 """
 WORDS = {letter: name for name, letter in GREEK.items()}
 WORDS |= {pair.split(" ")[0]: pair.split(" ")[1] for pair in re.split(r"  |\n", TABLE.strip())}

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import pytest
+from conftest import ROOT
+from test_figures import illustrated_page
 from test_graphs import path_of
 
 from planar_cli import cli
+from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._canvas import Canvas
+from planar_cli.formats._drawn_small import small_drawing
+from planar_cli.formats._layout import settled, spans
 from planar_cli.plain_letters import in_plain
+from planar_cli.report.marks import Arrow, Tag
 from planar_cli.simulate.columns import in_width, wrapped
 
 
@@ -58,3 +64,53 @@ def test_what_accuracy_prints_has_room(
     told = capsys.readouterr().out
     assert max(map(len, told.splitlines())) <= width
     assert "evaluations" in told
+
+
+SPOOL = ROOT / "problems" / "textbook" / "ex-4-05.yaml"
+
+
+@pytest.mark.parametrize("width", [110, 80, 40])
+@pytest.mark.parametrize("stem", ["ex-4-05", "slider-crank-with-a-spring", "load-on-four-strands"])
+def test_a_drawing_in_letters_names_what_it_shows(stem: str, width: int) -> None:
+    for figure in dict(figures_of(illustrated_page(path_of(stem)))).values():
+        lines = small_drawing(figure, width)
+        drawn = "\n".join(lines)
+        for panel in figure.panels:
+            for mark in panel.marks:
+                words = getattr(mark, "words", ())
+                if words and isinstance(mark, Tag | Arrow):
+                    text = "".join(s.text for s in settled(spans(words)))
+                    assert text in drawn, (stem, text)
+        if width > 40:
+            assert max(map(len, lines)) <= width
+
+
+def test_the_terminal_draws_where_it_is_asked(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.delenv("LC_ALL", raising=False)
+    assert cli.run(["draw", "--format", "terminal", str(SPOOL)]) == 0
+    drawn = capsys.readouterr().out
+    assert "free-body diagram" in drawn
+    assert any(0x2800 < ord(c) < 0x2900 for c in drawn)
+    assert cli.run(["solve", str(SPOOL)]) == 0
+    page = capsys.readouterr().out
+    assert cli.run(["solve", "--drawing", str(SPOOL)]) == 0
+    with_drawings = capsys.readouterr().out
+    assert not any(0x2800 < ord(c) < 0x2900 for c in page)
+    # What is told stays as it is.
+    rest = iter(with_drawings.splitlines())
+    assert all(any(line == other for other in rest) for line in page.splitlines() if line)
+    monkeypatch.setenv("LC_ALL", "C")
+    monkeypatch.delenv("PYTHONIOENCODING", raising=False)
+    monkeypatch.delenv("PYTHONUTF8", raising=False)
+    assert cli.run(["draw", "--format", "text", str(SPOOL)]) == 0
+    assert capsys.readouterr().out.isascii()
+
+
+@pytest.mark.parametrize(
+    "args", [["draw", "--format", "terminal", "-o", "out"], ["solve", "--drawing", "--format", "markdown"]]
+)
+def test_drawings_in_letters_are_printed(args: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.run([*args, str(SPOOL)]) == 2
+    assert capsys.readouterr().err

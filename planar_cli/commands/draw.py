@@ -3,13 +3,14 @@
 FILES are problem files, or - for standard input. Each figure becomes a file of its own: NAME-scene.svg, NAME-BODY.svg
 for the diagrams of a body, NAME-velocities.svg for a polygon, NAME-motion.svg for the curves of a motion that was
 followed step by step, with a number where there are several. The same input gives the same bytes. With --format png
-they are pictures of dots (needs the extra `pdf`). The exit status is that of `planar solve`, but answers that the file
-states are not compared.
+they are pictures of dots (needs the extra `pdf`); with --format terminal (or text) they are printed in letters, and no
+file is written. The exit status is that of `planar solve`, but answers that the file states are not compared.
 """
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,35 +20,42 @@ import click
 from planar_cli import cli
 from planar_cli.by_click import type_of
 from planar_cli.commands._limit import limits
-from planar_cli.commands._output import write_files
+from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
 from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
+    from planar_cli.report.blocks import Document
 
+LETTERS = ("terminal", "text")
+"""Figures in letters, which are printed; `text` is another name."""
+FORMS = ("svg", "png", *LETTERS)
 STANDARD_INPUT = "problem"
 """How figures of a problem from standard input are called."""
 
 
 @click.command(help=__doc__)
 @click.argument("files", nargs=-1, required=True)
-@click.option("-o", "--output", default=".", metavar="FOLDER", help="Where the files go.  [default: here]")
-@click.option("--format", "form", type=click.Choice(["svg", "png"]), default="svg", help="What kind of files.")
+@click.option("-o", "--output", metavar="FOLDER", help="Where the files go.  [default: here]")
+@click.option("--format", "form", type=click.Choice(FORMS), default="svg", help="What kind of files.")
 @click.option("--timeout", type=type_of(SECONDS), default=60, show_default=True, help="Seconds a problem; 0: none.")
-def command(files: tuple[str, ...], output: str, form: str, timeout: float) -> int:
+def command(files: tuple[str, ...], output: str | None, form: str, timeout: float) -> int:
     """Draw each file; one that fails does not keep the others from being drawn."""
+    if output is not None and form in LETTERS:
+        raise click.UsageError("figures in letters are printed: leave -o out, or write `> FILE` behind the command")
     worst = cli.SOLVED
     for path in files:
         try:
             with limits(timeout):
+                if form in LETTERS:
+                    worst = max(worst, _printed(path))
+                    continue
                 made = dict(_figures(path, form))
-            write_files(made, output)
+            write_files(made, output or ".")
             for name in made:
-                click.echo(str(Path(output, name)))
+                click.echo(str(Path(output or ".", name)))
             if not made:
-                worst = max(worst, cli.UNDECIDED)
-                cli.say(f"{path}: nothing to draw: the file does not tell where its bodies are")
+                worst = max(worst, _nothing(path))
         except PlanarError as error:
             worst = max(worst, cli.tell(error))
         except Exception as error:
@@ -55,26 +63,49 @@ def command(files: tuple[str, ...], output: str, form: str, timeout: float) -> i
     return worst
 
 
+def _nothing(path: str) -> int:
+    cli.say(f"{path}: nothing to draw: the file does not tell where its bodies are")
+    return cli.UNDECIDED
+
+
+def _printed(path: str) -> int:
+    """The figures of a file in letters, one below the other."""
+    from planar_cli.figures.illustrated import figures_of
+    from planar_cli.formats._drawn_small import small_drawing
+    from planar_cli.formats._terminals import PIPE_WIDTH, shown_on
+    from planar_cli.plain_letters import letters
+
+    found = dict(figures_of(_page(path)))
+    if not found:
+        return _nothing(path)
+    with shown_on(sys.stdout, None) as width:
+        drawn = [[letters(f.words), "", *small_drawing(f, min(width, PIPE_WIDTH)), ""] for f in found.values()]
+        write("\n".join(line for lines in drawn for line in lines), None, exact=True)
+    return cli.SOLVED
+
+
 def _figures(path: str, form: str) -> Iterator[tuple[str, bytes]]:
     """The figures of a file, by the names of their own files."""
-    from planar_cli.homework.checking import read
+    from planar_cli.figures.illustrated import figures_of
+    from planar_cli.formats._svg import svg
 
-    problem: Problem = read(path)
     stem = STANDARD_INPUT if path == "-" else Path(path).stem
-    for name, text in _drawings(problem, form):
+    for name, figure in figures_of(_page(path)):
         safe = re.sub(r"[^\w.-]", "_", f"{stem}-{name}")
+        text = svg(figure, "print" if form == "png" else "own")
         yield f"{safe}.{form}", _png(text) if form == "png" else text.encode()
 
 
-def _drawings(problem: Problem, form: str) -> Iterator[tuple[str, str]]:
-    from planar_cli.figures.illustrated import figures_of, illustrated
-    from planar_cli.formats._svg import svg
+def _page(path: str) -> Document:
+    """The worked solution of a file with its figures."""
+    from planar_cli.figures.illustrated import illustrated
+    from planar_cli.homework.checking import read
     from planar_cli.report.narrate import narrate
     from planar_cli.solve.run import solve_problem
 
+    problem = read(path)
     solution = solve_problem(problem, problem.method)
-    for name, figure in figures_of(illustrated(narrate(solution), solution)):
-        yield name, svg(figure, "print" if form == "png" else "own")
+    return illustrated(narrate(solution), solution)
 
 
 def _png(text: str) -> bytes:

@@ -48,6 +48,7 @@ class Wanted:
     audience: str
     effects: bool
     verbose: bool
+    drawing: bool
     timeout: float
 
     @property
@@ -90,6 +91,7 @@ FIGURES = IntRange(1, LARGEST_FIGURES)
 )
 @option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
 @option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
+@option("--drawing", is_flag=True, help="With the scene and the diagrams, drawn in letters.")
 @option("--timeout", type=SECONDS, default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     """Solve each file; one that fails does not keep the others from being solved."""
@@ -98,6 +100,8 @@ def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
         wanted = replace(wanted, figures=digits)
     if wanted.compare and (wanted.why or wanted.method):
         raise WrongUsage("--compare looks at all methods; leave --method and --why out")
+    if wanted.drawing and wanted.form != "terminal":
+        raise WrongUsage("--drawing is for the terminal; pages of the format html have their figures anyway")
     if wanted.form == PDF and wanted.output in (None, "-"):
         raise WrongUsage("a PDF is written to a file: add `-o FILE`")
     reports = [_report(path, wanted) for path in files]
@@ -139,7 +143,8 @@ def _joined(reports: list[Report], wanted: Wanted) -> str:
 def _printed(document: Document, wanted: Wanted) -> str:
     form: Any = member("formats", wanted.form)
     on_screen = wanted.output in (None, "-")
-    rendered: str = (form.on(sys.stdout) if on_screen else form()).render(document)
+    made = form.on(sys.stdout) if on_screen else form()
+    rendered: str = (replace(made, drawn=True) if wanted.drawing else made).render(document)
     return rendered
 
 
@@ -189,10 +194,12 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
         from planar_cli.report.stated_text import with_task
 
         document = with_task(document, problem)
-    if wanted.form in ILLUSTRATED:
+    if wanted.form in ILLUSTRATED or wanted.drawing:
         from planar_cli.figures.illustrated import illustrated
 
-        return Report(status, page=illustrated(document, solution))
+        document = illustrated(document, solution)
+    if wanted.form in ILLUSTRATED:
+        return Report(status, page=document)
     return Report(status, _printed(document, wanted))
 
 

@@ -55,7 +55,7 @@ class Run:
 @record
 class Words:
     """Words that belong to a place, and where they may stand: `angles`, in order of preference; `fixed`: nowhere but
-    at the first of them, as the numbers of an axis.
+    at the first of them, as the numbers of an axis. `room`: their width, where letters have another one than usual.
     """
 
     runs: tuple[Run, ...]
@@ -65,10 +65,11 @@ class Words:
     gap: float = 6.0
     within: bool = False
     fixed: bool = False
+    room: float = 0.0
 
     @property
     def width(self) -> float:
-        return sum(r.width for r in self.runs)
+        return self.room or sum(r.width for r in self.runs)
 
     @property
     def height(self) -> float:

@@ -162,11 +162,16 @@ def picture(figure: Figure) -> tuple[str, str]:
 def papers_of(figure: Figure) -> list[Paper]:
     """The panels on paper in one scale, with all words at their places."""
     part = PART[min(len(figure.panels), len(PART)) - 1]
+    return [with_labels(paper) for paper in unlabelled(figure, WIDE * part, HIGH * part)]
+
+
+def unlabelled(figure: Figure, width: float, height: float) -> list[Paper]:
+    """The same, each no larger than this but for what has its size on paper, with words that have no places yet."""
     sizes = [world_box(p) for p in figure.panels]
     wide, high = max(w for w, _ in sizes), max(h for _, h in sizes)
-    pixels = min(WIDE * part / wide if wide else math.inf, HIGH * part / high if high else math.inf)
+    pixels = min(width / wide if wide else math.inf, height / high if high else math.inf)
     scale = Scale(pixels if math.isfinite(pixels) else 100.0)
-    return [with_labels(on_paper(p, scale)) for p in figure.panels]
+    return [on_paper(p, scale) for p in figure.panels]
 
 
 def _box(paper: Paper, least: float) -> Box:

@@ -66,6 +66,8 @@ class Terminal(Format[Row]):
     colour: bool = False
     plain: bool = False
     """In ASCII alone?"""
+    drawn: bool = False
+    """With figures, in letters?"""
 
     @classmethod
     def on(cls, stream: TextIO) -> Terminal:
@@ -246,8 +248,13 @@ class Terminal(Format[Row]):
         return self._labelled(words(run[0].kind), [spans(n.line) for n in run])
 
     def drawings(self, run: Sequence[Drawing]) -> list[Row]:
-        """A terminal shows none: the lists of forces say the same."""
-        return []
+        """Only where they are wanted: the lists of forces say the same."""
+        if not self.drawn:
+            return []
+        from planar_cli.formats._drawn_small import small_drawing
+
+        lines = [row for d in run for row in ("", *small_drawing(d.figure, self.width))]
+        return [*((Span(row),) for row in lines), ()]
 
     def typed(self, run: Sequence[Typed]) -> list[Row]:
         return [(*indent(_BODY), Span(words(row))) for t in run for row in t.rows]

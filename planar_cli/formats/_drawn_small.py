@@ -1,0 +1,160 @@
+"""A figure in letters, for a terminal: its strokes as dots, its small signs and its words as letters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise, zip_longest
+
+from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
+from planar_cli.formats._labels import with_labels
+from planar_cli.formats._paper import Box, Disc, Paper, Run, Stroke, Words, along, box_of, runs_of
+from planar_cli.formats._small_plot import small_plot
+from planar_cli.formats._svg import unlabelled
+from planar_cli.plain_letters import letters
+from planar_cli.records import record
+from planar_cli.report.graphs import Graph
+from planar_cli.report.marks import Figure
+
+CELL = (8.0, 16.0)
+"""A letter in pixels."""
+INDENT = 2
+WIDE, HIGH, LEAST = 360.0, 240.0, 90.0
+"""A panel to scale is so large at most; in a narrow terminal it is so wide at least."""
+BESIDE = 150.0
+"""What words and arrows beside it take, about."""
+SMALL = 7.0
+"""A circle that is not larger is a letter."""
+SIGNS = {"mass": "●", "pin": "○", "centre": "⊕", "dot": "·", "hidden": "○"}
+ARROWS, PLAIN_ARROWS = "→↗↑↖←↙↓↘", "> ^ < v "
+"""By eighths of a turn; where there are no others, along an axis."""
+GAP = 3
+
+
+def small_drawing(figure: Figure, width: int) -> list[str]:
+    """The lines of a figure that is no wider than `width`; panels beside each other where there is room."""
+    graphs = [m for p in figure.panels for m in p.marks if isinstance(m, Graph)]
+    if graphs:
+        return [line for k, graph in enumerate(graphs) for line in ([""] if k else []) + small_plot(graph, width)]
+    room = (width - INDENT) * CELL[0]
+    for size in (1.0, 0.75, 0.5, 0.35):
+        wide = max(min(WIDE, room / len(figure.panels) - BESIDE), LEAST) * size
+        panels = [_panel(paper) for paper in unlabelled(figure, wide, HIGH * size)]
+        if max(p.columns for p in panels) <= width - INDENT:
+            break
+    heads = [_text(runs_of(p.head)) for p in figure.panels]
+    blocks = [_headed(p, h) for p, h in zip(panels, heads, strict=True)]
+    between = f"   {figure.between}   " if figure.between else " " * GAP
+    total = sum(b.columns for b in blocks) + len(between) * (len(blocks) - 1)
+    lines = _beside(blocks, between) if total <= width - INDENT else _stacked(blocks, figure.between)
+    return [(" " * INDENT + line).rstrip() for line in lines]
+
+
+@record
+class _Block:
+    """Lines, and how many columns they take."""
+
+    lines: tuple[str, ...]
+    columns: int
+    middle: int
+    """The line at which what stands between two blocks is written."""
+
+
+def _panel(paper: Paper) -> _Block:
+    """One panel."""
+    told = [_in_cells(w) for w in paper.words]
+    placed = with_labels(Paper(paper.strokes, tuple(told))).placed
+    whole = box_of(spot for s in paper.strokes for spot in along(s, 4.0)) or Box(0.0, 0.0, 1.0, 1.0)
+    for one in placed:
+        whole = whole.around(one.box)
+    columns = math.ceil((whole.right - whole.left) / CELL[0]) + 1
+    rows = math.ceil((whole.bottom - whole.top) / CELL[1]) + 1
+    canvas = Canvas(columns, rows)
+
+    def dots(spot: tuple[float, float]) -> tuple[float, float]:
+        return (spot[0] - whole.left) / CELL[0] * ACROSS, (spot[1] - whole.top) / CELL[1] * DOWN
+
+    tips = [s for s in paper.strokes if isinstance(s, Stroke) and "head" in s.kind]
+    for stroke in paper.strokes:
+        if isinstance(stroke, Disc) and stroke.radius <= SMALL:
+            _sign(canvas, dots(stroke.center), SIGNS.get(stroke.kind.split()[0], "·"))
+        elif stroke.kind != "hatch" and stroke not in tips:
+            spots = [dots(p) for p in along(stroke, 3.0)]
+            for start, end in pairwise(spots):
+                canvas.stroke(start, end)
+    for tip in tips:
+        _tip(canvas, [dots(p) for p in tip.places])
+    for one in placed:
+        column = round((one.box.left - whole.left) / CELL[0])
+        row = int(((one.box.top + one.box.bottom) / 2 - whole.top) / CELL[1])
+        canvas.put(column, row, one.words.runs[0].text)
+    lines = _trimmed(canvas.lines())
+    return _Block(tuple(lines), max(map(len, lines), default=0), len(lines) // 2)
+
+
+def _trimmed(lines: list[str]) -> list[str]:
+    """Without empty lines before and behind."""
+    while lines and not lines[-1]:
+        lines = lines[:-1]
+    while lines and not lines[0]:
+        lines = lines[1:]
+    return lines
+
+
+def _in_cells(words: Words) -> Words:
+    """Words as wide as their letters are in a terminal."""
+    text = letters(_text(words.runs))
+    return replace(words, runs=(Run(text),), room=(len(text) + 0.5) * CELL[0])
+
+
+def _text(runs: Sequence[Run]) -> str:
+    """a_G, with an index behind a stroke."""
+    text, low = "", False
+    for run in runs:
+        text += ("_" if run.index and not low else "") + run.text
+        low = run.index
+    return letters(text)
+
+
+def _tip(canvas: Canvas, places: Sequence[tuple[float, float]]) -> None:
+    """The head of an arrow: its tip comes first."""
+    tip, *back = places
+    x = tip[0] - sum(p[0] for p in back) / len(back)
+    # Dots are as far from each other upward as across.
+    y = sum(p[1] for p in back) / len(back) - tip[1]
+    eighth = round(math.atan2(y, x) / (math.pi / 4)) % len(ARROWS)
+    fancy = letters(ARROWS[eighth]) == ARROWS[eighth]
+    sign = ARROWS[eighth] if fancy else PLAIN_ARROWS[eighth]
+    if sign.strip():
+        _sign(canvas, (tip[0] - 0.4 * x, tip[1] + 0.4 * y), sign)
+    else:
+        canvas.stroke(places[1], tip)
+        canvas.stroke(places[2], tip)
+
+
+def _sign(canvas: Canvas, at: tuple[float, float], sign: str) -> None:
+    canvas.put(int(at[0]) // ACROSS, int(at[1]) // DOWN, sign)
+
+
+def _headed(panel: _Block, head: str) -> _Block:
+    if not head:
+        return panel
+    return _Block((head, *panel.lines), max(len(head), panel.columns), panel.middle + 1)
+
+
+def _beside(blocks: Sequence[_Block], between: str) -> list[str]:
+    rows: list[str] = []
+    middle = max(b.middle for b in blocks)
+    for k, parts in enumerate(zip_longest(*(b.lines for b in blocks), fillvalue="")):
+        gap = between if k == middle else " " * len(between)
+        padded = [part.ljust(b.columns) for part, b in zip(parts, blocks, strict=True)]
+        rows.append(gap.join(padded).rstrip())
+    return rows
+
+
+def _stacked(blocks: Sequence[_Block], between: str) -> list[str]:
+    lines = list(blocks[0].lines)
+    for block in blocks[1:]:
+        lines += ["", *([between, ""] if between else []), *block.lines]
+    return lines
