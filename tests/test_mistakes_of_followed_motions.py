@@ -44,3 +44,24 @@ def test_a_spring_left_out_is_known(tmp_path: Path) -> None:
         return x
 
     assert found["x_2"]["spring-left-out"] == pytest.approx(without(0.5), rel=1e-4)
+
+
+BALL = """
+plane: vertical
+given: {m: 0.5 kg, c: 0.01 kg/m, u: 50 mi/h}
+bodies: {ball: {particle: [0, 0], mass: m}}
+loads: [drag: {body: ball, linear: 0.02 kg/s, quadratic: c}]
+states: {1: [t = 0, v(ball).x = 0, v(ball).y = u], 2: [t = 1 s]}
+find: {h: y(ball) @ 2}
+"""
+
+
+def test_data_that_were_not_converted_are_known(tmp_path: Path) -> None:
+    found = {}
+    for u in ("50 mi/h", "50 m/s"):
+        path = tmp_path / "ball.yaml"
+        path.write_text(BALL.replace("50 mi/h", u))
+        (expected,) = prepared(SetProblem("ball", str(path), Mark("ball", 1, 1)), 0, 1).tasks[0].expected
+        found[u] = expected
+    known = {m.name: m.values[0] for m in found["50 mi/h"].mistakes}
+    assert known["given-not-converted"] == pytest.approx(found["50 m/s"].values[0], rel=1e-6)

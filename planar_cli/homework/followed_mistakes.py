@@ -1,4 +1,6 @@
-"""What typical mistakes give where a motion is followed in numbers: the same motion followed without an effect."""
+"""What typical mistakes give where a motion is followed in numbers: the same motion followed without an effect, or with
+other data.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,8 @@ from dataclasses import replace
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import PlanarError
+from planar_cli.homework.changed_data import changed_data
+from planar_cli.homework.literal_angles import with_names
 from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.what_mistakes_give import is_clearly_wrong
@@ -20,6 +24,8 @@ from planar_cli.simulate.run import Settings, simulate
 from planar_cli.solve.solution import Found
 
 ONCE = Settings(estimate=False, balanced=False, check=False)
+MOST = 30
+"""Of so many variants at most data are changed: each mistake is a motion to be followed."""
 SAME = 1e-3
 """Relative: what is followed gives what was found, if not, its mistakes say nothing."""
 Numbers = dict[str, tuple[float, ...]]
@@ -29,7 +35,8 @@ def with_followed(
     problem: WorkedProblem, rows: Sequence[tuple[Expected, ...]], values: Sequence[Mapping[str, str]]
 ) -> list[tuple[Expected, ...]]:
     """The finds of each variant; those that no written equations give, with what the motion gives without friction,
-    without the weight, without its springs. `values`: of the variants, as a file writes them.
+    without the weight, without its springs, and with data as they are often got wrong. `values`: of the variants, as a
+    file writes them; of many variants data are not changed.
     """
     parts = [(part, finds) for part in problem.parts if (finds := _followed_finds(part))]
     made = list(rows)
@@ -39,6 +46,8 @@ def with_followed(
         for k, own in enumerate(values):
             own_problem = _problem(problem, part, own)
             wrong = [] if own_problem is None else list(_without_effects(own_problem, finds))
+            if own_problem is not None and len(values) <= MOST:
+                wrong += _with_other_data(problem, part, own, finds)
             made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
     return made
 
@@ -66,7 +75,7 @@ def _problem(problem: WorkedProblem, part: Part, values: Mapping[str, str]) -> P
     """The part with the numbers of a variant; None: these make no problem."""
     if not values:
         return part.problem
-    whole, wrong = problem_of(problem.path, with_values(with_first_values(problem.node), values), [])
+    whole, wrong = problem_of(problem.path, with_values(with_names(with_first_values(problem.node)), values), [])
     if whole is None or wrong:
         return None
     return next((c.problem for c in whole.cases if c.name == part.solution.case), whole)
@@ -80,6 +89,17 @@ def _without_effects(problem: Problem, finds: Sequence[Found]) -> Iterator[tuple
         if mistake.effect in known:
             said = f"this is the result without {'the weight' if mistake.effect == 'weight' else mistake.effect}"
             yield name, said, _numbers(without(problem, [mistake.effect]), finds)
+
+
+def _with_other_data(
+    problem: WorkedProblem, part: Part, values: Mapping[str, str], finds: Sequence[Found]
+) -> Iterator[tuple[str, str, Numbers]]:
+    """By mistake: its name, what it says, and what comes out with its data."""
+    own = _problem(problem, part, values)
+    for name, said, data in changed_data(own) if own is not None else ():
+        changed = _problem(problem, part, {**values, **data})
+        if changed is not None:
+            yield name, said, _numbers(changed, finds)
 
 
 def _numbers(problem: Problem, finds: Sequence[Found]) -> Numbers:
