@@ -36,6 +36,23 @@ joints:
 motion: [omega(crank) = -n]
 find: {v_B: v(B).x, omega_AB: omega(rod), v_A: v(A)}
 """
+SWING = """
+plane: vertical
+given: {l: 2 m, beta: 60 deg, m: 1 kg}
+points: {O: [0, 0], A: {from: O, distance: l, angle: beta - 90 deg}}
+bodies: {rod: {rod: [O, A], mass: m}}
+joints: [{pin: {at: O, between: [ground, rod]}}]
+cases:
+  swing:
+    states:
+      1: [t = 0, at rest]
+      2: [theta(rod) = -90 deg]
+    find: {T: t @ 2}
+  after:
+    given: {w: 3 rad/s / (1 s) * swing.T}
+    instant: [omega(rod) = w]
+    find: {v: v(A).mag}
+"""
 
 
 def verdicts(folder: Path, text: str, answers: dict[str, str]) -> dict[str, tuple[str, tuple[str, ...]]]:
@@ -70,6 +87,12 @@ def test_what_rests_on_each_other_is_carried_in_the_order_of_the_file(tmp_path: 
     behind = dict(behind_each(read_and_solve(str(tmp_path / "p.yaml"), "p")))
     assert behind["omega"] == ("v",)
     assert "omega" not in behind.get("v", ())
+
+
+def test_what_is_followed_in_numbers_is_carried_into_a_case_that_uses_it(tmp_path: Path) -> None:
+    """T is a number of the motion alone; v = 3 T l follows from it."""
+    found = verdicts(tmp_path, SWING, {"T": "1.00 s", "v": "6.00 m/s"})
+    assert found == {"T": ("wrong", ()), "v": ("carried", ("T",))}
 
 
 def test_each_find_comes_behind_those_on_which_it_rests() -> None:

@@ -25,7 +25,12 @@ said otherwise). What is carried is the student's own value, also a vector, put 
 solution, alone or with the student's right values, so that a way by other equations may come to another number. It is
 carried into each find that rests on it in these equations, in whatever order the finds stand in the file; of finds that
 rest on each other, as the unknowns of one system do, into those that are asked later. A value of zero, or one that is
-far off, carries nothing, nor does one of a motion that is followed in numbers.
+far off, carries nothing.
+
+Between states, speeds, times and places that follow from written equations (energy, momentum, constant acceleration)
+carry into what rests on them. What is read off a motion that is followed in numbers, because no such equations give it,
+is carried into the equations of a later case that uses it as `case.find`. Nothing is carried into what is itself read
+off such a motion: it is not followed again from an own value.
 
 An answer with fewer than `figures` figures is told so, and has the credit for `precision`. With `decimal_comma` a
 semicolon parts the components of a vector, `[3,5; -4] m/s`; a point is a decimal point in any case.
