@@ -187,18 +187,20 @@ class CarriedHere:
         self.carrier, self.variant = carrier, variant
 
     def __call__(
-        self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]]
+        self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]], way: int = 0
     ) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
-        """What a find comes to with own values of earlier finds, in its unit, and which of them it rests on."""
+        """What a find comes to with own values of earlier finds, in its unit, and which of them it rests on. `way`:
+        where more equations than one tell it then, by which; None: by none more.
+        """
         problem = self.carrier.ready(task.problem, self.variant)
         if problem is None:
             return None
         try:
             if expected.kind == "formula":
-                return _at_places(problem, self.variant, expected, task, own)
+                return _at_places(problem, self.variant, expected, task, own, way)
             numbers = problem.data.values.get(self.variant, {})
             right = {e.find: e.values for e in task.expected if e.values}
-            return _carried(problem, (self.variant, -1), numbers, expected, right, own)
+            return _carried(problem, (self.variant, -1), numbers, expected, right, own, way)
         except NoNumber:
             return None
 
@@ -207,7 +209,7 @@ Due = tuple[tuple[float, ...], tuple[str, ...]]
 
 
 def _at_places(
-    problem: _Ready, variant: int, expected: Expected, task: Task, own: Mapping[str, tuple[float, ...]]
+    problem: _Ready, variant: int, expected: Expected, task: Task, own: Mapping[str, tuple[float, ...]], way: int
 ) -> Due | None:
     """A formula, by its values at places, with own formulas of earlier finds."""
     places = expected.places
@@ -218,7 +220,7 @@ def _at_places(
     for k, place in enumerate(places):
         here = {n: (typed[k],) for n, typed in own.items() if n in right and len(typed) == len(places)}
         due = {n: (numbers[k],) for n, numbers in right.items()}
-        found = _carried(problem, (variant, k), {n: v / units.get(n, 1.0) for n, v in place}, expected, due, here)
+        found = _carried(problem, (variant, k), {n: v / units.get(n, 1.0) for n, v in place}, expected, due, here, way)
         if found is None or len(found[0]) != 1:
             return None
         values.append(found[0][0])
@@ -233,6 +235,7 @@ def _carried(
     expected: Expected,
     due: Mapping[str, tuple[float, ...]],
     own: Mapping[str, tuple[float, ...]],
+    way: int,
 ) -> Due | None:
     """The find with all own values that it rests on. `key`: of a variant, or of a place of it, with the numbers that
     are `given` there; `due`: the right ones. Formulas have their values in SI units, numbers in the units of finds.
@@ -268,9 +271,9 @@ def _carried(
         inputs |= put_in
         fixed |= held
         names.append(name)
-    if not names:
+    if not names or (way and way >= part.replay.ways(frozenset(fixed))):
         return None
-    values = part.single.run(inputs, fixed, right)
+    values = part.single.run(inputs, fixed, right, way)
     numbers = tuple(part.single.of(e, values) / factor for e in part.equations.asked[expected.find].parts)
     fit = all(math.isfinite(n) for n in numbers) and any(numbers)
     return (numbers, tuple(names)) if fit else None

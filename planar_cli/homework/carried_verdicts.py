@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
+from typing import Protocol
 
 from planar_cli.homework import typed
 from planar_cli.homework.dependence import in_turn
@@ -12,8 +14,18 @@ from planar_cli.homework.paper import RIGHT, WRONG, Expected, Graded, Task
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import within
 
-Carry = Callable[[Task, Expected, Mapping[str, tuple[float, ...]]], tuple[tuple[float, ...], tuple[str, ...]] | None]
-"""What a find comes to with the student's own values of earlier finds, and which of them it rests on."""
+MOST_WAYS = 12
+"""So many ways at most in which a find follows from own values."""
+
+
+class Carry(Protocol):
+    """What a find comes to with the student's own values of earlier finds, and which of them it rests on. Two equations
+    with two unknowns tell the second in two ways where the first is wrong: `way`; None: in no further one.
+    """
+
+    def __call__(
+        self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]], way: int = 0
+    ) -> tuple[tuple[float, ...], tuple[str, ...]] | None: ...
 
 
 def with_carried(
@@ -57,12 +69,30 @@ def carried_on(
     carry: Carry,
     wrong: tuple[str, ...] = (),
 ) -> Graded:
-    """The verdict where the find follows rightly from wrong values of earlier ones. `wrong`: which of the own values
-    are, where right ones are put in beside them.
+    """The verdict where the find follows rightly from wrong values of earlier ones, in any way. `wrong`: which of the
+    own values are, where right ones are put in beside them.
     """
-    found = carry(task, expected, own)
-    if found is None:
-        return one
+    for way in range(MOST_WAYS):
+        found = carry(task, expected, own, way)
+        if found is None:
+            break
+        made = _carried_to(task, expected, one, values, own, rules, partial(carry, way=way), wrong, found)
+        if made.carried:
+            return made
+    return one
+
+
+def _carried_to(
+    task: Task,
+    expected: Expected,
+    one: Graded,
+    values: tuple[float, ...],
+    own: Mapping[str, tuple[float, ...]],
+    rules: Rules,
+    carry: Carry,
+    wrong: tuple[str, ...],
+    found: tuple[tuple[float, ...], tuple[str, ...]],
+) -> Graded:
     due, names = found
     formula = expected.kind == "formula"
     is_right, follows = _right_and_follows(expected, due, values, rules)

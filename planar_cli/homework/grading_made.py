@@ -83,9 +83,9 @@ class _Lazily:
         self.grade_of, self.variant = grade_of, variant
 
     def __call__(
-        self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]]
+        self, task: Task, expected: Expected, own: Mapping[str, tuple[float, ...]], way: int = 0
     ) -> tuple[tuple[float, ...], tuple[str, ...]] | None:
-        return self.grade_of.carrier(self.variant)(task, expected, own)
+        return self.grade_of.carrier(self.variant)(task, expected, own, way)
 
 
 def grading_of(homework_set: HomeworkSet, homework: Homework) -> MakeGrade:

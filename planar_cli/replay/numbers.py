@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 from typing import Any
@@ -14,6 +15,8 @@ from planar_cli.replay.equations import Equations, Step
 from planar_cli.replay.opened import opened
 from planar_cli.replay.solver import Numbers, Solver, compiled, real
 
+SINGULAR, MOST_WAYS = 1e-6, 6
+"""Equations fix what is left where their determinant is no smaller part of the largest; so many choices at most."""
 Rounding = Callable[[Numbers], Numbers]
 
 
@@ -28,8 +31,8 @@ class Replay:
         known = {(s.unknowns, s.residuals): solver for s, solver in like.solvers_of_steps} if like and same else {}
         self._solvers = [known.get((s.unknowns, s.residuals)) or Solver(s, equations) for s in equations.steps]
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
-        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], Solver] = {}
-        self._for_fixed: dict[frozenset[sp.Symbol], list[Solver]] = {}
+        self._reduced: dict[tuple[int, tuple[sp.Symbol, ...]], list[Solver]] = {}
+        self._for_fixed: dict[tuple[frozenset[sp.Symbol], int], list[Solver]] = {}
         self._unchanged: Replay = self if like is None else like._unchanged
         self._senses: dict[tuple[Solver, tuple[float, ...]], float] = {}
 
@@ -88,39 +91,52 @@ class Replay:
             self._senses[key] = found
         return self._senses[key]
 
-    def solvers(self, fixed: frozenset[sp.Symbol]) -> list[Solver]:
-        """What solves the steps where some unknowns are fixed."""
-        if fixed not in self._for_fixed:
-            found = []
-            for k, whole in enumerate(self._solvers):
-                left = [u for u in whole.unknowns if u not in fixed]
-                if left:
-                    found.append(whole if len(left) == len(whole.unknowns) else self._without(k, fixed))
-            self._for_fixed[fixed] = found
-        return self._for_fixed[fixed]
-
-    def _without(self, k: int, fixed: frozenset[sp.Symbol]) -> Solver:
-        """A step in which some unknowns are fixed: with as many of its equations as unknowns are left, those that fix
-        them best where the solution lies.
+    def solvers(self, fixed: frozenset[sp.Symbol], way: int = 0) -> list[Solver]:
+        """What solves the steps where some unknowns are fixed: by the equations that fix the others best, or another
+        `way`.
         """
-        step = self.equations.steps[k]
-        left = tuple(u for u in step.unknowns if u not in fixed)
-        key = (k, left)
-        if key not in self._reduced:
-            self._reduced[key] = Solver(self._best(step, left), self.equations)
-        return self._reduced[key]
+        if (fixed, way) not in self._for_fixed:
+            found = []
+            left_of_way = way
+            for k, whole in enumerate(self._solvers):
+                left = tuple(u for u in whole.unknowns if u not in fixed)
+                if len(left) == len(whole.unknowns):
+                    found.append(whole)
+                elif left:
+                    some = self._without(k, left)
+                    left_of_way, place = divmod(left_of_way, len(some))
+                    found.append(some[place])
+            self._for_fixed[fixed, way] = found
+        return self._for_fixed[fixed, way]
 
-    def _best(self, step: Step, left: tuple[sp.Symbol, ...]) -> Step:
-        best, most = tuple(step.residuals[: len(left)]), -1.0
+    def ways(self, fixed: frozenset[sp.Symbol]) -> int:
+        """In how many ways the others follow where some unknowns are fixed: a block has more equations then than it
+        needs, and which are used makes a difference where what is fixed is wrong.
+        """
+        lefts = ((k, tuple(u for u in s.unknowns if u not in fixed)) for k, s in enumerate(self._solvers))
+        reduced = [(k, left) for k, left in lefts if 0 < len(left) < len(self._solvers[k].unknowns)]
+        return math.prod(len(self._without(k, left)) for k, left in reduced)
+
+    def _without(self, k: int, left: tuple[sp.Symbol, ...]) -> list[Solver]:
+        """A step of which only some unknowns are left: each choice of as many equations that fixes them, first the one
+        that fixes them best where the solution lies.
+        """
+        if (k, left) not in self._reduced:
+            made = [Solver(Step(left, some), self.equations) for some in self._choices(self.equations.steps[k], left)]
+            self._reduced[k, left] = made
+        return self._reduced[k, left]
+
+    def _choices(self, step: Step, left: tuple[sp.Symbol, ...]) -> list[tuple[sp.Expr, ...]]:
         run = Run(self, {s: np.array([v]) for s, v in self.equations.value.items()}, 1)
+        opened_ones = {r: opened(r, step.unknowns, self.equations.defined) for r in step.residuals}
+        slopes = {r: [float(run.of(sp.diff(e, u))[0]) for u in left] for r, e in opened_ones.items()}
+        found = []
         for some in combinations(step.residuals, len(left)):
-            opened_ones = [opened(r, step.unknowns, self.equations.defined) for r in some]
-            slopes = np.array([[float(run.of(sp.diff(r, u))[0]) for u in left] for r in opened_ones])
-            rows = np.abs(slopes).max(1, keepdims=True)
-            size = abs(float(np.linalg.det(slopes / np.where(rows > 0, rows, 1.0))))
-            if size > most:
-                best, most = tuple(some), size
-        return Step(left, best)
+            matrix = np.array([slopes[r] for r in some])
+            rows = np.abs(matrix).max(1, keepdims=True)
+            found.append((abs(float(np.linalg.det(matrix / np.where(rows > 0, rows, 1.0)))), some))
+        found.sort(key=lambda one: -one[0])
+        return [some for size, some in found if size > SINGULAR * found[0][0]][:MOST_WAYS] or [found[0][1]]
 
     def formula(self, expr: sp.Expr) -> tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]:
         """An expression as a function, with the symbols that it takes."""

@@ -31,10 +31,14 @@ class Single:
         self._calls: dict[tuple[int, bool], Callable[..., list[Any]]] = {}
         self._formulas: dict[sp.Expr, tuple[tuple[sp.Symbol, ...], Callable[..., list[Any]]]] = {}
 
-    def run(self, inputs: Mapping[sp.Symbol, float], fixed: Mapping[sp.Symbol, float], start: Values) -> Values:
-        """Numbers of inputs and unknowns, some of them fixed, near a start. NoNumber: there are none."""
+    def run(
+        self, inputs: Mapping[sp.Symbol, float], fixed: Mapping[sp.Symbol, float], start: Values, way: int = 0
+    ) -> Values:
+        """Numbers of inputs and unknowns, some of them fixed, from a start; by the equations that fix the others best,
+        or another `way`. NoNumber: there are none.
+        """
         values, before = {**inputs, **fixed}, dict(start)
-        for solver in self.replay.solvers(frozenset(fixed)):
+        for solver in self.replay.solvers(frozenset(fixed), way):
             try:
                 known = [self.number(s, values) for s in solver.needs]
                 values.update(zip(solver.unknowns, self._solved(solver, known, before), strict=True))
