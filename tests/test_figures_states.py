@@ -190,3 +190,13 @@ def test_a_point_beside_its_rod_is_held_and_one_on_it_is_seen() -> None:
 
 def test_a_hoop_is_no_disk() -> None:
     assert [m.hollow for m in marks_of("bead-on-a-turning-hoop") if isinstance(m, Arc)] == [True]
+
+
+def test_an_acceleration_that_rests_on_the_velocity_is_given_too() -> None:
+    """a = -k v has a name in the figure, and no number of its own."""
+    assert any(isinstance(m, Arrow) for m in marks_of("boat-coasting"))
+
+
+def test_what_stands_on_a_slope_is_on_its_upper_side() -> None:
+    (slope,) = (m for m in marks_of("body-block-sent-up-a-slope") if isinstance(m, Hatched))
+    assert slope.places[0][0] < slope.places[-1][0]

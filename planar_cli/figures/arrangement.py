@@ -71,8 +71,8 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     joints = motion.problem.joints
     size = extent([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
     places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
-    marks = (*_marks(drawn, moving, joints, places[1:]), *position_marks(places, motion, run))
-    return _panel((*marks, *state_measures(places, problem)))
+    marks = tuple(_marks(drawn, moving, joints, places[1:]))
+    return _panel((*marks, *position_marks(places, motion, run, marks), *state_measures(places, problem)))
 
 
 def arranged(drawn: Drawn, moving: Moving | None = None) -> Panel:
@@ -88,8 +88,8 @@ def followed_arrangement(run: Run) -> Panel | None:
     joints = run.problem.joints
     size = extent([s for m in _marks(drawn, None, joints) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
-    marks = (*_marks(drawn, None, joints, places[1:]), *position_marks(places, None, run))
-    return _panel((*marks, *state_measures(places, run.problem)))
+    marks = tuple(_marks(drawn, None, joints, places[1:]))
+    return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem)))
 
 
 def _panel(marks: tuple[Mark, ...]) -> Panel:

@@ -89,8 +89,11 @@ class Drawn:
         return None if way is None or math.hypot(*way) < TINY else math.atan2(way[1], way[0])
 
     def length(self, side: Side) -> float | None:
-        """A length of the file."""
-        return self.number(self.scene.value(side))
+        """A length, angle or other size of the file; None: nothing tells it, as where it rests on a velocity."""
+        try:
+            return self.number(self.scene.value(side))
+        except PlanarError:
+            return None
 
     def at_rest(self) -> Drawn:
         """The scene where the file draws it; where it is now, if that does not tell where all bodies are."""

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
+from planar_cli.figures.partners import between
 from planar_cli.figures.paths import followed_path, path_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import GROUND, Particle, Round
+from planar_cli.problem.scene import GROUND, Line, Round
 from planar_cli.records import record
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spots_of
@@ -57,11 +58,11 @@ class Later:
     def marks(self, name: str) -> list[Mark]:
         """A body there, dashed."""
         body = self.there.scene.bodies.get(name)
-        if body is None or isinstance(body.shape, Particle):
-            return [shifted(Symbol("place", self.spots[name]), self.shift)]
+        if body is None:
+            return [Symbol("place", self.at(name))]
         shapes = [m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline)]
         if self.first is not None:
-            turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0)
+            turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0) if body.rigid else 0.0
             shapes = [_carried(m, self.first.spots[name], self.spots[name], turn) for m in shapes]
         return [shifted(m, self.shift) for m in shapes] or [Symbol("place", self.at(name))]
 
@@ -174,18 +175,34 @@ def _nearer(p: Later, before: Later, shift: Spot, most: float) -> Later:
     return replace(p, shift=(shift[0] - (x - x0) * back, shift[1] - (y - y0) * back))
 
 
-def position_marks(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) -> Iterator[Mark]:
-    """The ways of the bodies that move, and where they are in each position."""
+def position_marks(
+    places: Sequence[Later], motion: MotionTrace | None, run: Run | None, shown: Sequence[Mark]
+) -> Iterator[Mark]:
+    """The ways of the bodies that move, and where they are in each position. `shown`: the first one, as it is drawn."""
+    blocks = {m.at: m.angle for m in shown if isinstance(m, Symbol) and m.kind == "block"}
     yield from _ways(places, motion, run)
     for p in places:
         first = p is places[0]
         seen = [n for n in p.spots if any(_moved(n, p, q) for q in places) and (first or _moved(n, places[0], p))]
         for name in seen if not first else ():
-            yield from p.marks(name)
+            angle = blocks.get(places[0].spots[name])
+            yield from p.marks(name) if angle is None else [Symbol("later", p.at(name), _lies(p, name, angle))]
         if not first and p.first is None and not any(p.shift):
             yield from held_marks(p.there, places[0].there)
         for name in _apart(p, seen) if p.words else ():
             yield Tag(p.at(name), line(p.words))
+
+
+def _lies(p: Later, name: str, angle: float) -> float:
+    """The direction of the line on which a block stands in a position; `angle`: of that on which it stood."""
+    scene = p.there.scene
+    for joint in scene.problem.joints if p.first is None else ():
+        named = between(joint)
+        for surface in scene.problem.surfaces if name in named else ():
+            along = p.there.angle(scene.surface_direction(surface)) if isinstance(surface.shape, Line) else None
+            if surface.name in named and along is not None:
+                return along if math.cos(along - angle) > 0 else along + math.pi
+    return angle
 
 
 def _apart(p: Later, names: Sequence[str]) -> list[str]:

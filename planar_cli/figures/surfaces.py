@@ -53,6 +53,9 @@ def surface_marks(
         yield Polyline(tuple(places), "body")
         return
     free = _side(places, bodies)
+    if abs(free) < NEAR * size:
+        # What stands on it as a point is on its upper side.
+        free = places[-1][0] - places[0][0]
     yield Hatched(tuple(places if free >= 0 else places[::-1]))
 
 

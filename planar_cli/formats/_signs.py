@@ -10,6 +10,7 @@ from planar_cli.formats._strokes import LATER, Piece, hatching, moved
 from planar_cli.report.marks import Symbol
 
 BLOCK = 26.0
+CORNERS = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
 SLIDER = (24.0, 14.0)
 HANGER = 24.0
 
@@ -28,9 +29,9 @@ def sign(mark: Symbol, at: Spot) -> Iterator[Piece]:
             yield Disc(at, 3.6, "pin")
         case "particle":
             yield Disc(at, 5.0, "mass")
-        case "block":
-            corners = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
-            yield Stroke(tuple(moved(at, mark.angle, a * BLOCK, b * BLOCK) for a, b in corners), "body area", True)
+        case "block" | "later":
+            corners = tuple(moved(at, mark.angle, a * BLOCK, b * BLOCK) for a, b in CORNERS)
+            yield Stroke(corners, LATER if mark.kind == "later" else "body area", True)
         case "slider" | "rail":
             yield from _slider(at, mark.angle, mark.kind == "rail")
         case "weld":

@@ -37,6 +37,7 @@ SymbolKind = Literal[
     "hanger",
     "break",
     "ring",
+    "later",
 ]
 
 
@@ -103,7 +104,7 @@ class Symbol:
     along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
     behind the end of something that goes on along `angle`, what holds a wheel from there, the plate at the end of a
     spring that goes on along `angle`, where coordinates are measured from, the place where a particle is later, a break
-    in what is too long to be drawn, along `angle`, a point on a bar.
+    in what is too long to be drawn, along `angle`, a point on a bar, where a block is later.
     """
 
     kind: SymbolKind
