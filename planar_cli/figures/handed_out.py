@@ -34,21 +34,43 @@ class GivenDrawn(Drawn):
         return None if _rests_on_sought(self.scene.ledger, placed) else Drawn.number(self, placed)
 
 
+@record
+class _Given:
+    """A scene on paper; `placed`: it is given where all bodies are, and how they are turned."""
+
+    panel: Panel
+    placed: bool
+
+
 def handed_out(problem: Problem) -> Figure | None:
-    """What a sheet shows of a problem; None: hardly anything can be drawn of what is given."""
+    """What a sheet shows of a problem, in the position of a case where the file itself does not give all places; None:
+    hardly anything can be drawn of what is given.
+    """
+    found = [one for part in (problem, *(c.problem for c in problem.cases)) if (one := _given(part)) is not None]
+    if not found:
+        return None
+    # The first of those that show as much.
+    best = max(found, key=lambda one: (one.placed, 0 if one.placed else len(one.panel.marks)))
+    return Figure((best.panel,), problem.title, name="scene")
+
+
+def _given(problem: Problem) -> _Given | None:
+    """The scene of a problem, or of a case, as it is given."""
     # What is told by the time is open here, as any place is that is sought.
     laws = (law.statement for law in problem.motion)
     always = tuple(s for s in laws if not any(isinstance(n, expression.Name) and n.name == "t" for n in walk(s)))
     now = problem.instant or (problem.states[0].relations if problem.states else ())
     try:
         scene = Setup(problem, Statements.of(always, now), {}, open_form=False).scene
-        panel = arranged(GivenDrawn(scene, scene.valuations[0], {}))
+        drawn = GivenDrawn(scene, scene.valuations[0], {})
+        panel = arranged(drawn)
     except PlanarError:
         # Where places rest on what an earlier case finds, the text has to tell the scene.
         return None
-    if not _is_seen(panel):
-        return None
-    return Figure((panel,), problem.title, name="scene")
+    placed = all(
+        drawn.number(part) is not None for b in scene.bodies.values() for part in (b.center.x, b.center.y, b.theta)
+    )
+    return _Given(panel, placed) if _is_seen(panel) else None
 
 
 def letters_told(figure: Figure, problem: Problem) -> Line:
