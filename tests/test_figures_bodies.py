@@ -16,7 +16,7 @@ from planar_cli.figures.rings import inside, meets
 from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke
 from planar_cli.formats._svg import papers_of
-from planar_cli.report.blocks import line
+from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Figure, Hatched, Panel, Polyline, Spot, Symbol, Turn
 from planar_cli.report.narrate import narrate
 
@@ -135,3 +135,23 @@ def test_a_crawler_has_an_endless_belt_round_its_wheels() -> None:
     (panel,) = drawings("systems/crawler-track")["scene"].panels
     belts = [m.places for m in panel.marks if isinstance(m, Polyline) and len(m.places) > 10]
     assert [belt[0] == belt[-1] for belt in belts] == [True]
+
+
+def test_a_stream_is_drawn_with_its_speed() -> None:
+    (panel,) = drawings("momentum/pipe-bend")["scene"].panels
+    flows = [m for m in panel.marks if isinstance(m, Arrow) and m.style == "velocity"]
+    assert [str(m.words) for m in flows] == [str((Name("v_A"),)), str((Name("v_B"),))]
+
+
+def test_a_belt_runs_over_rollers_and_has_an_arrow() -> None:
+    (panel,) = drawings("kinematics/wheel-on-conveyor")["scene"].panels
+    assert not [m for m in panel.marks if isinstance(m, Hatched)]
+    assert (Name("u"),) in [m.words for m in panel.marks if isinstance(m, Arrow)]
+
+
+def test_a_frame_of_reference_has_axes() -> None:
+    (panel,) = drawings("kinematics/car-seen-from-a-bend")["scene"].panels
+    assert [m.words for m in panel.marks if isinstance(m, Arrow) and m.style == "axis"] == [
+        (Name("x\u2032"),),
+        (Name("y\u2032"),),
+    ]

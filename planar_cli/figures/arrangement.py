@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Moving, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
@@ -120,9 +121,10 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
         seen += [p.marks(b) for p in later for b in beside if b in p.spots]
         for mark in surface_marks(drawn, surface, places, seen, near or centers, size):
-            yield from (
-                (mark,) if surface.body is None else within(mark, [*body_marks(drawn, scene.bodies[surface.body])])
-            )
+            if surface.body is not None:
+                inner += within(mark, [*body_marks(drawn, scene.bodies[surface.body])])
+                continue
+            yield from belt_marks(drawn, surface, mark)
             if isinstance(mark, Hatched):
                 standing.update(_standing(drawn, problem, surface, mark))
     sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
@@ -140,7 +142,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
             if isinstance(here, Symbol) and here.at in sliding:
                 continue
             yield standing.get(name, here) if isinstance(here, Symbol) else here
-    yield from (*inner, *sketched)
+    yield from (*inner, *sketched, *frame_marks(drawn))
     yield from slack_marks(drawn, joints)
     written = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
     shown = {name: points[name] for name in written if name in points}

@@ -9,6 +9,7 @@ from typing import Any, cast
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import ALONE, extent
+from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, touching
@@ -146,7 +147,11 @@ class _Stage:
             spots = [home.seen(s) for marks in seen for m in marks for s in spots_of(m)] + [*map(home.seen, places)]
             return self._curve(surface, surface.shape, spots, bodies or [*self._centers(first)])
         near = bodies or [*self._centers(first)]
-        return list(surface_marks(first, surface, places, seen, near, self.size))
+        return [
+            b
+            for m in surface_marks(first, surface, places, seen, near, self.size)
+            for b in belt_marks(first, surface, m)
+        ]
 
     def _curve(self, surface: Surface, shape: Curve, spots: Sequence[Spot], bodies: Sequence[Spot]) -> list[Mark]:
         """A curve, along the part of its variable that is passed."""

@@ -126,7 +126,7 @@ def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at, angle = drawn.spot(sketch.at), drawn.angle(sketch.direction)
     if at is not None and angle is not None:
         words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
-        yield Arrow(at, angle, "force", words, inward=sketch.inward)
+        yield Arrow(at, angle, "velocity" if sketch.flows else "force", words, inward=sketch.inward)
 
 
 @_drawn.register

@@ -10,7 +10,8 @@ from typing import Any
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import outlines
-from planar_cli.figures.rings import around
+from planar_cli.figures.partners import between
+from planar_cli.figures.rings import around, way_of
 from planar_cli.problem.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Style, Symbol
 
@@ -43,7 +44,15 @@ def _particle(shape: Particle, drawn: Drawn, body: BodyModel, style: Style) -> I
 @_shape.register
 def _rod(shape: Rod, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Mark]:
     start, center = drawn.carried(body.name, shape.start), drawn.spot(body.center)
-    if start is not None and center is not None:
+    if start is not None and shape.end is None and shape.length is None:
+        # One of no length goes a little beyond what slides along it.
+        problem = drawn.scene.problem
+        guided = {getattr(j, "point", None) for j in problem.joints if body.name in between(j)}
+        spots = [s for p in problem.points if p.name in guided and (s := drawn.named(p.name)) is not None]
+        far = max(spots, key=lambda s: math.dist(s, start), default=start)
+        if math.dist(far, start) > 0:
+            yield Polyline((start, moved(far, way_of(start, far), math.dist(start, far) / 8)), style)
+    elif start is not None and center is not None:
         end = (2 * center[0] - start[0], 2 * center[1] - start[1])
         yield Polyline((start, end), style)
         yield from _aside(drawn, body, start, end, style)

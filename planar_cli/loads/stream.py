@@ -96,7 +96,7 @@ class Stream(Load):
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         return tuple(
-            Push(scene.point(flow.at), heading(scene, flow.angle), None, inward=sense > 0)
+            Push(scene.point(flow.at), heading(scene, flow.angle), flow.speed, inward=sense > 0, flows=True)
             for flow, sense in self._flows()
         )
 

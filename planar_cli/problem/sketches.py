@@ -111,6 +111,8 @@ class Push:
     size: Side | Table | None
     inward: bool = False
     """Does it come to the place, as a jet that enters?"""
+    flows: bool = False
+    """Is it no force, but matter that flows there, with its speed?"""
 
 
 @record
