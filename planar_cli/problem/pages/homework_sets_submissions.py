@@ -117,5 +117,7 @@ mistakes, and the exports. Of several submissions of a student all are graded, a
 counts in the average.
 
 With `--student` nothing of the key is printed. `--shard 3/40` grades a part, `planar merge` puts the results of parts
-together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`).
+together, `--cluster tcp://host:8786` grades on a dask cluster (extra `cluster`). A run that Ctrl-C breaks off tells how
+many files are left and ends with 130; with `--results` the same command goes on there, and prints, reports and exports
+those of before too.
 """
