@@ -53,7 +53,9 @@ def held(line: Sequence[str], encoding: str = "") -> tuple[int, str, str]:
 
 
 class Place(ABC):
-    """Where pages go."""
+    """Where pages go. `stays`: what is to be seen while a file has mistakes."""
+
+    stays = ""
 
     @abstractmethod
     def run(self, line: Sequence[str]) -> int:
@@ -87,6 +89,7 @@ class _LastGood(Place):
         if status == cli.INTERRUPTED:
             return status
         self.page = page or self.page
+        self.stays = "the last good page stays" if self.page else ""
         self.show(page, told)
         return status
 

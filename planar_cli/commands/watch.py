@@ -42,7 +42,7 @@ def command(file: str, form: str | None, output: str | None, audience: str) -> i
             status = place.run(line)
             if status == cli.INTERRUPTED:
                 break
-            echo(_told(file, status, output), err=True)
+            echo(_told(file, status, output, place.stays), err=True)
     finally:
         place.close()
     return status
@@ -71,7 +71,7 @@ def _stamp(file: str) -> Stamp | None:
     return found.st_mtime_ns, found.st_size
 
 
-def _told(file: str, status: int, output: str | None) -> str:
+def _told(file: str, status: int, output: str | None, stays: str) -> str:
     where = f", written to {output}" if output else ""
     if status == cli.SOLVED:
         return f"planar: solved{where}; waiting for {file} to be saved (Ctrl-C ends)"
@@ -79,5 +79,5 @@ def _told(file: str, status: int, output: str | None) -> str:
         # It is the status of a page that differs from the answers of the file, and that of no page.
         told = "no solution, or not the answers that the file states"
         return f"planar: {told}; waiting for {file} to be saved (Ctrl-C ends)"
-    kept = f"; {output} is as before" if output and os.path.exists(output) else ""
-    return f"planar: not solved{kept}; waiting for {file} to be saved (Ctrl-C ends)"
+    kept = stays or (f"{output} is as before" if output and os.path.exists(output) else "")
+    return f"planar: not solved; {kept}{kept and '; '}waiting for {file} to be saved (Ctrl-C ends)"
