@@ -97,3 +97,17 @@ def test_its_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_what_no_film_can_come_of_is_refused(args: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["simulate", str(path_of("ball-that-comes-to-rest")), *args]) == 2
     assert capsys.readouterr().err
+
+
+HOSTILE = 'title: "<script>alert(1)</script> ]]> & $x$"\n'
+
+
+def test_words_of_a_file_do_nothing(tmp_path: Path) -> None:
+    text = path_of("ball-that-comes-to-rest").read_text(encoding="utf-8")
+    path = tmp_path / "hostile.yaml"
+    path.write_text(HOSTILE + text.partition("\n")[2], encoding="utf-8")
+    for kind, ending in (("--animate", "svg"), ("--animate", "html"), ("--plot", "svg")):
+        target = tmp_path / f"m{kind}.{ending}"
+        assert cli.run(["simulate", str(path), kind, str(target)]) == 0
+        made = target.read_text(encoding="utf-8")
+        assert "<script" not in made
