@@ -325,11 +325,11 @@ def test_a_number_is_said_to_be_in_another_unit_than_the_one_that_is_asked(unit:
 Own = Mapping[str, tuple[float, ...]]
 
 
-def _of_both(task: Task, expected: Expected, own: Own) -> tuple[tuple[float, ...], tuple[str, ...]]:
+def _of_both(task: Task, expected: Expected, own: Own, way: int = 0) -> tuple[tuple[float, ...], tuple[str, ...]]:
     return (sum(v for (v,) in own.values()) + 10,), tuple(own)
 
 
-def _of_the_later(task: Task, expected: Expected, own: Own) -> tuple[tuple[float, ...], tuple[str, ...]]:
+def _of_the_later(task: Task, expected: Expected, own: Own, way: int = 0) -> tuple[tuple[float, ...], tuple[str, ...]]:
     return (2 * own["b"][0] if "b" in own else 3 * own["a"][0],), tuple(own)
 
 

@@ -10,15 +10,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from conftest import ROOT
 
 from planar_cli.homework.carried_errors import Carrier
+from planar_cli.homework.course import course_of
+from planar_cli.homework.fit_variants import in_equations
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.ready import Prepared
 from planar_cli.homework.set_file import read_set
 from planar_cli.homework.solved_anew import to_check
 from planar_cli.homework.variant_draws import Draw
+from planar_cli.homework.variants import columns, variations
 from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import WorkedProblem, base_expected, models_of, read_and_solve, with_numbers
+from planar_cli.homework.worked_problem import (
+    Carried,
+    WorkedProblem,
+    base_expected,
+    models_of,
+    read_and_solve,
+    with_numbers,
+)
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 from planar_cli.replay.single import NoNumber, Single
@@ -243,3 +254,36 @@ def test_what_is_of_no_second_degree_is_followed() -> None:
     assert single.run({c: 1.9}, {}, {c: 0.0, x: 0.0})[x] == pytest.approx(found[1])
     with pytest.raises(NoNumber):
         single.run({c: 2.5}, {}, {c: 0.0, x: 0.0})
+
+
+SET = sorted(p for p in (ROOT / "tests" / "homework").glob("*.yaml") if "problems:" not in p.read_text())
+
+
+def of_each_value(path: Path, pick: slice) -> None:
+    worked = read_and_solve(str(path), "p")
+    for varied in variations(worked):
+        drawn = [Draw(((varied.name, value),)) for value in varied.values[pick]]
+        numbers = Carried(worked, columns(worked, drawn))
+        for k, one in enumerate(drawn):
+            anew = with_numbers(worked, dict(one.values))
+            if course_of(anew.solution) != course_of(worked.solution):
+                continue
+            due = {e.find: e.values for e in base_expected(anew)}
+            for part, find in in_equations(worked):
+                here = [float(n[k]) for n in numbers.asked(part, find)]
+                assert here == pytest.approx(due[find.name], rel=1e-7, abs=1e-12), (one.values, find.name)
+    right = {e.find: e.values for e in base_expected(worked)}
+    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    for one in row:
+        assert all(m.values != pytest.approx(right[one.find], rel=1e-6) for m in (*one.mistakes, *one.nearly))
+
+
+@pytest.mark.parametrize("path", SET, ids=lambda p: p.stem)
+def test_the_last_value_of_each_name_is_that_of_the_file_solved_with_it(path: Path) -> None:
+    of_each_value(path, slice(-1, None))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", SET, ids=lambda p: p.stem)
+def test_each_value_of_each_name_is_that_of_the_file_solved_with_it(path: Path) -> None:
+    of_each_value(path, slice(None))
