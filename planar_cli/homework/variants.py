@@ -89,12 +89,12 @@ class Variants:
     """Fit combinations with the answers of one that is taken: they are taken where there are too few others."""
     repeated: int = 0
     """So many of these are taken."""
-    answers: set[tuple[str, ...]] = field(default_factory=set)
+    answers: set[tuple[object, ...]] = field(default_factory=set)
     """Those of the variants taken, as a key tells them."""
 
     def take(self, variant: Variant) -> None:
         """One that is fit."""
-        answers = tuple(e.text for e in variant.expected)
+        answers = tuple(map(_answer, variant.expected))
         (self.alike if answers in self.answers else self.taken).append(variant)
         self.answers.add(answers)
 
@@ -113,6 +113,12 @@ class Variants:
     def rate(self) -> float:
         """The part of the combinations tried that was fit."""
         return 1.0 if not self.tried else 1 - sum(self.rejected.values()) / self.tried
+
+
+def _answer(expected: Expected) -> tuple[object, ...]:
+    """As a key tells it; a formula with the numbers of its letters."""
+    inside = dict(expected.letters)
+    return expected.text, *(pair for pair in expected.known if pair[0] in inside)
 
 
 def variations(problem: WorkedProblem) -> tuple[Variation, ...]:
