@@ -12,7 +12,9 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.commands.draw import command
+from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.figures.shapes import body_marks
 from planar_cli.formats._labels import clashes
 from planar_cli.formats._svg import PRINT, panels, papers_of, svg
 from planar_cli.formats.html import Html
@@ -35,6 +37,7 @@ def illustrated_page(path: Path) -> Document:
 
 def demand_whole(path: Path) -> None:
     """Every vector of a list stands in the diagram beside it; points, names and vectors lie within the picture."""
+    demand_bodies(path)
     page = illustrated_page(path)
     for before, block in zip(page.blocks, page.blocks[1:], strict=False):
         if isinstance(block, Drawing) and isinstance(before, Forces):
@@ -55,6 +58,18 @@ def demand_whole(path: Path) -> None:
         missing = named - tags
         scene = next(i for part in solution.parts for i in part.instants).instant.scene
         assert all(scene.valuations[0].known(scene.points[n].x) is None for n in missing)
+
+
+def demand_bodies(path: Path) -> None:
+    """Every body whose place is known is drawn, by itself or by its faces."""
+    instant = next((i for part in worked(path)[0].parts for i in part.instants), None)
+    if instant is None:
+        return
+    drawn = Drawn.as_in_the_file(instant)
+    faced = {surface.body for surface in drawn.scene.problem.surfaces}
+    for name, body in drawn.scene.bodies.items():
+        if drawn.spot(body.center) is not None and drawn.number(body.theta) is not None and name not in faced:
+            assert list(body_marks(drawn, body)), name
 
 
 def demand_inside(figure: Figure) -> None:
