@@ -200,3 +200,12 @@ def test_an_acceleration_that_rests_on_the_velocity_is_given_too() -> None:
 def test_what_stands_on_a_slope_is_on_its_upper_side() -> None:
     (slope,) = (m for m in marks_of("body-block-sent-up-a-slope") if isinstance(m, Hatched))
     assert slope.places[0][0] < slope.places[-1][0]
+
+
+def test_the_instant_of_a_motion_in_time_is_drawn_at_its_time_with_the_way_to_it() -> None:
+    """r = 2 m + t/2, θ = t²/5 at t = 2 s: 3 m at 0.8 rad."""
+    marks = marks_of("polar-motion")
+    (way,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "way")
+    assert way[0] == pytest.approx((2, 0))
+    assert way[-1] == pytest.approx((3 * math.cos(0.8), 3 * math.sin(0.8)))
+    assert any(isinstance(m, Symbol) and m.at == pytest.approx(way[-1]) for m in marks)

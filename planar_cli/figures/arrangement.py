@@ -14,7 +14,7 @@ from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sketch_of, touching
-from planar_cli.figures.paths import curve_of
+from planar_cli.figures.paths import course_of, curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
@@ -60,9 +60,12 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     drawn = Drawn.as_in_the_file(instant)
     problem, system = drawn.scene.problem, instant.trial.system
     if motion is None or not problem.states:
+        # The one instant of a motion in time is a state without a name.
+        drawn = (Drawn.in_state(motion, motion.states[0]) if motion is not None else None) or drawn
         moving = Moving(drawn, system.motion) if system.motion is not None else None
         bodies = drawn.scene.bodies
-        curves = [curve_of(drawn, name) for name, body in bodies.items() if isinstance(body.shape, Particle)]
+        particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
+        curves = [curve_of(drawn, name) or course_of(drawn, name) for name in particles]
         ways = (Polyline(curve, "way") for curve in curves if len(curve) > 1)
         return _panel((*_marks(drawn, moving, problem.joints), *ways))
     drawn = Drawn.in_state(motion, problem.states[0].name) or drawn

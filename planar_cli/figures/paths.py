@@ -12,8 +12,9 @@ import sympy as sp
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.shapes import moved
 from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.marks import Spot
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from planar_cli.solve.law import Law
 
 STEPS = 32
+CLOSE = 1e-6
+"""A way ends where the body is drawn, in parts of how far it is from the pole."""
 AROUND = math.radians(60)
 """A curve that rests on an angle is drawn so far on either side."""
 
@@ -52,6 +55,33 @@ def curve_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
     ways = (middle + AROUND * (2 * i / STEPS - 1) for i in range(STEPS + 1))
     spots = [Drawn(scene, drawn.value, {angle: sp.Rational(f"{way:.9g}")}).spot(place) for way in ways]
     return tuple(s for s in spots if s is not None)
+
+
+def course_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
+    """The way of a point whose distance from another one and its direction are formulas of the time, from t = 0 to the
+    instant that is drawn; none: the file has no such formulas.
+    """
+    scene = drawn.scene
+    parts = {}
+    for law in scene.problem.motion:
+        told = law.statement
+        left = told.left if isinstance(told, Relation) and told.operator == "=" else None
+        if isinstance(told, Relation) and isinstance(left, Quantity) and left.word == "r" and left.things[0] == name:
+            parts[(left.things[1:], tuple(p.kind for p in left.parts))] = told.right
+    pole = next((things for things, _ in parts if len(things) == 1), ("",))
+    polar = [parts.get((pole, (kind,))) for kind in ("mag", "angle")]
+    clock, now = scene.ledger.symbols.get("t"), drawn.spot(_place(scene, name))
+    if polar[0] is None or polar[1] is None or clock is None or now is None or pole[0] not in scene.points:
+        return ()
+    center, end = drawn.spot(scene.points[pole[0]]), drawn.number(clock)
+    if center is None or not end:
+        return ()
+    times = (sp.Rational(f"{end * i / STEPS:.9g}") for i in range(STEPS + 1))
+    sizes = [
+        [drawn.number(scene.value(side).xreplace({clock: t})) for side in polar if side is not None] for t in times
+    ]
+    found = [moved(center, way, far) for far, way in sizes if far is not None and way is not None]
+    return tuple(found) if found and math.dist(found[-1], now) < CLOSE * math.dist(center, now) else ()
 
 
 def _place(scene: Scene, name: str) -> Vec:
