@@ -1,5 +1,5 @@
-"""Factors of one at the parts of an acceleration: the normal, the tangential and the Coriolis part; and at what the
-moment of inertia about a fixed axis has more than that about the mass centre.
+"""Factors of one at the parts of an acceleration: the normal, the tangential and the Coriolis part; at the moment of
+inertia of a body in its energy and momentum, and at what that about a fixed axis has more.
 
 Equations that are written with them can be carried out again with one part left out, as by a student who forgets it. No
 name of a file has a Greek letter, so that none is taken.
@@ -7,7 +7,7 @@ name of a file has a Greek letter, so that none is taken.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ from planar_cli.equation.expansion import wide
 if TYPE_CHECKING:
     from planar_cli.equation.ledger import Ledger
 
-CORIOLIS, NORMAL, TANGENTIAL, AXIS = "κ_coriolis", "κ_normal", "κ_tangential", "κ_axis"
+CORIOLIS, NORMAL, TANGENTIAL, AXIS, SPIN = "κ_coriolis", "κ_normal", "κ_tangential", "κ_axis", "κ_spin"
 _marking: ContextVar[bool] = ContextVar("marking", default=False)
 
 
@@ -47,7 +47,7 @@ def with_mark(expr: sp.Expr, part: str) -> sp.Expr:
 
 def is_mark(symbol: sp.Symbol) -> bool:
     """Is it one of the factors?"""
-    return symbol.name in (CORIOLIS, NORMAL, TANGENTIAL) or symbol.name.startswith(AXIS)
+    return symbol.name in (CORIOLIS, NORMAL, TANGENTIAL) or symbol.name.startswith((AXIS, SPIN))
 
 
 def axis_of(body: str) -> str:
@@ -55,10 +55,15 @@ def axis_of(body: str) -> str:
     return f"{AXIS}_{body}"
 
 
-def know_marks(ledger: Ledger, bodies: Iterable[str]) -> None:
+def spin_of(body: str) -> str:
+    """The factor at the moment of inertia of one body in its energy and momentum."""
+    return f"{SPIN}_{body}"
+
+
+def know_marks(ledger: Ledger, bodies: Collection[str]) -> None:
     """The factors are known: they are one."""
     if _marking.get():
-        for part in (CORIOLIS, NORMAL, TANGENTIAL, *map(axis_of, bodies)):
+        for part in (CORIOLIS, NORMAL, TANGENTIAL, *map(axis_of, bodies), *map(spin_of, bodies)):
             ledger.known(part, sp.S.One, "1")
 
 

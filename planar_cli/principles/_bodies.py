@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.led import led, rolls, turns_with_an_axis
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.parts_of_accelerations import axis_of, with_mark
+from planar_cli.equation.parts_of_accelerations import axis_of, spin_of, with_mark
 from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Moving, Position
 
@@ -35,6 +35,11 @@ def of_mass_centre(system: System, body: str, amount: sp.Expr) -> sp.Expr:
     the parallel-axis theorem adds.
     """
     return with_mark(amount, axis_of(body)) if turns_with_an_axis(system, body) else amount
+
+
+def of_turning(body: str, inertia: sp.Expr) -> sp.Expr:
+    """The moment of inertia about the mass centre, in an energy or a moment of momentum."""
+    return with_mark(inertia, spin_of(body))
 
 
 def joined(position: Position) -> list[tuple[str, ...]]:

@@ -14,7 +14,7 @@ from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
 from planar_cli.equation.one_body import inner_reactions
 from planar_cli.equation.plain import simplified
-from planar_cli.principles._bodies import joined, moving_of, of_mass_centre
+from planar_cli.principles._bodies import joined, moving_of, of_mass_centre, of_turning
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Idle, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
@@ -114,7 +114,7 @@ def _of(
         body = scene.bodies[name]
         v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
         moving = of_mass_centre(position.system, name, body.mass * v.dot(v) / 2)
-        kinetic.append((name, moving + body.inertia * omega**2 / 2))
+        kinetic.append((name, moving + of_turning(name, body.inertia) * omega**2 / 2))
     amounts = tuple((name, energy) for name, energy in kinetic if energy != 0)
     if told and not amounts:
         return

@@ -11,7 +11,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.scene import Scene
-from planar_cli.principles._bodies import body_families, moving_of, of_mass_centre
+from planar_cli.principles._bodies import body_families, moving_of, of_mass_centre, of_turning
 from planar_cli.principles._frames import Frame, frames, knows_less, unknown_sizes
 from planar_cli.principles.base import Balance, BodyFamily, Impulses, Moving, Position, Principle, Source
 from planar_cli.problem.facts import Wrench
@@ -256,7 +256,7 @@ def _angular(position: Position, group: tuple[str, ...], center: Vec) -> dict[st
         body = scene.bodies[b]
         arm, v = scene.arms.between(center, body.center), motion.velocity(body.center, b)
         moving = of_mass_centre(position.system, b, body.mass * arm.cross(v))
-        parts[b] = moving + body.inertia * motion.velocities[b].angular
+        parts[b] = moving + of_turning(b, body.inertia) * motion.velocities[b].angular
     return parts
 
 

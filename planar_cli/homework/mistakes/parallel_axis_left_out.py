@@ -25,15 +25,16 @@ class ParallelAxisLeftOut(Mistake):
     """The term m d² of the parallel-axis theorem is left out.
 
     In the equations
-        The term m d² α is missing in equations of moments; where a body turns about a fixed point, or is fixed to one
-        that does, m v_G²/2 is missing in its energy and the moment of m v_G in its angular momentum, also in a blow;
-        of all bodies, and of each by itself.
+        The term m d² α is missing in equations of moments, and m d² in I_O = I + m d²; where a body turns about a
+        fixed point, or is fixed to one that does, m v_G²/2 is missing in its energy and the moment of m v_G in its
+        angular momentum, also in a blow; of all bodies, and of each by itself.
     """
 
     kind: ClassVar[str] = "parallel-axis-left-out"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        changed = _in_moments(equations)
+        changed = _about_points(equations)
+        changed = _in_moments(changed or equations) or changed
         changed = _in_blows(changed or equations) or changed
         base = changed or equations
         finds = base.rests_on(e for a in base.asked.values() for e in a.parts)
@@ -43,6 +44,18 @@ class ParallelAxisLeftOut(Mistake):
         for name, symbol in axes.items() if len(axes) > 1 else ():
             body = printed(name.removeprefix(f"{AXIS}_"))
             yield Model(f"{MISSING} for {body}", equations, {symbol: sp.S.Zero})
+
+
+def _about_points(equations: Equations) -> Equations | None:
+    """With I in place of I_O = I + m d²."""
+    named = dict(inertias(equations))
+    own = {}
+    for symbol in named:
+        formula = sp.sympify(equations.defined[symbol])
+        inside = [t for t in sp.Add.make_args(formula) if t in named]
+        if formula.is_Add and inside:
+            own[symbol] = sp.Add(*inside)
+    return replace(equations, defined={**equations.defined, **own}) if own else None
 
 
 def _in_moments(equations: Equations) -> Equations | None:

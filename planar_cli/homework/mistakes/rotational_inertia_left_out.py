@@ -8,7 +8,9 @@ from typing import ClassVar, final
 
 import sympy as sp
 
+from planar_cli.equation.parts_of_accelerations import SPIN
 from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import INERTIA
@@ -19,7 +21,8 @@ class RotationalInertiaLeftOut(Mistake):
     """The moment of inertia of a body is left out.
 
     In the equations
-        The moment of inertia of a body is zero; one body at a time.
+        The moment of inertia of a body is zero; one body at a time. Where it stands only in the energy or momentum of a
+        body, I ω²/2 and I ω are missing there.
     """
 
     kind: ClassVar[str] = "rotational-inertia-left-out"
@@ -28,11 +31,23 @@ class RotationalInertiaLeftOut(Mistake):
         for symbol, title in inertias(equations):
             changed = replace(equations, defined={**equations.defined, symbol: sp.S.Zero})
             yield Model(f"this is the result without the {title}", changed)
+        finds = equations.rests_on(e for a in equations.asked.values() for e in a.parts)
+        for name, symbol in equations.inputs.items():
+            if name.startswith(SPIN) and symbol in finds:
+                body = printed(name.removeprefix(f"{SPIN}_"))
+                yield Model(
+                    f"this is the result without the moment of inertia of {body}", equations, {symbol: sp.S.Zero}
+                )
 
 
 def inertias(equations: Equations) -> Iterable[tuple[sp.Symbol, str]]:
-    """The moments of inertia that are named in the equations, with their titles."""
+    """The moments of inertia that are named in the equations, also in what I_O is made of, with their titles."""
     inside = set().union(*(r.free_symbols for s in equations.steps for r in s.residuals), set())
+    waiting = list(inside)
+    while waiting:
+        more = sp.sympify(equations.defined.get(waiting.pop(), 0)).free_symbols - inside
+        inside |= more
+        waiting += more
     for symbol, title in equations.titles.items():
         unit = equations.units.get(symbol)
         if symbol in inside and symbol in equations.defined and unit is not None and unit.dimension == INERTIA:
