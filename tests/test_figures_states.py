@@ -90,13 +90,13 @@ def far(there: Drawn, first: Drawn, body: str) -> bool:
 
 @pytest.mark.parametrize("path", [*PROBLEMS[::EVERY], *SEVERAL_REGIMES], ids=name_of)
 def test_no_scene_is_some_dots(path: Path) -> None:
-    """Beside points and names there are at least two marks: what is a particle alone has its way, or its velocity."""
+    """Beside points and names there are at least two marks, or a way."""
     found = scene_of(path)
     if found is None:
         return
     (panel,) = found[0].panels
     seen = [m for m in panel.marks if not isinstance(m, Tag | Axes) and not (isinstance(m, Symbol) and m.kind in DOTS)]
-    assert len(seen) > 1, panel.marks
+    assert len(seen) > 1 or any(isinstance(m, Polyline) for m in seen), panel.marks
 
 
 def test_a_throw_has_its_way_its_velocity_its_heights_and_the_ground() -> None:
@@ -209,3 +209,10 @@ def test_the_instant_of_a_motion_in_time_is_drawn_at_its_time_with_the_way_to_it
     assert way[0] == pytest.approx((2, 0))
     assert way[-1] == pytest.approx((3 * math.cos(0.8), 3 * math.sin(0.8)))
     assert any(isinstance(m, Symbol) and m.at == pytest.approx(way[-1]) for m in marks)
+
+
+def test_a_way_by_coordinates_that_are_formulas_of_the_time() -> None:
+    """x = 3 t, y = 4 t - t²/2 as far as t = 2 s."""
+    (way,) = (m.places for m in marks_of("parabola-in-time") if isinstance(m, Polyline) and m.style == "way")
+    assert way[len(way) // 2] == pytest.approx((3, 3.5))
+    assert way[-1] == pytest.approx((6, 6))

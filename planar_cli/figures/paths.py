@@ -14,7 +14,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import moved
 from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.marks import Spot
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
@@ -58,30 +58,40 @@ def curve_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
 
 
 def course_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
-    """The way of a point whose distance from another one and its direction are formulas of the time, from t = 0 to the
-    instant that is drawn; none: the file has no such formulas.
+    """The way of a point whose coordinates, or distance from another one and direction, are formulas of the time, from
+    t = 0 to the instant that is drawn; none: the file has no such formulas.
     """
-    scene = drawn.scene
-    parts = {}
-    for law in scene.problem.motion:
+    scene, laws = drawn.scene, _laws_of_place(drawn, name)
+    clock, now = scene.ledger.symbols.get("t"), drawn.spot(_place(scene, name))
+    end = drawn.number(clock) if clock is not None else None
+    for (pole, polar), sides in laws.items():
+        center = drawn.spot(scene.points[pole]) if pole in scene.points else None if pole else (0.0, 0.0)
+        if len(sides) < 2 or center is None or now is None or not end:
+            continue
+        found = []
+        for i in range(STEPS + 1):
+            here = {clock: sp.Rational(f"{end * i / STEPS:.9g}")}
+            one, other = (drawn.number(scene.value(side).xreplace(here)) for _, side in sorted(sides.items())[::-1])
+            if one is not None and other is not None:
+                found.append(moved(center, other, one) if polar else (center[0] + other, center[1] + one))
+        if found and math.dist(found[-1], now) < CLOSE * max(math.dist(center, now), CLOSE):
+            return tuple(found)
+    return ()
+
+
+def _laws_of_place(drawn: Drawn, name: str) -> dict[tuple[str, bool], dict[str, Side]]:
+    """The formulas of where a point is, seen from another one (""; from the origin), by their parts; True: polar."""
+    found: dict[tuple[str, bool], dict[str, Side]] = {}
+    for law in drawn.scene.problem.motion:
         told = law.statement
         left = told.left if isinstance(told, Relation) and told.operator == "=" else None
-        if isinstance(told, Relation) and isinstance(left, Quantity) and left.word == "r" and left.things[0] == name:
-            parts[(left.things[1:], tuple(p.kind for p in left.parts))] = told.right
-    pole = next((things for things, _ in parts if len(things) == 1), ("",))
-    polar = [parts.get((pole, (kind,))) for kind in ("mag", "angle")]
-    clock, now = scene.ledger.symbols.get("t"), drawn.spot(_place(scene, name))
-    if polar[0] is None or polar[1] is None or clock is None or now is None or pole[0] not in scene.points:
-        return ()
-    center, end = drawn.spot(scene.points[pole[0]]), drawn.number(clock)
-    if center is None or not end:
-        return ()
-    times = (sp.Rational(f"{end * i / STEPS:.9g}") for i in range(STEPS + 1))
-    sizes = [
-        [drawn.number(scene.value(side).xreplace({clock: t})) for side in polar if side is not None] for t in times
-    ]
-    found = [moved(center, way, far) for far, way in sizes if far is not None and way is not None]
-    return tuple(found) if found and math.dist(found[-1], now) < CLOSE * math.dist(center, now) else ()
+        if not isinstance(told, Relation) or not isinstance(left, Quantity) or left.things[:1] != (name,):
+            continue
+        part = left.word if left.word in ("x", "y") else left.parts[0].kind if left.word == "r" and left.parts else ""
+        if part in ("x", "y", "mag", "angle"):
+            pole = left.things[1] if len(left.things) > 1 else ""
+            found.setdefault((pole, part in ("mag", "angle")), {})[part] = told.right
+    return found
 
 
 def _place(scene: Scene, name: str) -> Vec:
