@@ -134,6 +134,7 @@ class _Ready:
     def __init__(self, data: Carriable) -> None:
         self.data = data
         self._parts: dict[tuple[str, tuple[str, ...]], _Part] = {}
+        self._units: dict[tuple[str, str], float] = {}
 
     def part(self, case: str, vectors: tuple[str, ...] = ()) -> _Part | None:
         """The equations of a case, with letters for the components of some finds."""
@@ -147,6 +148,15 @@ class _Ready:
         """Does a find follow from the equations of a case?"""
         equations = self.data.equations.get(case)
         return self.data.cases[find] == case and equations is not None and find in equations.asked
+
+    def unit(self, find: str, kind: str) -> float:
+        """What a find is counted in, in base units of the problem: its unit, or for a formula that of SI."""
+        if (find, kind) not in self._units:
+            one = parse_unit(self.data.units[find])
+            self._units[find, kind] = in_base(one, self.data.us) / (
+                in_base(one, us=False) if kind == "formula" else 1.0
+            )
+        return self._units[find, kind]
 
     def input_units(self, find: str) -> Mapping[str, float]:
         """What the base units of the inputs behind a find are in SI units."""
@@ -247,17 +257,14 @@ def _carried(
     if part is None or expected.find not in part.equations.asked:
         return None
 
-    def unit(find: str) -> float:
-        one = parse_unit(data.units[find])
-        return in_base(one, data.us) / (in_base(one, us=False) if expected.kind == "formula" else 1.0)
-
     def in_base_units(find: str, numbers: tuple[float, ...]) -> tuple[float, ...]:
-        return tuple(n * unit(find) for n in numbers)
+        factor = problem.unit(find, expected.kind)
+        return tuple(n * factor for n in numbers)
 
     known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
     varied = {n: v for n, v in given.items() if n not in data.own[case]}
     inputs, right = part.start(key, {**varied, **known})
-    factor = unit(expected.find)
+    factor = problem.unit(expected.find, expected.kind)
     if not part.gives(key, expected, tuple(n * factor for n in due.get(expected.find, ()))):
         return None
     inputs = dict(inputs)

@@ -20,8 +20,6 @@ from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
 from planar_cli.units import Dimension, Unit
 
-DEEPEST = 30
-"""Brackets in brackets."""
 MOST_WORDS = 6
 """Of a unit."""
 _UNIT_IN_BRACKETS = re.compile(r"(.*\S)\s*[\[(]\s*(?:in\s+)?([^\[\]()]+)[\])]")
@@ -46,14 +44,6 @@ class Reading:
 def letters_of(expected: Expected) -> Letters:
     """The letters that may stand in an answer, with their units."""
     return (*expected.letters, *expected.others)
-
-
-def check_depth(text: str) -> None:
-    depth = 0
-    for character in text:
-        depth += (character in "([{") - (character in ")]}")
-        if depth > DEEPEST:
-            raise Unreadable("the brackets are nested too deeply")
 
 
 def _in_letters(text: str, expected: Expected) -> Reading:

@@ -6,11 +6,11 @@ sqrt(3*g/l)    √(3g/l) rad/s    5/2 m g down    0.3214*m*g*l    0.533 v_0 rad/
 from __future__ import annotations
 
 from planar_cli.homework.figures import too_few_in_formula
-from planar_cli.homework.formula_readings import READERS, Reading, check_depth, letters_of, one_reading
+from planar_cli.homework.formula_readings import READERS, Reading, letters_of, one_reading
 from planar_cli.homework.formula_units import in_numbers, size_and_unit
 from planar_cli.homework.paper import RIGHT, WRONG, Expected
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed_formula import SAME, is_rounded, same_equation, same_formula
+from planar_cli.homework.typed_formula import SAME, check_depth, is_rounded, same_equation, same_formula
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.homework.wrong_formula import NOT_RIGHT, what_differs
 from planar_cli.records import record

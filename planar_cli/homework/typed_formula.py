@@ -29,6 +29,8 @@ CLOSE = 1e-6
 """Exponents of a dimension that differ by more are not the same."""
 MANY, RIGHT = 4096, 256
 """So many typed formulas, and right ones, are remembered."""
+DEEPEST = 30
+"""Brackets in brackets."""
 HERE = Mark("<answer>", 1, 1)
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
@@ -122,6 +124,32 @@ def _in_letters(name: str) -> Unreadable:
 
 def arithmetic(text: str) -> float:
     """The same as students write it, `√(2*9.81)`, `9.81 cos 25°`, where that can be read in one way."""
+    found = _arithmetic(text)
+    if isinstance(found, str):
+        raise Unreadable(found)
+    return found
+
+
+@lru_cache(MANY)
+def _arithmetic(text: str) -> float | str:
+    """The number, or why there is none."""
+    try:
+        check_depth(text)
+        return _read_as_arithmetic(text)
+    except Unreadable as why:
+        return str(why)
+
+
+def check_depth(text: str) -> None:
+    """Unreadable where there are many brackets in brackets."""
+    depth = 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        if depth > DEEPEST:
+            raise Unreadable("the brackets are nested too deeply")
+
+
+def _read_as_arithmetic(text: str) -> float:
     from planar_cli.homework.typed_letters import plain, readings
 
     try:

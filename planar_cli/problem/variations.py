@@ -88,10 +88,11 @@ def _first_value(node: Node) -> Node:
 
 
 def with_values(node: Node, values: Dict[str, str]) -> Node:
-    """The file with other values of given names."""
+    """The file with other values of given names, which then vary no more."""
     if not isinstance(node, Mapping):
         return node
-    return Mapping(tuple((k, _put_in(v, values) if k.text == "given" else v) for k, v in node.pairs), node.mark)
+    kept = ((k, v) for k, v in node.pairs if k.text != "variants")
+    return Mapping(tuple((k, _put_in(v, values) if k.text == "given" else v) for k, v in kept), node.mark)
 
 
 def _put_in(node: Node, values: Dict[str, str]) -> Node:
