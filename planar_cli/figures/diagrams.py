@@ -65,7 +65,7 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
     assert drawn.scene is not None
     (body, *others) = (drawn.scene.bodies[name] for name in row.body.split(", "))
-    marks: list[Mark] = [_slim(m) for b in (body, *others) for m in body_marks(drawn, b)]
+    marks: list[Mark] = [slim(m) for b in (body, *others) for m in body_marks(drawn, b)]
     center = drawn.spot(body.center)
     if body.rigid and center is not None:
         marks.append(Symbol("centre", center))
@@ -109,8 +109,8 @@ def _mark(
     yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward)
 
 
-def _slim(mark: Mark) -> Mark:
-    """A bar that leaves an arrow along it to be seen."""
+def slim(mark: Mark) -> Mark:
+    """A bar that leaves an arrow or a line along it to be seen."""
     bar = isinstance(mark, Polyline) and not mark.closed and mark.style == "body"
     return replace(mark, style="slim") if isinstance(mark, Polyline) and bar else mark
 

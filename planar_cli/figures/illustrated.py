@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
+from planar_cli.figures.centres import Centres
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.polygons import polygons
@@ -29,13 +30,16 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
         part.case.replace("_", " "): part.instants[0] for part in solution.parts if not part.motion and part.instants
     }
     instant, step = instants.get(""), list[Block]()
-    graphs = _Graphs(solution)
+    graphs, centres = _Graphs(solution), Centres(solution, document.blocks)
     for block in document.blocks:
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
             first = None
         if isinstance(block, Heading | Answer):
+            yield from map(Drawing, centres.told(step, instant))
             yield from map(Drawing, polygons(step, instant) if instant is not None else [])
+            if isinstance(block, Answer):
+                yield from map(Drawing, centres.asked(instant))
             step = []
             if isinstance(block, Heading) and block.label == CASE:
                 instant = instants.get(block.text)
@@ -45,6 +49,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
             yield Drawing(figure)
         if (graph := graphs.after(block)) is not None:
             yield Drawing(graph)
+    yield from map(Drawing, centres.told(step, instant))
 
 
 class _Graphs:

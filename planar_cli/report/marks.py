@@ -17,7 +17,19 @@ from planar_cli.report.lines import Line
 Spot = tuple[float, float]
 """A place, m."""
 Style = Literal[
-    "body", "slim", "thin", "hidden", "ground", "rope", "way", "force", "inertia", "velocity", "acceleration", "axis"
+    "body",
+    "slim",
+    "thin",
+    "hidden",
+    "dashed",
+    "ground",
+    "rope",
+    "way",
+    "force",
+    "inertia",
+    "velocity",
+    "acceleration",
+    "axis",
 ]
 """What a line stands for; each has its own look."""
 SymbolKind = Literal[

@@ -20,11 +20,14 @@ Figures of a page
                            sense in which the letter is counted; a negative result is a force the other way.
                            Of a blow: momentum before + impulses = momentum after.
   polygons                 of velocities and accelerations, to scale, where points of two bodies are compared
+  instantaneous centres    where velocities are found or checked by I, or it is asked for: I, the perpendiculars to the
+                           velocities, dashed, and these velocities, to one scale
   `figure: {hide: [W, Q]}` in the file keeps the names of points and bodies out of the scene.
 
 planar draw FILE -o FOLDER
-  Each figure as a file: NAME-scene.svg, NAME-BODY.svg for the diagrams of a body, NAME-velocities.svg and
-  NAME-accelerations.svg, with a number where there are several. `--format png` makes pictures of dots (`.[pdf]`).
+  Each figure as a file: NAME-scene.svg, NAME-BODY.svg for the diagrams of a body, NAME-velocities.svg,
+  NAME-accelerations.svg and NAME-centre_of_BODY.svg, with a number where there are several. `--format png` makes
+  pictures of dots (`.[pdf]`).
   Curves over the time, and the motion as it goes on: `planar simulate --plot` and `--animate`
   (`planar explain simulate`).
 
