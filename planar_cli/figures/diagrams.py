@@ -13,11 +13,12 @@ from itertools import groupby
 
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.moment_centres import with_centres
 from planar_cli.figures.rings import meets
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.report.blocks import Forces, Inline, Line, Name, Text, Way, line
+from planar_cli.report.blocks import Block, Forces, Inline, Line, Name, Text, Way, line
 from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
 
 BREAK = ",  "
@@ -40,17 +41,20 @@ class _Vector:
     way: Way
 
 
-def diagram(row: Forces) -> Figure | None:
-    """A list of forces as drawings; None: nothing of it can be drawn."""
+def diagram(row: Forces, below: Sequence[Block] = ()) -> Figure | None:
+    """A list of forces as drawings; None: nothing of it can be drawn. `below`: what stands behind it on the page."""
     left, right = list(_vectors(row.left)), list(_vectors(row.right))
     if row.scene is None or not left:
         return None
     drawn = Drawn(row.scene, left[0].way.value, {})
-    panels = [_panel(drawn, row, left, "force", row.heads[0])]
+    sides: list[tuple[list[_Vector], Style]] = [(left, "force"), (right, "inertia")]
     # In equilibrium there is nothing on the other side.
-    if right:
-        panels.append(_panel(drawn, row, right, "inertia", row.heads[1]))
-    return Figure(tuple(panels), f"{row.heads[0]} of {row.body}", "=")
+    panels = [
+        _panel(drawn, row, vectors, style, head)
+        for (vectors, style), head in zip(sides, row.heads, strict=True)
+        if vectors
+    ]
+    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", "=")
 
 
 def _vectors(listed: Line) -> Iterator[_Vector]:

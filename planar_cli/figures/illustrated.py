@@ -31,7 +31,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     }
     instant, step = instants.get(""), list[Block]()
     graphs, centres = _Graphs(solution), Centres(solution, document.blocks)
-    for block in document.blocks:
+    for place, block in enumerate(document.blocks):
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
             first = None
@@ -45,7 +45,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
                 instant = instants.get(block.text)
         step.append(block)
         yield block
-        if isinstance(block, Forces) and (figure := diagram(block)) is not None:
+        if isinstance(block, Forces) and (figure := diagram(block, document.blocks[place + 1 :])) is not None:
             yield Drawing(figure)
         if (graph := graphs.after(block)) is not None:
             yield Drawing(graph)

@@ -16,6 +16,7 @@ from planar_cli.problem.scene import with_article
 from planar_cli.report.armless import with_lines_through
 from planar_cli.report.blocks import Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.pointing import about
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import VIRTUAL_MOTION
 from planar_cli.solve.instant.stages import Stage
@@ -65,11 +66,13 @@ def free_direction(w: Written, stage: Stage) -> Line:
 def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> Line:
     """About which point moments are taken, and why about this one."""
     group, centre = ", ".join(w.bodies), stage.centres.get(w.lead)
+    told = f"{group}, moments about "
     if centre is None:
-        return with_lines_through(line(f"{group}, moments about ", Name(w.lead), ":"), w, phrases)
+        at = about(phrases, told, system.scene.points.get(w.lead), w.bodies)
+        return with_lines_through(line(at, Name(w.lead), ":"), w, phrases)
     place, through = centre
     parts: list[Any] = [
-        f"{group}, moments about ",
+        about(phrases, told, place, w.bodies),
         Name(w.lead),
         " at (",
         _length(phrases, place.x),

@@ -27,12 +27,14 @@ KEPT = 10_000
 @record
 class Way:
     """Where a vector is drawn, in exact expressions: at a place, in a direction (None: it is a couple, whose sense the
-    words tell), with the numbers of the position in which the words tell its way.
+    words tell), with the numbers of the position in which the words tell its way. `bodies`: it is no vector but the
+    point about which moments of these are taken.
     """
 
     place: Vec
     direction: Vec | None
     value: Valuation
+    bodies: tuple[str, ...] = ()
 
 
 @record

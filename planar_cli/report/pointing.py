@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Text, Way
 from planar_cli.report.words import Phrases
@@ -12,3 +14,10 @@ def pointing(phrases: Phrases, told: str, place: Vec, direction: Vec | None = No
     couple.
     """
     return Text(told, way=Way(place, direction, phrases.drawn or phrases.value))
+
+
+def about(phrases: Phrases, told: str, place: Vec | None, bodies: Sequence[str]) -> Text:
+    """`told`: the words before the name of a point about which moments of some bodies are taken; None: it has no place
+    of its own.
+    """
+    return Text(told, way=None if place is None else Way(place, None, phrases.drawn or phrases.value, tuple(bodies)))

@@ -1,0 +1,90 @@
+"""The points about which a page takes moments, in the diagrams of the bodies of which it takes them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise, takewhile
+
+from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.shapes import moved
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Forces, Heading, Name, Paragraph, Text, Way, line
+from planar_cli.report.marks import Arrow, Mark, Panel, Polyline, Spot, Symbol, Tag, spots_of
+
+ON = 1e-6
+"""What passes a place at this part of the distance to it passes through it."""
+NEAR = 1.0
+"""A point on no line of action is drawn where it is not farther from what is drawn than this part of its size."""
+_TOTAL = re.compile(r"the total reaction at (\w+)")
+
+
+@record
+class MomentCentre:
+    """A point about which moments are taken, by its letter. `through`: the places of total reactions whose lines meet
+    there.
+    """
+
+    name: str
+    way: Way
+    through: tuple[str, ...]
+
+
+def with_centres(drawn: Drawn, row: Forces, below: Sequence[Block], panels: Sequence[Panel]) -> list[Panel]:
+    """The diagrams of a body with the points about which moments are taken in its step, and the lines of action that
+    meet in those that are not points of the file. `below`: what stands behind the list of forces.
+    """
+    made = list(panels)
+    for centre in _centres(row, below):
+        at = Drawn(drawn.scene, centre.way.value, {}).spot(centre.way.place)
+        if at is None:
+            continue
+        own = centre.name not in drawn.scene.points
+        lines = [list(_lines(panel, centre, at)) if own else [] for panel in panels]
+        if any(lines) or any(_is_near(at, [s for m in p.marks for s in spots_of(m)]) for p in panels):
+            made = [_with_point(p, centre.name, at, met) for p, met in zip(made, lines, strict=True)]
+    return made
+
+
+def _centres(row: Forces, below: Sequence[Block]) -> list[MomentCentre]:
+    step = takewhile(lambda b: not isinstance(b, Heading), below)
+    found = (c for b in step if isinstance(b, Paragraph) for c in _told(b))
+    own = set(row.body.split(", "))
+    return list({c.name: c for c in found if own & set(c.way.bodies)}.values())
+
+
+def _told(block: Paragraph) -> Iterator[MomentCentre]:
+    totals = tuple(_TOTAL.findall("".join(p.text for p in block.line if isinstance(p, Text))))
+    for piece, behind in pairwise(block.line):
+        if isinstance(piece, Text) and piece.way is not None and piece.way.bodies and isinstance(behind, Name):
+            yield MomentCentre(behind.name, piece.way, totals)
+
+
+def _lines(panel: Panel, centre: MomentCentre, at: Spot) -> Iterator[Mark]:
+    """The lines of action, from where forces act to the point in which they meet."""
+    passing = [m.at for m in panel.marks if isinstance(m, Arrow) and _passes(m, at)]
+    named = {line(Name(name)) for name in centre.through}
+    passing += [m.at for m in panel.marks if isinstance(m, Tag) and m.words in named]
+    yield from (Polyline((spot, at), "way") for spot in dict.fromkeys(passing) if math.dist(spot, at) > 0)
+
+
+def _with_point(panel: Panel, name: str, at: Spot, lines: Sequence[Mark]) -> Panel:
+    tag = Tag(at, line(Name(name)))
+    point = () if tag.words in {m.words for m in panel.marks if isinstance(m, Tag)} else (Symbol("point", at), tag)
+    return replace(panel, marks=(*panel.marks, *lines, *point))
+
+
+def _passes(arrow: Arrow, at: Spot) -> bool:
+    """Does the line of a force, which acts somewhere else, pass through a place?"""
+    far = math.dist(arrow.at, at)
+    ends = (moved(arrow.at, arrow.angle, side * far) for side in (-1, 1))
+    return far > ON and any(math.dist(end, at) < ON * far for end in ends)
+
+
+def _is_near(at: Spot, spots: Sequence[Spot]) -> bool:
+    xs, ys = zip(*spots, strict=True)
+    size = max(max(xs) - min(xs), max(ys) - min(ys))
+    beyond = max(min(xs) - at[0], at[0] - max(xs), min(ys) - at[1], at[1] - max(ys))
+    return beyond <= NEAR * size
