@@ -85,6 +85,6 @@ def _passes(arrow: Arrow, at: Spot) -> bool:
 
 def _is_near(at: Spot, spots: Sequence[Spot]) -> bool:
     xs, ys = zip(*spots, strict=True)
-    size = max(max(xs) - min(xs), max(ys) - min(ys))
-    beyond = max(min(xs) - at[0], at[0] - max(xs), min(ys) - at[1], at[1] - max(ys))
+    size: float = max(max(xs) - min(xs), max(ys) - min(ys))
+    beyond: float = max(min(xs) - at[0], at[0] - max(xs), min(ys) - at[1], at[1] - max(ys))
     return beyond <= NEAR * size
