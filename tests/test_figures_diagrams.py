@@ -1,13 +1,25 @@
-"""What a diagram shows beside its forces: the points about which moments are taken."""
+"""What a diagram shows beside its forces: points of moments, which directions are assumed."""
 
 from __future__ import annotations
+
+import re
 
 import pytest
 from conftest import PROBLEMS
 from test_figures import illustrated_page
 
-from planar_cli.report.blocks import Drawing, Forces, Name, line
-from planar_cli.report.marks import Figure, Polyline, Tag
+from planar_cli.formats._drawn_small import small_drawing
+from planar_cli.formats._svg import panels, svg
+from planar_cli.formats._tikz import tikz
+from planar_cli.formats.html import Html
+from planar_cli.report.blocks import Drawing, Forces, Inline, Math, Name, Text, line
+from planar_cli.report.marks import Arrow, Figure, Polyline, Tag
+
+NOTES = ("", "dashed: direction assumed", "dashed: direction assumed; found: F_D to the left")
+
+
+def plain(piece: Inline) -> str:
+    return piece.text if isinstance(piece, Text) else str(piece.expr) if isinstance(piece, Math) else ""
 
 
 def diagrams(stem: str) -> list[Figure]:
@@ -39,3 +51,30 @@ def test_the_point_of_moments_is_in_both_diagrams_with_the_lines_that_meet_there
 def test_a_point_of_the_file_about_which_moments_are_taken_stands_in_both() -> None:
     (free, kinetic) = diagrams("toppling-pole-whose-foot-slips")[0].panels
     assert all(any(isinstance(m, Tag) and m.words == line(Name("A")) for m in p.marks) for p in (free, kinetic))
+
+
+@pytest.mark.parametrize(
+    ("stem", "dashed", "notes"),
+    [
+        ("ball-pushed-without-friction", [1], ["dashed: direction assumed; found: F_C to the left"]),
+        ("bicycle-driven-and-braked", [0, 1, 1], [*NOTES]),
+        ("ex-4-16", [0, 0], ["", ""]),
+    ],
+)
+def test_an_assumed_direction_is_dashed_and_told_where_it_came_out_opposite(
+    stem: str, dashed: list[int], notes: list[str]
+) -> None:
+    """Also in a motion, of a force that stays what it is."""
+    found = diagrams(stem)
+    assert [sum(isinstance(m, Arrow) and m.assumed for p in f.panels for m in p.marks) for f in found] == dashed
+    assert ["".join(plain(p) for p in f.note) for f in found] == notes
+
+
+def test_the_note_stands_under_a_figure_in_each_format() -> None:
+    page = illustrated_page(next(p for p in PROBLEMS if p.stem == "ball-pushed-without-friction"))
+    (one,) = (b for b in page.blocks if isinstance(b, Drawing) and b.figure.note)
+    assert "dashed: direction assumed; found: FC to the left" in re.sub("<[^>]*>", "", svg(one.figure))
+    assert all("assumed" not in panel for panel in panels(one.figure))
+    assert "dashed: direction assumed; found: " in tikz(one.figure)
+    assert "<figcaption>dashed: direction assumed; found: <math" in Html().render(page)
+    assert "  dashed: direction assumed; found: F_C to the left" in small_drawing(one.figure, 80)

@@ -13,13 +13,16 @@ from itertools import groupby
 
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.found_ways import note_of
 from planar_cli.figures.moment_centres import with_centres
 from planar_cli.figures.rings import meets
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Forces, Inline, Line, Name, Text, Way, line
+from planar_cli.report.entries import ASSUMED
 from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
+from planar_cli.solve.solved_problem import Solution
 
 BREAK = ",  "
 """Between two vectors of a list."""
@@ -41,7 +44,7 @@ class _Vector:
     way: Way
 
 
-def diagram(row: Forces, below: Sequence[Block] = ()) -> Figure | None:
+def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure | None:
     """A list of forces as drawings; None: nothing of it can be drawn. `below`: what stands behind it on the page."""
     left, right = list(_vectors(row.left)), list(_vectors(row.right))
     if row.scene is None or not left:
@@ -54,7 +57,8 @@ def diagram(row: Forces, below: Sequence[Block] = ()) -> Figure | None:
         for (vectors, style), head in zip(sides, row.heads, strict=True)
         if vectors
     ]
-    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", "=")
+    note = note_of(panels, row, solution)
+    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", "=", note=note)
 
 
 def _vectors(listed: Line) -> Iterator[_Vector]:
@@ -110,7 +114,7 @@ def _mark(
     # Several along one line lie one behind the other.
     key = (round(at[0], 9), round(at[1], 9), round(angle, 3), inward)
     again = taken[key] = taken.get(key, -1) + 1
-    yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward)
+    yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward, ASSUMED in vector.told)
 
 
 def slim(mark: Mark) -> Mark:

@@ -45,7 +45,8 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
                 instant = instants.get(block.text)
         step.append(block)
         yield block
-        if isinstance(block, Forces) and (figure := diagram(block, document.blocks[place + 1 :])) is not None:
+        below = document.blocks[place + 1 :]
+        if isinstance(block, Forces) and (figure := diagram(block, below, solution)) is not None:
             yield Drawing(figure)
         if (graph := graphs.after(block)) is not None:
             yield Drawing(graph)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
+from textwrap import wrap
 
 from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
 from planar_cli.formats._labels import with_labels
@@ -48,6 +49,7 @@ def small_drawing(figure: Figure, width: int) -> list[str]:
     between = f"   {figure.between}   " if figure.between else " " * GAP
     total = sum(b.columns for b in blocks) + len(between) * (len(blocks) - 1)
     lines = _beside(blocks, between) if total <= width - INDENT else _stacked(blocks, figure.between)
+    lines += ["", *wrap(_text(runs_of(figure.note)), width - INDENT)] if figure.note else []
     return [(" " * INDENT + line).rstrip() for line in lines]
 
 

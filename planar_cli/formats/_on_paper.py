@@ -178,7 +178,7 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
 def _arrow(mark: Arrow, scale: Scale) -> Iterator[Piece]:
     at, length = scale.spot(mark.at), ARROW * mark.reach
     tail, tip = (moved(at, mark.angle, -length), at) if mark.inward else (at, moved(at, mark.angle, length))
-    yield from pointed((tail, tip), mark.style)
+    yield from pointed((tail, tip), mark.style, " dashed" if mark.assumed else "")
     outer = tail if mark.inward else tip
     yield _words(mark, outer, mark.angle + (math.pi if mark.inward else 0.0), mark.style)
 

@@ -131,6 +131,11 @@ def runs_of(line: Line) -> tuple[Run, ...]:
     return tuple(r for r in found if r.text)
 
 
+def width_of(runs: Sequence[Run]) -> float:
+    """The width of letters in a row."""
+    return sum(r.width for r in runs)
+
+
 def along(stroke: Stroke | Disc, step: float) -> Iterator[Spot]:
     """Places along a stroke, not farther apart than `step`."""
     if isinstance(stroke, Disc):

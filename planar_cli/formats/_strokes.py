@@ -43,10 +43,10 @@ def hatching(places: tuple[Spot, ...], right: float = 1.0) -> Iterator[Piece]:
         rest -= length
 
 
-def pointed(places: tuple[Spot, ...], kind: str) -> Iterator[Piece]:
-    """A line with an arrow head at its end."""
+def pointed(places: tuple[Spot, ...], kind: str, shaft: str = "") -> Iterator[Piece]:
+    """A line with an arrow head at its end. `shaft`: what the kind of the line alone has more."""
     (x0, y0), tip = places[-2:]
     angle = math.atan2(y0 - tip[1], tip[0] - x0)
     neck = moved(tip, angle, -HEAD * 0.8)
-    yield Stroke((*places[:-1], neck), kind)
+    yield Stroke((*places[:-1], neck), kind + shaft)
     yield Stroke((tip, moved(tip, angle, -HEAD, WING), moved(tip, angle, -HEAD, -WING)), f"{kind} head", True)

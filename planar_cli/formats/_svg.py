@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from hashlib import sha256
 from typing import Literal
 from xml.etree import ElementTree as ET
@@ -24,6 +25,7 @@ from planar_cli.formats._paper import (
     along,
     box_of,
     runs_of,
+    width_of,
 )
 from planar_cli.records import record
 from planar_cli.report.marks import Figure
@@ -32,7 +34,7 @@ SPACE = "http://www.w3.org/2000/svg"
 WIDE, HIGH = 400.0, 300.0
 """A panel is drawn so large, to scale, at most; of several panels each has its part of the width."""
 PART = (1.0, 0.7, 0.55, 0.45)
-MARGIN, BETWEEN, HEADED = 8.0, 46.0, 24.0
+MARGIN, BETWEEN, HEADED, NOTED = 8.0, 46.0, 24.0, 26.0
 LIGHT = {
     "ink": "#1b1b1b",
     "faint": "#6d6d6d",
@@ -97,14 +99,16 @@ class Laid:
 
 def svg(figure: Figure, look: Look = "own") -> str:
     """A figure as one SVG element."""
-    return _element(laid_out(figure), figure.words, figure.between, look)
+    return _element(laid_out(figure), figure.words, figure.between, look, note=runs_of(figure.note))
 
 
 def panels(figure: Figure, look: Look = "own") -> list[str]:
-    """Each panel of a figure as an SVG element of its own; set side by side they are in one scale and level."""
+    """Each panel of a figure as an SVG element of its own; set side by side they are in one scale and level. What
+    stands under the figure is in none of them.
+    """
     laid = laid_out(figure)
     if len(laid) == 1:
-        return [svg(figure, look)]
+        return [svg(replace(figure, note=()), look)]
     over = any(one.head for one in laid)
     heads = ["".join(r.text for r in one.head) for one in laid]
     told = [f"{figure.words}: {head}" if head else figure.words for head in heads]
@@ -123,8 +127,12 @@ def laid_out(figure: Figure) -> list[Laid]:
     ]
 
 
-def _element(laid: Sequence[Laid], words: str, between: str, look: Look, headed: bool = False) -> str:
-    """Panels side by side. `headed`: there is room for a head, though none of these may have one."""
+def _element(
+    laid: Sequence[Laid], words: str, between: str, look: Look, headed: bool = False, note: Sequence[Run] = ()
+) -> str:
+    """Panels side by side. `headed`: there is room for a head, though none of these may have one; `note`: what stands
+    under them.
+    """
     root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
     ET.SubElement(root, "title").text = words
     if look != "page":
@@ -142,10 +150,17 @@ def _element(laid: Sequence[Laid], words: str, between: str, look: Look, headed:
             middle = (box.left + box.right - sum(r.width for r in one.head)) / 2
             write(group, one.head, (middle, box.top - HEADED / 3), "head-line")
         left += box.right - box.left + BETWEEN
-    width = left - BETWEEN
-    root.set("viewBox", f"{px(-MARGIN)} {px(-MARGIN - over)} {px(width + 2 * MARGIN)} {px(height + over + 2 * MARGIN)}")
-    root.set("width", px(width + 2 * MARGIN))
-    root.set("height", px(height + over + 2 * MARGIN))
+    width, long = left - BETWEEN, width_of(note)
+    if note:
+        below = ET.SubElement(
+            root, "g", {"transform": f"translate({px((width - long) / 2)} {px(height + NOTED * 0.7)})"}
+        )
+        write(below, note, (0.0, 0.0), "note")
+    beyond = MARGIN + max(long - width, 0.0) / 2
+    wide, high = width + 2 * beyond, height + over + 2 * MARGIN + (NOTED if note else 0.0)
+    root.set("viewBox", f"{px(-beyond)} {px(-MARGIN - over)} {px(wide)} {px(high)}")
+    root.set("width", px(wide))
+    root.set("height", px(high))
     for element in root.iter():
         # A line feed between letters would be a space.
         if element.tag != "tspan":

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
-from planar_cli.formats._paper import SIZE, SMALL, Disc, Paper, Placed, Run, Stroke
-from planar_cli.formats._svg import BETWEEN, HEADED, LIGHT, MARGIN, RULES, laid_out, px
+from planar_cli.formats._paper import SIZE, SMALL, Disc, Paper, Placed, Run, Stroke, runs_of, width_of
+from planar_cli.formats._svg import BETWEEN, HEADED, LIGHT, MARGIN, NOTED, RULES, laid_out, px
 from planar_cli.report.marks import Figure
 from planar_cli.report.tex_words import words
 
@@ -34,7 +34,10 @@ def tikz(figure: Figure) -> str:
             over = left + (box.right - box.left) / 2, -HEADED / 3
             rows.append(_node(over, _runs(one.head), "ink", SIZE))
         left += box.right - box.left + BETWEEN
-    wide = (left - BETWEEN + 2 * MARGIN) * POINT
+    note, width = runs_of(figure.note), left - BETWEEN
+    if note:
+        rows.append(_node((width / 2, box.bottom - box.top + NOTED * 0.7), _runs(note), "ink", SIZE))
+    wide = (max(width, width_of(note)) + 2 * MARGIN) * POINT
     fit = f",scale={px(WIDEST / wide)},transform shape" if wide > WIDEST else ""
     lines = "\n".join(rows)
     return f"\\begin{{tikzpicture}}[x={POINT}pt,y=-{POINT}pt{fit}]\n{lines}\n\\end{{tikzpicture}}"

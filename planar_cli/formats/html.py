@@ -61,10 +61,11 @@ padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:var(--tint
 .answer ul{margin:.2rem 0;padding-left:1.2rem}.foot{color:var(--muted);font-size:.92rem}
 figure{margin:.8rem 0;text-align:center;overflow-x:auto}figure svg{max-width:100%;height:auto}
 .panels{display:flex;flex-wrap:wrap;justify-content:center;align-items:center;gap:.5rem 1rem}.between{font-size:1.4rem}
+figcaption{flex-basis:100%;font-size:.92rem}
 .muted{color:var(--muted)}math{font-size:1.05em;font-family:"STIX Two Math","Cambria Math","Latin Modern Math",
 "Libertinus Math","Noto Sans Math",math}
 @media (max-width:36rem){body{padding:.6rem;font-size:15px}.equation{margin-left:.4rem}summary .aside{float:none;
-display:block;font-size:.92rem}.panels{flex-direction:column}}
+display:block;font-size:.92rem}.panels{flex-direction:column}figcaption{flex-basis:auto}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details{margin-top:.6rem}
 details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation{break-inside:avoid}
 summary,.title,.case,.part,.lead,.forces{break-after:avoid}figure{margin:.3rem 0}figure svg{zoom:.8}
@@ -170,7 +171,7 @@ class Html(Pages):
         return [f"<p>{label}</p>", "<ul>" + "".join(f"<li>{self.inline(n.line)}</li>" for n in run) + "</ul>"]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
-        return [_figure(d.figure) for d in run]
+        return [_figure(d.figure, self.inline(d.figure.note)) for d in run]
 
     def typed(self, run: Sequence[Typed]) -> list[str]:
         return ["<pre>" + "\n".join(map(_code, t.rows)) + "</pre>" for t in run]
@@ -220,13 +221,14 @@ def _marked(part: Text) -> str:
     return f"<{tag}>{words(part.text)}</{tag.partition(' ')[0]}>"
 
 
-def _figure(figure: Figure) -> str:
+def _figure(figure: Figure, note: str) -> str:
     """The panels of a figure stand side by side where there is room, one below the other on a telephone."""
     panels = _svg.panels(figure, "page")
+    under = f"<figcaption>{note}</figcaption>" if note else ""
     if len(panels) == 1:
-        return f"<figure>{panels[0]}</figure>"
+        return f"<figure>{panels[0]}{under}</figure>"
     sign = f'<span class="between">{words(figure.between)}</span>' if figure.between else ""
-    return f'<figure class="panels">{sign.join(panels)}</figure>'
+    return f'<figure class="panels">{sign.join(panels)}{under}</figure>'
 
 
 def _paragraph(told: str) -> str:

@@ -8,6 +8,8 @@ from planar_cli.report.blocks import Inline, Line, Text, line
 
 BETWEEN = Text(",  ")
 """Stands between two of them."""
+ASSUMED = " (assumed)"
+"""Stands behind the direction of a force that may be the other one."""
 
 
 def entries(side: Line) -> Iterator[Line]:

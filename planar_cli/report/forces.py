@@ -24,6 +24,7 @@ from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
+from planar_cli.report.entries import ASSUMED
 from planar_cli.report.found_senses import acts_backward, is_drawn_as_found
 from planar_cli.report.grooves import normal_to
 from planar_cli.report.impending import impending
@@ -238,7 +239,7 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str, 
     if expr.could_extract_minus_sign():
         told = f" {phrases.arrow(-action.force.x, -action.force.y)}{where}"
         return [phrases.math(-expr), pointing(phrases, told, action.point, action.force)]
-    assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol and not sure else ""
+    assumed = ASSUMED if push.kind == "friction" and expr.is_Symbol and not sure else ""
     told = f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}"
     return [Math(expr), pointing(phrases, told, action.point, action.force)]
 

@@ -16,7 +16,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.problem.impulse_letters import of_reaction
 from planar_cli.report.blocks import Block, Forces, Line, Math, Paragraph, Text, Value, line
 from planar_cli.report.conditions_of_states import asked_here
-from planar_cli.report.entries import entries, listed
+from planar_cli.report.entries import ASSUMED, entries, listed
 from planar_cli.report.forces import force_rows
 from planar_cli.report.light_bodies import own_momenta, parts_of_mass
 from planar_cli.report.speeds_of_momenta import speeds_first
@@ -25,7 +25,6 @@ from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrac
 from planar_cli.solve.solution import InstantSolution
 
 """Stands between the impulses of a diagram."""
-ASSUMED = " (assumed)"
 OPPOSITE = str.maketrans("→←↑↓↗↙↖↘↺↻", "←→↓↑↙↗↘↖↻↺")
 IMPULSES = ("impulses", "momenta")
 """What stands over both sides of such diagrams."""

@@ -129,7 +129,7 @@ class Symbol:
 @record
 class Arrow:
     """A vector at a place, in the direction `angle`. `reach`: its length in parts of the usual one. `inward`: its tip
-    is at the place, as that of what pushes.
+    is at the place, as that of what pushes. `assumed`: its direction may be the opposite one.
     """
 
     at: Spot
@@ -138,6 +138,7 @@ class Arrow:
     words: Line = ()
     reach: float = 1.0
     inward: bool = False
+    assumed: bool = False
 
 
 @record
@@ -217,13 +218,14 @@ class Panel:
 class Figure:
     """Panels side by side, in one scale; between them stands `between` (an = of two diagrams that are equal).
 
-    `words`: what it shows, for who cannot see it; `name`: for its own file.
+    `words`: what it shows, for who cannot see it; `name`: for its own file; `note`: what stands under it.
     """
 
     panels: tuple[Panel, ...]
     words: str
     between: str = ""
     name: str = "figure"
+    note: Line = ()
 
 
 def spots_of(mark: Mark) -> Iterator[Spot]:
