@@ -15,8 +15,8 @@ from planar_cli.report.marks import Axes, Figure
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
-CASE = "CASE"
-"""The label over a case, whose name is the text."""
+CASE, STATE = "CASE", "STATE"
+"""The labels over a case and over a state, whose name is the text."""
 
 
 def illustrated(document: Document, solution: Solution) -> Document:
@@ -27,9 +27,10 @@ def illustrated(document: Document, solution: Solution) -> Document:
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     first = _arrangement(solution)
     instants = {
-        part.case.replace("_", " "): part.instants[0] for part in solution.parts if not part.motion and part.instants
+        part.case.replace("_", " "): part.instants for part in solution.parts if not part.motion and part.instants
     }
-    instant, step = instants.get(""), list[Block]()
+    case = instants.get("", ())
+    instant, step = next(iter(case), None), list[Block]()
     graphs, centres = _Graphs(solution), Centres(solution, document.blocks)
     for place, block in enumerate(document.blocks):
         if first is not None and not isinstance(block, Paragraph):
@@ -42,7 +43,10 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
                 yield from map(Drawing, centres.asked(instant))
             step = []
             if isinstance(block, Heading) and block.label == CASE:
-                instant = instants.get(block.text)
+                case = instants.get(block.text, ())
+                instant = next(iter(case), None)
+            if isinstance(block, Heading) and block.label == STATE:
+                instant = next((i for i in case if i.state == block.text), instant)
         step.append(block)
         yield block
         below = document.blocks[place + 1 :]

@@ -1,7 +1,7 @@
-"""Polygons of velocities and of accelerations: the vector equations of a page, tip to tail from one pole.
+"""Polygons of velocities and of accelerations: every vector equation of a page, to scale, from one pole.
 
-v_B = v_A + ω × r_B/A: from the pole o to the tip of v_A, from there across AB to that of v_B. With a moving frame
-v_P = v_P′ + v_rel; of accelerations the relative part in two, -ω² r and α × r, and behind a_P′ the Coriolis part.
+Velocities and accelerations of points begin at the pole o; what they are made of lies between their tips, v_B/A, v_rel,
+α × r and -ω² r, 2 ω × v_rel. Vectors along one line lie side by side. What is zero, or too short to be seen, is told.
 """
 
 from __future__ import annotations
@@ -9,115 +9,144 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-from planar_cli.equation.motion import Motion
 from planar_cli.figures.drawn import Drawn
-from planar_cli.problem.geometry import Vec
-from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, line
+from planar_cli.figures.vector_sums import Sum, Term, vector_sums
+from planar_cli.figures.vector_values import Closed, Values
+from planar_cli.report.blocks import Block, Inline, Line, Math, Name, Text, line
 from planar_cli.report.marks import Figure, Mark, Panel, Span, Spot, Style, Symbol, Tag
 from planar_cli.solve.solution import InstantSolution
 
-_VECTOR = re.compile(r"(?P<letter>[va])_(?P<point>[A-Z]\w*?)(?P<prime>′?)(?:_vec)?")
-_ARM = re.compile(r"r_(?P<end>[A-Z][\w,]*)/(?P<start>[A-Z][\w,]*)(?:_vec)?")
 STYLES: dict[str, Style] = {"v": "velocity", "a": "acceleration"}
+KINDS = {"v": "velocities", "a": "accelerations"}
 POLE: Spot = (0.0, 0.0)
-SMALL = 0.02
-"""A vector that is smaller than this part of the largest one is not drawn."""
-
-
-@record
-class _Sum:
-    """One vector equation: its left side by name, the vector that it begins with (""), and the body that turns."""
-
-    name: str
-    letter: str
-    point: str
-    base: str
-    start: str
-    body: str
+SMALL, NIL = 0.03, 1e-9
+"""A vector that is smaller than this part of the largest one is too short to be drawn, or is zero."""
+BESIDE = 6.0
+"""So far beside one another vectors along one line lie on paper, px."""
+BETWEEN = re.compile(r"_rel$|_cor$|/")
+"""What lies between the tips of others."""
+ON = 1e-6
+"""What is so near to a line, in parts of the largest vector, lies on it."""
 
 
 def polygons(blocks: Sequence[Block], instant: InstantSolution) -> list[Figure]:
     """The polygons of the vector equations among some blocks, of velocities and of accelerations."""
-    motion = instant.trial.system.motion
-    if motion is None:
-        return []
-    told = (s for b in blocks if isinstance(b, Equation) and (s := _sum(b, motion, instant)) is not None)
-    sums = list(dict.fromkeys(told))
-    drawn = Drawn(instant.instant.scene, instant.value, {})
-    made = (_polygon([s for s in sums if s.letter == letter], drawn, motion) for letter in STYLES)
+    found = closed_sums(blocks, instant)
+    made = (_polygon([c for c in found if c.sum.letter == letter], letter) for letter in STYLES)
     return [figure for figure in made if figure is not None]
 
 
-def _names(side: Inline | Line) -> list[str]:
-    return [p.name for p in (side if isinstance(side, tuple) else (side,)) if isinstance(p, Name)]
+def closed_sums(blocks: Sequence[Block], instant: InstantSolution) -> list[Closed]:
+    """The vector equations among some blocks, in numbers."""
+    system = instant.trial.system
+    sums: list[Sum] = vector_sums(blocks) if system.motion is not None else []
+    if not any(len(s.terms) > 1 for s in sums):
+        return []
+    drawn = Drawn(instant.instant.scene, instant.value, {})
+    return Values(drawn, system.quantities(), blocks).closed(sums)
 
 
-def _sum(block: Equation, motion: Motion, instant: InstantSolution) -> _Sum | None:
-    """A vector equation with an arm; None: it is something else."""
-    left = _names(block.sides[0])
-    if len(block.sides) < 2 or len(left) != 1 or (vector := _VECTOR.fullmatch(left[0])) is None:
-        return None
-    right = block.sides[1]
-    arms = [m for name in _names(right) if (m := _ARM.fullmatch(name)) is not None]
-    begun = [name for name in _names(right) if _VECTOR.fullmatch(name)]
-    rates = {s for p in (right if isinstance(right, tuple) else ()) if isinstance(p, Math) for s in p.expr.free_symbols}
-    turns = {b: {motion.velocities[b].angular, motion.accelerations[b].angular} for b in instant.instant.scene.bodies}
-    turning = [b for b, own in turns.items() if own & rates]
-    if not arms or len(turning) != 1 or len(begun) > 1:
-        return None
-    return _Sum(left[0], vector["letter"], arms[0]["end"], begun[0] if begun else "", arms[0]["start"], turning[0])
-
-
-def _polygon(sums: Sequence[_Sum], drawn: Drawn, motion: Motion) -> Figure | None:
+def _polygon(sums: Sequence[Closed], letter: str) -> Figure | None:
     """Nothing where no vector is a sum of others."""
-    tips = {s.name: tip for s in sums if (tip := _tip(s, drawn, motion)) is not None}
-    spans = [span for s in sums if s.name in tips for span in _spans(s, tips, drawn, motion)]
-    spans += list(_relative(sums, tips))
-    largest = max((math.dist(s.start, s.end) for s in spans), default=0.0)
-    spans = [s for s in spans if math.dist(s.start, s.end) > SMALL * largest]
-    if len(spans) < 3:
+    spans = _once([s for c in sums for s in _spans(c, STYLES[letter])])
+    largest = max((_length(s) for s in spans), default=0.0)
+    seen = [s for s in spans if _length(s) > SMALL * largest]
+    if not any(len([v for _, v in c.parts if math.hypot(*v) > SMALL * largest]) > 1 for c in sums):
         return None
-    kind = "velocities" if sums[0].letter == "v" else "accelerations"
-    marks: list[Mark] = [*spans, Symbol("point", POLE), Tag(POLE, line("o"))]
-    return Figure((Panel(tuple(marks), line(f"polygon of {kind}, pole o")),), f"polygon of {kind}", name=kind)
+    nil = [s.words for s in spans if _length(s) <= NIL * largest]
+    short = [s.words for s in spans if NIL * largest < _length(s) <= SMALL * largest]
+    marks: list[Mark] = [*_beside(seen, largest), Symbol("point", POLE), Tag(POLE, line("o"))]
+    head = line(f"polygon of {KINDS[letter]}, pole o", *_told(nil, " = 0"), *_told(short, ""))
+    head += line(" too short to be seen") if short else ()
+    return Figure((Panel(tuple(marks), head),), f"polygon of {KINDS[letter]}", name=KINDS[letter])
 
 
-def _tip(s: _Sum, drawn: Drawn, motion: Motion) -> Spot | None:
-    """Where the vector of the left side ends."""
-    scene = drawn.scene
-    point = scene.points.get(s.point)
-    if point is None:
-        return None
-    found: Vec = motion.velocity(point, s.body) if s.letter == "v" else motion.acceleration(point, s.body)
-    return drawn.spot(found)
+def _once(spans: Sequence[Span]) -> list[Span]:
+    """Vectors of one place as one, with all their names: v_P′ = v_P/O."""
+    found: dict[tuple[object, ...], dict[str, Span]] = {}
+    size = max(map(_length, spans), default=0.0)
+    for span in spans:
+        found.setdefault((_round(span.start, size), _round(span.end, size)), {}).setdefault(_key(span.words), span)
+    return [_named(list(alike.values())) for alike in found.values()]
 
 
-def _spans(s: _Sum, tips: dict[str, Spot], drawn: Drawn, motion: Motion) -> Iterator[Span]:
-    """The vector itself from the pole, and what it is made of."""
-    style, tip = STYLES[s.letter], tips[s.name]
-    yield Span(POLE, tip, style, line(Name(s.name)))
-    if s.base not in tips:
+def _named(alike: Sequence[Span]) -> Span:
+    words = [piece for span in alike for piece in (" = ", *span.words)][1:]
+    return replace(alike[0], words=line(*words))
+
+
+def _told(words: Sequence[Line], end: str) -> Iterator[str | Inline]:
+    """`, v_rel = 0`, once each."""
+    for own in {_key(w): w for w in words}.values():
+        yield from (", ", *own, end)
+
+
+def _spans(c: Closed, style: Style) -> Iterator[Span]:
+    """The vector itself from the pole, and what it is made of, tip to tail."""
+    if len(c.parts) > 1 or not BETWEEN.search(c.sum.name):
+        yield Span(POLE, c.whole, style, line(Name(c.sum.name)))
+    if len(c.parts) == 1:
         return
-    begin = tips[s.base]
-    ends = [drawn.scene.points.get(n) for n in (s.point, s.start)]
-    if s.letter == "v" or None in ends:
-        yield Span(begin, tip, style, line(Name(f"{s.letter}_{s.point}/{s.start}")))
-        return
-    arm = drawn.spot(ends[0] - ends[1]) if ends[0] is not None and ends[1] is not None else None
-    omega = drawn.number(motion.velocities[s.body].angular)
-    if arm is None or omega is None:
-        return
-    middle = (begin[0] - omega**2 * arm[0], begin[1] - omega**2 * arm[1])
-    rate = motion.velocities[s.body].angular
-    yield Span(begin, middle, style, line(Math(rate**2), f" {s.point}{s.start}"))
-    yield Span(middle, tip, style, line(Math(motion.accelerations[s.body].angular), f" {s.point}{s.start}"))
+    tip = POLE
+    for term, (x, y) in c.parts:
+        start, tip = tip, (tip[0] + x, tip[1] + y)
+        yield Span(start, tip, style, _words(term, c.sum.letter))
 
 
-def _relative(sums: Sequence[_Sum], tips: dict[str, Spot]) -> Iterator[Span]:
-    """v_rel of what slides, between the point of the moving frame and the one that slides there."""
-    for name, tip in tips.items():
-        slides = name.replace("′", "")
-        if "′" in name and slides in tips and name.startswith("v"):
-            yield Span(tip, tips[slides], STYLES["v"], line(Name("v_rel")))
+def _words(term: Term, letter: str) -> Line:
+    """What a vector is called beside its arrow: v_B/A of ω × r_B/A, and α AB of an acceleration, for its size."""
+    end, start = term.arm
+    if term.kind == "named":
+        return line(Name(term.name))
+    if term.kind in ("cross", "square"):
+        if letter == "v":
+            return line(Name(f"v_{end}/{start}"))
+        arm: Inline = Text(f"{start}{end}") if len(start) == len(end) == 1 else Name(f"r_{end}/{start}")
+        return line(Math(term.rate), " ", arm)
+    kept = [w for w in term.words if not (isinstance(w, Name) and w.name == term.unit)]
+    apart = ("" if isinstance(w, Text) and w.text.startswith("/") else " " for w in kept)
+    return line(*(p for pair in zip(apart, kept, strict=True) for p in pair))[1:]
+
+
+def _beside(spans: Sequence[Span], largest: float) -> Iterator[Span]:
+    """Each vector beside those on which it would lie."""
+    lanes: list[tuple[Span, int]] = []
+    for span in spans:
+        taken = {lane for other, lane in lanes if _overlap(span, other, largest)}
+        lane = next(n for n in (0, 1, -1, *range(2, len(spans) + 2)) if n not in taken)
+        lanes.append((span, lane))
+        yield replace(span, aside=BESIDE * (lane if _ahead(span) else 0 - lane))
+
+
+def _ahead(span: Span) -> bool:
+    """One of both senses of a line."""
+    x, y = span.end[0] - span.start[0], span.end[1] - span.start[1]
+    return x > ON * abs(y) or (abs(x) <= ON * abs(y) and y > 0)
+
+
+def _overlap(one: Span, other: Span, largest: float) -> bool:
+    """Do two vectors lie on each other?"""
+    length = _length(one)
+    ux, uy = (one.end[0] - one.start[0]) / length, (one.end[1] - one.start[1]) / length
+    along, across = [], []
+    for x, y in (other.start, other.end):
+        dx, dy = x - one.start[0], y - one.start[1]
+        along.append(dx * ux + dy * uy)
+        across.append(abs(dy * ux - dx * uy))
+    on = max(across) <= ON * largest
+    return on and min(max(along), length) - max(min(along), 0.0) > ON * largest
+
+
+def _length(span: Span) -> float:
+    return math.dist(span.start, span.end)
+
+
+def _key(words: Line) -> str:
+    return " ".join(map(repr, words))
+
+
+def _round(spot: Spot, size: float) -> tuple[str, str]:
+    x, y = (f"{0.0 if abs(part) < ON * size else part:.6g}" for part in spot)
+    return x, y

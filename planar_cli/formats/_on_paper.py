@@ -194,9 +194,10 @@ def _span(mark: Span, scale: Scale) -> Iterator[Piece]:
     start, end = scale.spot(mark.start), scale.spot(mark.end)
     if math.dist(start, end) < HEAD:
         return
+    angle = math.atan2(start[1] - end[1], end[0] - start[0])
+    start, end = (moved(spot, angle, 0.0, mark.aside) for spot in (start, end))
     yield from pointed((start, end), mark.style)
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-    angle = math.atan2(start[1] - end[1], end[0] - start[0])
     sides = (angle + math.pi / 2, angle - math.pi / 2)
     yield Words(runs_of(mark.words), middle, mark.style, sides, 4.0)
 

@@ -8,9 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
 from itertools import pairwise
 
+import sympy as sp
+
 from planar_cli.formats._layout import settled, spans
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
+from planar_cli.report.blocks import Line, Math, Name
 
 Spot = tuple[float, float]
 SIZE = 13.0
@@ -19,6 +21,8 @@ SMALL = 0.72
 """Of an index."""
 WIDE, NARROW = set("mwMW∑Σ@ω"), set("iljtfrI.,:;|'′()[] /")
 _INDEX = re.compile(r"_([^\s/)\]=<>+·²³⁴′]+)")
+_OF_NAME = re.compile(r"_([^\s)\]=<>+·²³⁴′]+)")
+"""The index of one name alone: a stroke in it is a relative motion, v_B/A."""
 
 
 @record
@@ -122,12 +126,14 @@ class Paper:
 def runs_of(line: Line) -> tuple[Run, ...]:
     """A line as runs of letters, with indices set lower."""
     found: list[Run] = []
-    for span in settled(spans(line)):
-        text, formula, end = span.text, span.style == "math", 0
-        for match in _INDEX.finditer(text):
-            found += [Run(text[end : match.start()], formula=formula), Run(match.group(1), True, formula)]
-            end = match.end()
-        found.append(Run(text[end:], formula=formula))
+    for piece in line:
+        alone = isinstance(piece, Name) or (isinstance(piece, Math) and isinstance(piece.expr, sp.Symbol))
+        for span in settled(spans((piece,))):
+            text, formula, end = span.text, span.style == "math", 0
+            for match in (_OF_NAME if alone else _INDEX).finditer(text):
+                found += [Run(text[end : match.start()], formula=formula), Run(match.group(1), True, formula)]
+                end = match.end()
+            found.append(Run(text[end:], formula=formula))
     return tuple(r for r in found if r.text)
 
 

@@ -143,12 +143,15 @@ class Arrow:
 
 @record
 class Span:
-    """An arrow from one place to another, to the scale of the figure, as in a polygon of velocities."""
+    """An arrow from one place to another, to the scale of the figure, as in a polygon of velocities. `aside`: on paper
+    it lies so far to the left of its way, px.
+    """
 
     start: Spot
     end: Spot
     style: Style
     words: Line = ()
+    aside: float = 0.0
 
 
 @record

@@ -19,7 +19,8 @@ Figures of a page
                            and I α (blue), in the position in which the equations are written. An arrow points in the
                            sense in which the letter is counted; a negative result is a force the other way.
                            Of a blow: momentum before + impulses = momentum after.
-  polygons                 of velocities and accelerations, to scale, where points of two bodies are compared
+  polygons                 of velocities and accelerations, to scale: the vector equations of the page, v_B/A, v_rel and
+                           a_cor among them; vectors along one line lie side by side
   instantaneous centres    where velocities are found or checked by I, or it is asked for: I, the perpendiculars to the
                            velocities, dashed, and these velocities, to one scale
   `figure: {hide: [W, Q]}` in the file keeps the names of points and bodies out of the scene.

@@ -1,0 +1,112 @@
+"""Polygons of velocities and accelerations: they close, and each vector of an equation is drawn once, or told."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.figures.polygons import polygons
+from planar_cli.figures.vector_sums import vector_sums
+from planar_cli.formats._on_paper import Scale, on_paper
+from planar_cli.formats._paper import Stroke, runs_of
+from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.marks import Figure, Panel, Span, Spot
+from planar_cli.report.narrate import narrate
+
+BASES = {
+    "car-seen-from-a-bend": ("v_B = v_B′ + v_rel", "v_B = v_A + v_B/A", "a_B = a_B′ + a_cor + a_rel"),
+    "quick-return": ("v_P = v_P′ + v_rel", "a_P′ = α_arm CP + ω_arm² CP", "a_P = a_P′ + a_rel + a_cor"),
+    "quick-return-stroke": ("v_P = v_P′ + v_rel", "a_P = a_P′ + a_rel + a_cor"),
+    "rod-drawn-over-an-edge": ("v_D′ = v_A + v_D/A", "a_B = α AB + ω² AB"),
+    "slider-in-a-chord-of-a-disk": ("v_P = v_P/O + v_P,disk", "a_P = α OP + ω² OP + a_P,disk + 2 ω × v_P,disk"),
+    "ball-in-a-forked-slot": ("a_ball = α r_ball/O + ω² r_ball/O + a_ball,fork",),
+    "cars-on-a-road-and-in-a-bend": ("v_taxi = v_taxi′ + v_rel", "a_taxi = a_taxi′ + a_rel"),
+    "watts-sun-and-planet-gear": ("v_B = v_A + v_B/A",),
+    "robot-arm-that-extends": ("v_B = v_A + v_B/A", "a_B = a_A + ω_AB² AB"),
+    "coupler-point-of-a-four-bar": ("v_B = v_A + v_B/A", "a_B = α_rocker r_B/B0 + ω_rocker² r_B/B0"),
+    "gripper-on-two-turning-arms": ("v_P = v_A + v_P/A + v_P/AB", "v_P = v_P′ + v_rel"),
+    "straight-line-linkage-of-peaucellier": ("v_P = v_A + v_P/A", "v_P = v_B + v_P/B"),
+    "planetary-gear": ("v_C = v_P + v_C/P",),
+}
+"""Some vector equations of a page, as the arrows of its figures call them."""
+
+
+def figures(stem: str) -> Iterator[Figure]:
+    solution = worked(next(p for p in PROBLEMS if p.stem == stem))[0]
+    page = illustrated(narrate(solution), solution)
+    return (f for name, f in figures_of(page) if name.startswith(("velocities", "accelerations")))
+
+
+def told(words: Line) -> str:
+    return "".join(("_" if run.index else "") + run.text for run in runs_of(words))
+
+
+def arrows(figure: Figure) -> dict[str, Span]:
+    """By their names: one that has two of them stands under both."""
+    spans = [m for m in figure.panels[0].marks if isinstance(m, Span)]
+    names = Counter(name for s in spans for name in told(s.words).split(" = "))
+    assert set(names.values()) <= {1} or all(
+        n.startswith(("v_rel", "a_rel", "a_cor")) for n, c in names.items() if c > 1
+    )
+    return {name: s for s in spans for name in told(s.words).split(" = ")}
+
+
+def way(span: Span) -> Spot:
+    return span.end[0] - span.start[0], span.end[1] - span.start[1]
+
+
+@pytest.mark.parametrize("stem", BASES)
+def test_polygons_close(stem: str) -> None:
+    drawn = [arrows(f) for f in figures(stem)]
+    for equation in BASES[stem]:
+        left, right = equation.split(" = ")
+        spans = next(f for f in drawn if left in f and set(right.split(" + ")) <= f.keys())
+        parts = [way(spans[name]) for name in right.split(" + ")]
+        total = (sum(x for x, _ in parts), sum(y for _, y in parts))
+        assert math.dist(total, way(spans[left])) < 1e-8 * max(math.hypot(*p) for p in parts)
+        assert spans[left].start == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("stem", BASES)
+def test_no_vector_lies_on_another(stem: str) -> None:
+    for figure in figures(stem):
+        spans = [m for m in figure.panels[0].marks if isinstance(m, Span)]
+        placed = {(s.start, s.end) for s in spans}
+        assert len(placed) == len(spans)
+        assert len({(s.start, s.end, s.aside) for s in spans}) == len(spans)
+
+
+def test_vectors_along_one_line_are_beside_each_other() -> None:
+    figure = next(figures("planetary-gear"))
+    spans = arrows(figure)
+    paper = on_paper(Panel((spans["v_P"], spans["v_C"])), Scale(100.0))
+    shafts = [s.places[0][0] for s in paper.strokes if isinstance(s, Stroke) and not s.closed]
+    assert abs(shafts[0] - shafts[1]) == pytest.approx(6.0)
+
+
+def test_the_coriolis_acceleration_is_twice_omega_across_the_relative_velocity() -> None:
+    velocities, accelerations = map(arrows, figures("quick-return"))
+    relative, coriolis = way(velocities["v_rel"]), way(accelerations["a_cor"])
+    assert coriolis == pytest.approx((-2 * 1.3417 * relative[1], 2 * 1.3417 * relative[0]), rel=1e-4)
+    assert math.hypot(*coriolis) == pytest.approx(1.8675, rel=1e-4)
+
+
+def test_zero_vectors_are_told() -> None:
+    heads = [told(f.panels[0].head) for f in figures("rod-drawn-over-an-edge")]
+    assert [h.partition("pole o")[2] for h in heads] == [", v_D = 0", ", a_D = 0"]
+
+
+def test_a_name_of_relative_motion_has_one_index() -> None:
+    assert [(r.text, r.index) for r in runs_of(line(Name("v_B/A")))] == [("v", False), ("B/A", True)]
+
+
+def test_nothing_is_drawn_of_equations_in_components() -> None:
+    solution = worked(next(p for p in PROBLEMS if p.stem == "belt-drive"))[0]
+    blocks = [b for b in narrate(solution).blocks if not vector_sums([b])]
+    assert polygons(blocks, solution.parts[0].instants[0]) == []
