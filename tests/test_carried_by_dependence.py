@@ -123,3 +123,26 @@ def test_of_two_equations_either_may_carry(block: str, told: str, tmp_path: Path
     found = verdicts(tmp_path, BLOW, {"v_ball": "-3 m/s", "v_block": block, "p": "3.264 N*s"})
     assert found["v_ball"] == ("wrong", ())
     assert found["v_block"] == (told, ("v_ball",) if told == "carried" else ())
+
+
+PULLED = """
+plane: vertical
+given: {m: 40 kg, F: 200 N, beta: 30 deg, mu: 0.25, d: 6 m}
+points: {P: [0, 0]}
+surfaces: {floor: {through: P, angle: 0 deg}}
+bodies: {sled: {particle: P, mass: m}}
+joints:
+  - contact: {between: [sled, floor], at: P, mu: mu}
+loads:
+  - force: {body: sled, magnitude: F, angle: beta}
+states:
+  1: [t = 0, at rest]
+  2: [x(sled) = d]
+find: {v: v(sled).x @ 2, t_d: t @ 2, a: a(sled).x @ 1}
+"""
+
+
+def test_what_follows_from_one_wrong_value_is_carried_beside_other_wrong_ones(tmp_path: Path) -> None:
+    """With a = 3.2 m/s²: t = √(2 d/a) = 1.936 s, whatever v is; v = 6 m/s follows from nothing."""
+    found = verdicts(tmp_path, PULLED, {"a": "3.200 m/s^2", "v": "6.000 m/s", "t_d": "1.936 s"})
+    assert found == {"a": ("wrong", ()), "v": ("wrong", ()), "t_d": ("carried", ("a",))}

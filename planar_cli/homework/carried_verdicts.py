@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Protocol
@@ -16,6 +16,8 @@ from planar_cli.homework.tolerances import within
 
 MOST_WAYS = 12
 """So many ways at most in which a find follows from own values."""
+MOST_ALONE = 4
+"""So many wrong values at most are each tried without the others."""
 
 
 class Carry(Protocol):
@@ -35,7 +37,7 @@ def with_carried(
     carry: Carry,
 ) -> list[Graded]:
     """The finds of a problem, of each its verdict and its numbers: those that follow rightly from wrong values of finds
-    on which they rest are carried.
+    on which they rest are carried: of all these together or of one of them, alone or with the student's right ones.
     """
     graded = [one for one, _ in pairs]
     if sum(one.verdict == WRONG for one in graded) < 2:
@@ -49,14 +51,25 @@ def with_carried(
             continue
         own = {n: v for n, v in wrong.items() if n in behind.get(one.find, ())}
         if own:
-            one = carried_on(task, task.expected[place], one, values, own, rules, carry)
             more = {n: right[n] for n in behind[one.find] if n in right}
-            if not one.carried and more:
-                one = carried_on(task, task.expected[place], one, values, own | more, rules, carry, tuple(own))
+            for taken in _taken_together(own):
+                one = carried_on(task, task.expected[place], one, values, taken, rules, carry)
+                if not one.carried and more:
+                    one = carried_on(task, task.expected[place], one, values, taken | more, rules, carry, tuple(taken))
+                if one.carried:
+                    break
             graded[place] = one
         # What only follows from another stands first: it is the first to be found needless.
         wrong = {one.find: values, **wrong} if one.carried else {**wrong, one.find: values}
     return graded
+
+
+def _taken_together(own: Mapping[str, tuple[float, ...]]) -> Iterator[dict[str, tuple[float, ...]]]:
+    """Which wrong values are put in: all of them, then each without the others, what is nearest behind first."""
+    yield dict(own)
+    if len(own) > 1:
+        for name in [*own][-MOST_ALONE:][::-1]:
+            yield {name: own[name]}
 
 
 def carried_on(
