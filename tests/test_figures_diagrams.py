@@ -12,7 +12,7 @@ from planar_cli.formats._drawn_small import small_drawing
 from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
-from planar_cli.report.blocks import Drawing, Forces, Inline, Math, Name, Text, line
+from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
 from planar_cli.report.marks import Arrow, Figure, Polyline, Tag
 
 NOTES = ("", "dashed: direction assumed", "dashed: direction assumed; found: F_D to the left")
@@ -26,6 +26,11 @@ def diagrams(stem: str) -> list[Figure]:
     page = illustrated_page(next(p for p in PROBLEMS if p.stem == stem))
     pairs = zip(page.blocks, page.blocks[1:], strict=False)
     return [b.figure for before, b in pairs if isinstance(before, Forces) and isinstance(b, Drawing)]
+
+
+def styles(figure: Figure) -> list[str]:
+    """That of the arrows of each panel."""
+    return [style for p in figure.panels for style in dict.fromkeys(m.style for m in p.marks if isinstance(m, Arrow))]
 
 
 @pytest.mark.parametrize(
@@ -78,3 +83,18 @@ def test_the_note_stands_under_a_figure_in_each_format() -> None:
     assert "dashed: direction assumed; found: " in tikz(one.figure)
     assert "<figcaption>dashed: direction assumed; found: <math" in Html().render(page)
     assert "  dashed: direction assumed; found: F_C to the left" in small_drawing(one.figure, 80)
+
+
+def test_a_blow_is_momentum_before_and_impulses_and_momentum_after() -> None:
+    """Each in its colour; what is at rest before the blow has no momentum there, and what looks the same in a later
+    case is drawn once.
+    """
+    block, bullet, _ = diagrams("bullet-in-a-hanging-block")
+    assert [styles(f) for f in (block, bullet)] == [["force", "velocity"], ["velocity", "force", "velocity"]]
+    assert [f.between for f in (block, bullet)] == ["=", "+="]
+    assert [p.head for p in bullet.panels] == [line(h) for h in ("momentum before", "impulses", "momentum after")]
+    assert re.findall(r'class="between">(.)', Html().render(Document("", (Drawing(bullet),)))) == ["+", "="]
+    assert any(re.search(r" \+ .* =", row) for row in small_drawing(bullet, 80))
+    assert {"+", "="} <= {row.strip() for row in small_drawing(bullet, 24)}
+    drawn = [f for f in diagrams("rod-that-slips-down-until-it-lies-flat") if len(f.panels) > 1]
+    assert styles(drawn[0]) == ["force", "inertia"]

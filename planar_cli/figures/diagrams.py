@@ -21,9 +21,12 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Forces, Inline, Line, Name, Text, Way, line
 from planar_cli.report.entries import ASSUMED
+from planar_cli.report.impulse_rows import IMPULSES
 from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
 from planar_cli.solve.solved_problem import Solution
 
+AND = " + "
+"""Between what stands over one side of the diagrams of a blow, which are drawn by themselves."""
 BREAK = ",  "
 """Between two vectors of a list."""
 ARROWS = "→↗↑↖←↙↓↘"
@@ -44,21 +47,41 @@ class _Vector:
     way: Way
 
 
+@record
+class _Side:
+    """What is drawn together. `sign`: between it and what stands before it."""
+
+    vectors: list[_Vector]
+    style: Style
+    head: str
+    sign: str
+
+
 def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure | None:
     """A list of forces as drawings; None: nothing of it can be drawn. `below`: what stands behind it on the page."""
     left, right = list(_vectors(row.left)), list(_vectors(row.right))
     if row.scene is None or not left:
         return None
     drawn = Drawn(row.scene, left[0].way.value, {})
-    sides: list[tuple[list[_Vector], Style]] = [(left, "force"), (right, "inertia")]
-    # In equilibrium there is nothing on the other side.
-    panels = [
-        _panel(drawn, row, vectors, style, head)
-        for (vectors, style), head in zip(sides, row.heads, strict=True)
-        if vectors
-    ]
+    # In equilibrium there is nothing on the other side; before a blow there is no momentum of what is at rest.
+    sides = [s for s in _sides(row, left, right) if s.vectors]
+    panels = [_panel(drawn, row, s.vectors, s.style, s.head) for s in sides]
+    signs = "".join(s.sign for s in sides[1:])
     note = note_of(panels, row, solution)
-    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", "=", note=note)
+    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", signs, note=note)
+
+
+def _sides(row: Forces, left: list[_Vector], right: list[_Vector]) -> Iterator[_Side]:
+    """Free-body diagram = kinetic diagram, or of a blow momentum before + impulses = momentum after."""
+    before, plus, impulses = row.heads[0].partition(AND)
+    if not plus:
+        momenta = row.heads == IMPULSES
+        yield _Side(left, "force", row.heads[0], "")
+        yield _Side(right, "velocity" if momenta else "inertia", row.heads[1], "=")
+        return
+    yield _Side([v for v in left if v.way.before], "velocity", before, "")
+    yield _Side([v for v in left if not v.way.before], "force", impulses, AND.strip())
+    yield _Side(right, "velocity", row.heads[1], "=")
 
 
 def _vectors(listed: Line) -> Iterator[_Vector]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
@@ -21,7 +21,18 @@ CASE, STATE = "CASE", "STATE"
 
 def illustrated(document: Document, solution: Solution) -> Document:
     """The worked solution of a file with what a lecturer would draw beside it."""
-    return replace(document, blocks=tuple(_blocks(document, solution)))
+    return replace(document, blocks=tuple(_drawn_once(_blocks(document, solution))))
+
+
+def _drawn_once(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Without figures that show again what stands above: a blow of which a case repeats all diagrams."""
+    seen = set[str]()
+    for block in blocks:
+        # Letters that are spelled alike look the same, whatever is known of them.
+        looks = repr(block.figure) if isinstance(block, Drawing) else ""
+        if looks not in seen:
+            yield block
+        seen |= {looks} - {""}
 
 
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:

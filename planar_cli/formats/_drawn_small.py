@@ -46,8 +46,8 @@ def small_drawing(figure: Figure, width: int) -> list[str]:
             break
     heads = [_text(runs_of(p.head)) for p in figure.panels]
     blocks = [_headed(p, h) for p, h in zip(panels, heads, strict=True)]
-    between = f"   {figure.between}   " if figure.between else " " * GAP
-    total = sum(b.columns for b in blocks) + len(between) * (len(blocks) - 1)
+    between = [f"   {sign}   " for sign in figure.between] or [" " * GAP] * (len(blocks) - 1)
+    total = sum(b.columns for b in blocks) + sum(map(len, between))
     lines = _beside(blocks, between) if total <= width - INDENT else _stacked(blocks, figure.between)
     lines += ["", *wrap(_text(runs_of(figure.note)), width - INDENT)] if figure.note else []
     return [(" " * INDENT + line).rstrip() for line in lines]
@@ -145,18 +145,19 @@ def _headed(panel: _Block, head: str) -> _Block:
     return _Block((head, *panel.lines), max(len(head), panel.columns), panel.middle + 1)
 
 
-def _beside(blocks: Sequence[_Block], between: str) -> list[str]:
+def _beside(blocks: Sequence[_Block], between: Sequence[str]) -> list[str]:
+    """`between`: what stands between two of them, all as wide."""
     rows: list[str] = []
     middle = max(b.middle for b in blocks)
     for k, parts in enumerate(zip_longest(*(b.lines for b in blocks), fillvalue="")):
-        gap = between if k == middle else " " * len(between)
+        gaps = between if k == middle else [" " * len(gap) for gap in between]
         padded = [part.ljust(b.columns) for part, b in zip(parts, blocks, strict=True)]
-        rows.append(gap.join(padded).rstrip())
+        rows.append("".join(gap + part for gap, part in zip(["", *gaps], padded, strict=True)).rstrip())
     return rows
 
 
 def _stacked(blocks: Sequence[_Block], between: str) -> list[str]:
     lines = list(blocks[0].lines)
-    for block in blocks[1:]:
-        lines += ["", *([between, ""] if between else []), *block.lines]
+    for sign, block in zip_longest(between, blocks[1:]):
+        lines += ["", *([sign, ""] if sign else []), *block.lines]
     return lines

@@ -23,12 +23,11 @@ def tikz(figure: Figure) -> str:
     """A figure as one picture."""
     rows: list[str] = []
     left = 0.0
-    for one in laid_out(figure):
+    for place, one in enumerate(laid_out(figure)):
         box = one.box
-        if left:
-            rows.append(
-                _node((left - BETWEEN / 2, (box.bottom - box.top) / 2), words(figure.between), "ink", SIZE * 1.6)
-            )
+        if place:
+            sign = words(figure.between[place - 1 : place])
+            rows.append(_node((left - BETWEEN / 2, (box.bottom - box.top) / 2), sign, "ink", SIZE * 1.6))
         rows += _panel(one.paper, (left - box.left, -box.top))
         if one.head:
             over = left + (box.right - box.left) / 2, -HEADED / 3

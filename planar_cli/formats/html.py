@@ -227,8 +227,9 @@ def _figure(figure: Figure, note: str) -> str:
     under = f"<figcaption>{note}</figcaption>" if note else ""
     if len(panels) == 1:
         return f"<figure>{panels[0]}{under}</figure>"
-    sign = f'<span class="between">{words(figure.between)}</span>' if figure.between else ""
-    return f'<figure class="panels">{sign.join(panels)}{under}</figure>'
+    signs = [f'<span class="between">{words(s)}</span>' for s in figure.between] or [""] * len(panels)
+    told = "".join(sign + panel for sign, panel in zip(["", *signs], panels, strict=False))
+    return f'<figure class="panels">{told}{under}</figure>'
 
 
 def _paragraph(told: str) -> str:

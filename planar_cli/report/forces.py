@@ -53,7 +53,8 @@ from planar_cli.units import (
     pretty_unit,
 )
 
-SUDDEN = ("momentum", "impulse")
+MOMENTA = "momentum"
+SUDDEN = (MOMENTA, "impulse")
 """Kinds of wrenches that are momenta or impulses."""
 LONGEST = 30
 """Of an acceleration with more operations only the name is told: the equations say what it is."""
@@ -109,10 +110,15 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 # A letter that no equation has stands for the size of its force.
                 idle = sp.sympify(size).is_Symbol and size not in used
                 told = f" {_sense(w, phrases, back, idle)}{where}"
-                parts.append([_amount(size, FORCE * lasting, plain), pointing(phrases, told, w.point, w.force)])
+                parts.append(
+                    [
+                        _amount(size, FORCE * lasting, plain),
+                        pointing(phrases, told, w.point, w.force, w.kind == MOMENTA),
+                    ]
+                )
             elif w.couple != 0:
                 back = sp.sympify(w.couple).could_extract_minus_sign()
-                sense = pointing(phrases, " ↻" if back else " ↺", w.point)
+                sense = pointing(phrases, " ↻" if back else " ↺", w.point, before=w.kind == MOMENTA)
                 parts.append([_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), sense])
     assert system.reactions is not None
     absent, at_limit = _absent(instant, stage), impending(stage)
@@ -147,7 +153,7 @@ def _is_nought(w: Wrench, scene: Scene, phrases: Phrases) -> bool:
     """Is it no force: a momentum of what is at rest, or a force that the file gives as zero?"""
     size = sp.sympify(w.magnitude)
     given = bool(size.free_symbols) and all(s in scene.ledger.values for s in size.free_symbols)
-    return (w.kind == "momentum" or (given and w.force is not None)) and phrases.value.is_zero(size)
+    return (w.kind == MOMENTA or (given and w.force is not None)) and phrases.value.is_zero(size)
 
 
 def _end(instant: InstantSolution, push: Push, action: Any, body: str) -> str:

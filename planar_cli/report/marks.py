@@ -219,7 +219,8 @@ class Panel:
 
 @record
 class Figure:
-    """Panels side by side, in one scale; between them stands `between` (an = of two diagrams that are equal).
+    """Panels side by side, in one scale; `between`: the signs between them, a letter each (an = of two diagrams that
+    are equal).
 
     `words`: what it shows, for who cannot see it; `name`: for its own file; `note`: what stands under it.
     """

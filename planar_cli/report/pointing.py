@@ -9,11 +9,11 @@ from planar_cli.report.blocks import Text, Way
 from planar_cli.report.words import Phrases
 
 
-def pointing(phrases: Phrases, told: str, place: Vec, direction: Vec | None = None) -> Text:
+def pointing(phrases: Phrases, told: str, place: Vec, direction: Vec | None = None, before: bool = False) -> Text:
     """`told`: the words. `direction`: of a force, its own or the opposite one, whichever the words tell; None: of a
-    couple.
+    couple. `before`: it is a momentum before a blow.
     """
-    return Text(told, way=Way(place, direction, phrases.drawn or phrases.value))
+    return Text(told, way=Way(place, direction, phrases.drawn or phrases.value, before=before))
 
 
 def about(phrases: Phrases, told: str, place: Vec | None, bodies: Sequence[str]) -> Text:

@@ -17,8 +17,10 @@ Figures of a page
                            dashed, each with the name of its state. A body without a shape is a point or a block.
   diagrams                 beside each list of forces: on the left what acts (red), on the right what it amounts to, m a
                            and I α (blue), in the position in which the equations are written. An arrow points in the
-                           sense in which the letter is counted; a negative result is a force the other way.
-                           Of a blow: momentum before + impulses = momentum after.
+                           sense in which the letter is counted; a negative result is a force the other way. Where the
+                           sense is assumed its arrow is dashed, and under the figure stands which came out opposite.
+                           Where moments are taken about a point C, it is in both diagrams, with the lines of action
+                           that meet there. Of a blow: momentum before + impulses = momentum after, momenta green.
   polygons                 of velocities and accelerations, to scale: the vector equations of the page, v_B/A, v_rel and
                            a_cor among them; vectors along one line lie side by side
   instantaneous centres    where velocities are found or checked by I, or it is asked for: I, the perpendiculars to the
