@@ -87,6 +87,12 @@ def in_case(case: str, part: Problem, whole: Problem, words: str) -> str:
     return f"case {case}{f' ({data})' if data else ''}: {words}"
 
 
+def couples_of(problem: Problem) -> frozenset[str]:
+    """The names that stand alone for the moment of a couple: they count counterclockwise."""
+    moments = (getattr(load, "moment", None) for load in problem.loads if load.turns_only)
+    return frozenset(side.name for side in moments if isinstance(side, Name))
+
+
 def is_energy(find: Find | None) -> bool:
     """Is it an energy, a work, or an expression of these alone?"""
     if find is None or isinstance(find.found.what, Relation):

@@ -33,7 +33,7 @@ from planar_cli.homework.tolerances import SLACK, within
 from planar_cli.homework.typed import Typed
 from planar_cli.homework.unreadable import Unreadable
 from planar_cli.records import record
-from planar_cli.units import PURE, Unit, parse_unit
+from planar_cli.units import ENERGY, PURE, Unit, parse_unit, pretty_unit
 
 LONGEST_SHOWN = 80
 NO_ANSWERS = frozenset({"", "n/a", "n.a.", "na", "-", "--", "–", "—", "?", "??", "???", "…", "..."})
@@ -196,6 +196,11 @@ def _of_numbers(
             fits, turned = _fits_or_turned(expected, values, rules)
             if unit == WRONG:
                 why, number = f"{why}: times g it is the right force", ""
+    elif unit == RIGHT and not fits and not turned and answer.unit is not None:
+        bare = in_unit_of_find(expected, replace(answer, unit=parse_unit(expected.unit)))
+        if answer.unit.text != expected.unit and any(_fits_or_turned(expected, bare, rules)):
+            unit, why = WRONG, f"the unit is not right: it is not {pretty_unit(answer.unit.text)}"
+            fits, turned = _fits_or_turned(expected, values := bare, rules)
     value = RIGHT if fits or turned else WRONG
     if turned or (fits and sign == WRONG):
         sign = WRONG
@@ -298,6 +303,8 @@ def _sense_verdict(expected: Expected, answer: Typed) -> tuple[str, tuple[str, .
     if expected.kind != "number":
         return "", ()
     if answer.sense and not expected.rotation:
+        if parse_unit(expected.unit).dimension == ENERGY:
+            return "", ("the sense is not graded here",)
         raise Unreadable("a sense of rotation stands behind what does not turn")
     if answer.way and expected.axis and answer.axis != expected.axis:
         return WRONG, ()

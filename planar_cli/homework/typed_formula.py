@@ -29,6 +29,8 @@ CLOSE = 1e-6
 """Exponents of a dimension that differ by more are not the same."""
 MANY, RIGHT = 4096, 256
 """So many typed formulas, and right ones, are remembered."""
+TURN = 6.3
+"""Radians."""
 DEEPEST = 30
 """Brackets in brackets."""
 HERE = Mark("<answer>", 1, 1)
@@ -113,8 +115,20 @@ def constant(text: str) -> float:
     name = next((n.name for n in walk(side) if isinstance(n, Name) and n.name != "pi"), None)
     if name is not None:
         raise _in_letters(name)
+    for function in walk(side):
+        if isinstance(function, Function) and function.name in ("sin", "cos", "tan"):
+            _check_radians(function)
     found: float = evaluated(side, _Numbers({}))
     return found
+
+
+def _check_radians(function: Function) -> None:
+    """Nobody means more than a turn of radians: `sin(30)` is one of 30 degrees, and the unit is missing."""
+    inside = function.argument
+    if isinstance(inside, Number) and inside.unit is None and abs(inside.value) > TURN:
+        told = f"{function.name}({float(inside.value):g})"
+        degrees = f"{function.name}({float(inside.value):g} deg)"
+        raise Unreadable(f"in {told} the angle would be in radians; write {degrees}")
 
 
 def _in_letters(name: str) -> Unreadable:

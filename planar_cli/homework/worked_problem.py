@@ -17,7 +17,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
-from planar_cli.homework.asked_words import asked_words, in_case, is_energy
+from planar_cli.homework.asked_words import asked_words, couples_of, in_case, is_energy
 from planar_cli.homework.headings import heading_of, lines_of
 from planar_cli.homework.literal_angles import with_names
 from planar_cli.homework.marked_solution import has_letters, marked_solution, plainly_read
@@ -26,7 +26,7 @@ from planar_cli.homework.own_gravity import gravity_of
 from planar_cli.homework.own_names import own_names
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.wrong_formulas import as_written, wrong_formulas
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Name, Quantity
 from planar_cli.problem.nodes import Node, read_file
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.scene import Problem
@@ -264,7 +264,8 @@ def expected_of(
     last = what.parts[-1].kind if isinstance(what, Quantity) and what.parts else ""
     direction = last == "angle" and isinstance(what, Quantity) and what.word != "r"
     own = {n: v for n, v in own.items() if n not in part.own}
-    rotation = not direction and (found.unit.angle or (isinstance(what, Quantity) and what.word in TURNING))
+    couple = isinstance(what, Name) and what.name in couples_of(part.problem)
+    rotation = not direction and (found.unit.angle or couple or (isinstance(what, Quantity) and what.word in TURNING))
     axis = last if last in ("x", "y") else ""
     moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1
     sense = COUNTERCLOCKWISE if rotation else ALONG.get(axis, ("", "")) if moves else ("", "")

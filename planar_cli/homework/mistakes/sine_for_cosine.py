@@ -16,6 +16,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import PURE
 
+NOTHING = 1e-9
 MOST = 30
 """Terms of a problem in which they are exchanged alone; in more a wrong number would too often fit one of them."""
 
@@ -59,10 +60,18 @@ def _in_one_term(equations: Equations, angle: sp.Symbol, said: str) -> Iterator[
                     yield Model(f"{said} in {where}", changed)
     for name, asked in equations.asked.items():
         for place, part in enumerate(asked.parts):
-            for swap in _swaps(part, angle):
+            for swap in _swaps(part, angle) if rests_on_angle(part, angle) else ():
                 parts = tuple(swap(p) if j == place else p for j, p in enumerate(asked.parts))
                 changed = replace(equations, asked={**equations.asked, name: replace(asked, parts=parts)})
                 yield Model(f"{said} in one place", changed)
+
+
+def rests_on_angle(expr: sp.Expr, angle: sp.Symbol) -> bool:
+    """Is it another one with another angle? The size of a vector is the same whichever way it is written."""
+    slope = sp.diff(expr, angle)
+    numbers = {s: sp.Float(0.3 + 0.07 * k) for k, s in enumerate(sorted(slope.free_symbols, key=lambda s: s.name))}
+    found, size = slope.xreplace(numbers), sp.Abs(expr.xreplace({**numbers, angle: sp.Float(0.4)}))
+    return bool(abs(sp.N(found)) > NOTHING * (1 + sp.N(size)))
 
 
 def _swaps(expr: sp.Expr, angle: sp.Symbol) -> Iterator[Callable[[sp.Expr], sp.Expr]]:
