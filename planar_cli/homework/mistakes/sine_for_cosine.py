@@ -70,8 +70,8 @@ def rests_on_angle(expr: sp.Expr, angle: sp.Symbol) -> bool:
     """Is it another one with another angle? The size of a vector is the same whichever way it is written."""
     slope = sp.diff(expr, angle)
     numbers = {s: sp.Float(0.3 + 0.07 * k) for k, s in enumerate(sorted(slope.free_symbols, key=lambda s: s.name))}
-    found, size = slope.xreplace(numbers), sp.Abs(expr.xreplace({**numbers, angle: sp.Float(0.4)}))
-    return bool(abs(sp.N(found)) > NOTHING * (1 + sp.N(size)))
+    found = sp.N(slope.xreplace(numbers))
+    return not found.is_number or bool(sp.Abs(found) > NOTHING)
 
 
 def _swaps(expr: sp.Expr, angle: sp.Symbol) -> Iterator[Callable[[sp.Expr], sp.Expr]]:
