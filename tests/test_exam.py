@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 
@@ -82,6 +83,10 @@ def line_of(letter: str, *sides: object, number: int | None = None, lead: tuple[
     pytest.param([line_of("7*a", 14), line_of("a", 2), Answer("a", (Text("2"),))], {0, 1}, id="a quotient"),
     pytest.param([line_of("x_ddot", "-c*x"), line_of("omega_0", "sqrt(c)"), Answer("omega_0", (Text("2"),))], {0, 1},
                  id="a frequency"),
+    pytest.param(
+        [line_of("v__3", "w", number=1), line_of("v__3", "u - g*t", number=2),
+         line_of("t", "(u - v__3)/g", lead=("(2):",)), Answer("t", (Text("2"),))],
+        {0, 1, 2}, id="a time from a speed that was found before"),
     pytest.param([line_of("a", "b"), Answer("z", (Text("2"),))], None, id="no line"),
 ])  # fmt: skip
 def test_what_answers_rest_on(blocks: list[Block], kept: set[int] | None) -> None:
@@ -118,3 +123,17 @@ def test_an_integral_rests_on_the_law() -> None:
     integral = Equation((Math(sp.Integral(sp.Symbol("F"), t)), Math(sp.Symbol("q"))))
     blocks = [force, integral, line_of("v", "F*t/m", number=2), Answer("v", (Text("2"),))]
     assert rests_on(blocks) == frozenset({0, 1, 2})
+
+
+def test_a_particle_is_its_point() -> None:
+    blocks = [line_of("v_B", "c"), line_of("v_rel", "v_collar - d"), Answer("v_rel", (Text("2"),))]
+    assert rests_on(blocks, {"collar": "B"}) == frozenset({0, 1})
+
+
+def test_which_root_it_is_stays() -> None:
+    told = replace(
+        line_of("v", "-sqrt(c)", lead=("(1):",)), note=(Text("the negative root: "), Text("it moves downward"))
+    )
+    arm = replace(line_of("c", "d"), note=(Text("r = 2"),))
+    key = key_blocks([arm, told, Answer("v", (Text("2"),))], ())
+    assert [b.note for b in key if isinstance(b, Equation)] == [(), told.note]

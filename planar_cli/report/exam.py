@@ -2,8 +2,9 @@
 
 What stays is what a marker compares: equations with the numbers that they have on the page for students, the energies
 and the work of a balance, and each line that gives an answer or leads to it, with formula, numbers and value; beside
-them what was assumed, and the test of it. Words, diagrams and what no answer rests on go. Where an answer has no line
-of its own all numbered equations stay; of a motion that is followed in numbers, how and with which table.
+them what was assumed, and the test of it, and of two roots which one it is. Other words, diagrams and what no answer
+rests on go. Where an answer has no line of its own all numbered equations stay; of a motion that is followed in
+numbers, how and with which table.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
+from planar_cli.problem.scene import Particle, Problem
 from planar_cli.report.blocks import (
     Answer,
     Block,
@@ -27,6 +29,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
+from planar_cli.report.left_out import ROOT
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.rests_on import rests_on
 from planar_cli.report.results import told_by_others
@@ -41,9 +44,13 @@ TESTS = ("≤", "<", ">", "≥")
 """A check with one of these tests an assumption."""
 
 
-def key_blocks(blocks: Sequence[Block], before: Collection[Block]) -> list[Block]:
-    """The key of one part of a page. `before`: what the keys of earlier parts tell."""
-    kept = rests_on(blocks)
+def key_blocks(blocks: Sequence[Block], before: Collection[Block], problem: Problem | None = None) -> list[Block]:
+    """The key of one part of a page. `before`: what the keys of earlier parts tell; `problem`: says which point each
+    particle is.
+    """
+    shapes = {b.name: b.shape for b in problem.bodies} if problem is not None else {}
+    places = {n: s.place for n, s in shapes.items() if isinstance(s, Particle) and isinstance(s.place, str)}
+    kept = rests_on(blocks, places)
     if kept is None:
         kept = _in_place(blocks)
     kept = _last_forms(blocks, kept) | _rows_of_systems(blocks)
@@ -105,12 +112,13 @@ def _without_empty(blocks: Sequence[Block]) -> Iterator[Block]:
 
 def _bare(block: Block) -> Block:
     """An equation without the notes that explain its arms."""
-    return replace(block, note=_unit(block.note)) if isinstance(block, Equation) else block
+    return replace(block, note=_kept(block.note)) if isinstance(block, Equation) else block
 
 
-def _unit(note: Line) -> Line:
-    """The unit of numbers beside unknowns; no other words."""
-    return note if len(note) == 1 and isinstance(note[0], Text) and note[0].text.startswith("in ") else ()
+def _kept(note: Line) -> Line:
+    """The unit of numbers beside unknowns, and which of two roots it is; no other words."""
+    first = note[0].text if note and isinstance(note[0], Text) else ""
+    return note if ROOT in first or (first.startswith("in ") and len(note) == 1) else ()
 
 
 def _is_datum(block: Block) -> bool:

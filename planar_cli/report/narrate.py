@@ -140,7 +140,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         own = without_idle_lines(carried_out(in_one_line(own)), meanings, problem)
         own = with_weights_by_letter(by_its_line(without_primes(list(without_ritual(own)))))
         if voice.audience == "exam":
-            blocks += key_blocks(own, blocks)
+            blocks += key_blocks(own, blocks, problem)
         elif voice.audience == "lesson":
             from planar_cli.report.lessons import with_lessons
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.along_slots import (
@@ -26,8 +27,9 @@ from planar_cli.report.along_slots import (
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
 from planar_cli.report.coincident import coincident
 from planar_cli.report.component_sums import both_told, in_page_units
-from planar_cli.report.names import plain_name
+from planar_cli.report.names import index_of, plain_name
 from planar_cli.report.on_path import Once
+from planar_cli.report.one_name import pieces_of_name
 from planar_cli.report.projected import differences, vector_at
 from planar_cli.report.told import RATES
 from planar_cli.report.vectors import VectorTelling
@@ -140,9 +142,10 @@ class RelativeTelling:
         place, spin = self.system.scene.point(point), motion.velocities[frame].angular
         relative, acceleration = quantities.seen_from(point, frame)
         yield from self.absolute(point, v)
-        yield from coincident(f"{point}′", frame, self.vectors.valued)
-        yield from self.carried(frame, place, f"{point}′", level)
-        sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
+        own = self._called(point)
+        yield from coincident(f"{own}′", frame, self.vectors.valued)
+        yield from self.carried(frame, place, f"{own}′", level)
+        sides: list[Any] = [Name(f"{v}_{index_of(own)}"), " - ", Name(f"{v}_{index_of(own)}′")]
         others = [vector_at(self.vectors, frame, place, level)]
         if level == "acceleration" and spin != 0:
             sides += [" - ", Name("a_cor")]
@@ -151,6 +154,15 @@ class RelativeTelling:
         put = differences(relative if v == "v" else acceleration, others, RATES[level], self.phrases)
         shown = (line(Name(f"{v}_rel")), line(*sides), *([put] if put else []))
         yield from self.once(f"{v}_rel {point} {frame}", shown, relative if v == "v" else acceleration, level, ())
+
+    def _called(self, point: str) -> str:
+        """What the lines of a particle call it: B where its letters do, v_B,arm; its own name where they have that."""
+        edge = self.vectors.edges.get(point)
+        if point in self.system.scene.points or edge is None or edge.slide is None:
+            return point
+        own = centre_of(self.system.scene, point)
+        letters = {piece for s in sp.sympify(edge.slide).free_symbols for piece in pieces_of_name(s.name)}
+        return own if own in letters else point
 
     def _coriolis(self, relative: Vec, spin: sp.Expr) -> Iterator[Block]:
         put: Line = ()

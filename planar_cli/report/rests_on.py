@@ -2,13 +2,15 @@
 
 An answer rests on the line that gives its letter. A line rests on the equations that it names by number, on the lines
 before it that give the letters it uses, and, where it is one number divided by another, on the line above. A balance
-of energies also rests on the energies and the work that it names: T_1 + U = T_2.
+of energies also rests on the energies and the work that it names: T_1 + U = T_2. Of v_3 = v_2 - g t, solved for t
+behind it, v_3 is no result: it came before.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from itertools import takewhile
 
@@ -46,11 +48,12 @@ class Row:
     law: bool
 
 
-def rests_on(blocks: Sequence[Block]) -> frozenset[int] | None:
+def rests_on(blocks: Sequence[Block], places: Mapping[str, str] | None = None) -> frozenset[int] | None:
     """The places of the equations and results on which the answers of a part rest; None: of an answer there is no line
-    here that gives it.
+    here that gives it. `places`: the point that each particle is: what a line says of B is true of the collar.
     """
     rows = [_row(i, b) for i, b in enumerate(blocks) if isinstance(b, Equation)]
+    rows = _solved_for(_of_points(rows, places or {}))
     needed: list[tuple[Row, int]] = []
     kept: set[int] = set()
     found = True
@@ -70,6 +73,26 @@ def rests_on(blocks: Sequence[Block]) -> frozenset[int] | None:
             since = seen if row.block.number is not None else row.at
             needed += [(r, since) for r in _before(row, [r for r in rows if r.at < since and r is not row])]
     return frozenset(kept) if found else None
+
+
+def _of_points(rows: Sequence[Row], places: Mapping[str, str]) -> list[Row]:
+    """The same, where a line that has a letter of a particle which none gives uses that of its point: v_B, v_collar."""
+    given = frozenset[str]().union(*(r.gives for r in rows))
+    names = {x: x.replace(f"_{body}", f"_{p}") for r in rows for x in r.uses - given for body, p in places.items()}
+    return [replace(r, uses=r.uses | {names[x] for x in r.uses & names.keys() if names[x] in given}) for r in rows]
+
+
+def _solved_for(rows: Sequence[Row]) -> list[Row]:
+    """The same, where an equation that is solved for another letter behind it gives none that stood before."""
+    known: set[str] = set()
+    found: list[Row] = []
+    for i, row in enumerate(rows):
+        number = row.block.number
+        solved = [r.gives for r in rows[i + 1 :] if number is not None and r.refers == {number}]
+        told = row.gives & known if solved and solved[0].isdisjoint(row.gives) else frozenset()
+        found.append(replace(row, gives=row.gives - told, uses=row.uses | told))
+        known |= row.gives
+    return found
 
 
 def _before(row: Row, earlier: Sequence[Row]) -> list[Row]:
