@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.line_names import line_name
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, At, Particle, Place, Polar
 from planar_cli.records import record
@@ -80,7 +81,9 @@ def _polar(scene: Scene, place: Polar) -> Components | None:
     (r, rate, second), (phi, turn, bend) = known
     axis = Vec(sp.cos(phi), sp.sin(phi))
     turns = next((s.name for s in scene.ledger.coordinates if s in phi.free_symbols), "")
-    return Components(axis, (rate, r * turn), (second - r * turn**2, r * bend + 2 * rate * turn), place.origin, turns)
+    inward, ahead = with_mark(r * turn**2, NORMAL), with_mark(r * bend, TANGENTIAL)
+    across = ahead + with_mark(2 * rate * turn, CORIOLIS)
+    return Components(axis, (rate, r * turn), (second - inward, across), place.origin, turns)
 
 
 def _straight(scene: Scene, place: Place | None) -> Components | None:

@@ -12,6 +12,7 @@ from planar_cli.equation.growth import growth
 from planar_cli.equation.jets import Jet, constant, direction_angle, magnitude, only, resolved, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.of_all import energy_of_load, mass_centre
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, with_mark
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.turning import counted_angle
@@ -158,7 +159,7 @@ class Quantities:
         place = self.place(name)
         at = Vec(place.x.value, place.y.value)
         velocity = Vec(place.x.rate, place.y.rate) - self.motion.velocity(at, body)
-        coriolis = velocity.turned() * (2 * self.motion.velocities[body].angular)
+        coriolis = velocity.turned() * with_mark(2 * self.motion.velocities[body].angular, CORIOLIS)
         return velocity, Vec(place.x.second, place.y.second) - self.motion.acceleration(at, body) - coriolis
 
     def _q_v(self, q: Quantity) -> Vec:

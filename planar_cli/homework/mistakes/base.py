@@ -141,12 +141,26 @@ def without_part(equations: Equations, mark: str, feedback: str, of_one: Callabl
     if symbol not in equations.rests_on(finds):
         return
     yield Model(feedback, equations, {symbol: sp.S.Zero})
+    if symbol in _inside(r for step in equations.steps for r in step.residuals) & _inside(finds):
+        # In the forces it is right, in the acceleration that is asked it is forgotten.
+        gone = {n: replace(a, parts=tuple(_zero(e, symbol) for e in a.parts)) for n, a in equations.asked.items()}
+        yield Model(feedback, replace(equations, asked=gone))
     rates = {r for e in _formulas(equations) for r in _rates(equations, e, symbol)}
     if len(rates) < 2:
         return
     for rate in sorted(rates, key=lambda s: s.name):
         said = of_one(printed(rate.name.partition("__")[0]), equations.turns(rate))
-        yield Model(said, _without_rate(equations, symbol, rate))
+        left = _without_rate(equations, symbol, rate)
+        if symbol in _inside(_formulas(left)):
+            yield Model(said, left)
+
+
+def _inside(exprs: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    return set().union(*(e.free_symbols for e in exprs))
+
+
+def _zero(expr: sp.Expr, mark: sp.Symbol) -> sp.Expr:
+    return sp.sympify(expr.xreplace({mark: sp.S.Zero}))
 
 
 def _formulas(equations: Equations) -> Iterator[sp.Expr]:
@@ -156,11 +170,17 @@ def _formulas(equations: Equations) -> Iterator[sp.Expr]:
 
 
 def _rates(equations: Equations, expr: sp.Expr, mark: sp.Symbol) -> set[sp.Symbol]:
-    """The rates, such as ω of ω² r, with which the marked part of an expression is made."""
+    """The rates, such as ω of ω² r, with which the marked terms in an expression are made, also inside its roots."""
     if mark not in expr.free_symbols:
         return set()
-    marked = sp.diff(expr, mark)
-    return {s for s in marked.free_symbols if _is_rate(equations, s)}
+    term = sp.expand_mul(expr, deep=False)
+    if not _has_factor(term, mark):
+        return set().union(*(_rates(equations, a, mark) for a in term.args))
+    return {s for s in term.free_symbols if _is_rate(equations, s)}
+
+
+def _has_factor(term: sp.Expr, mark: sp.Symbol) -> bool:
+    return term == mark or (term.is_Mul and any(f.as_base_exp()[0] == mark for f in term.args))
 
 
 def _is_rate(equations: Equations, symbol: sp.Symbol) -> bool:
@@ -175,9 +195,12 @@ def _without_rate(equations: Equations, mark: sp.Symbol, rate: sp.Symbol) -> Equ
     """The equations without the marked terms that have one rate in them."""
 
     def change(expr: sp.Expr) -> sp.Expr:
-        if mark not in expr.free_symbols or rate not in expr.free_symbols:
+        if not {mark, rate} <= expr.free_symbols:
             return expr
-        return terms_without(expr, lambda term: {mark, rate} <= term.free_symbols)
+        term = sp.expand_mul(expr, deep=False)
+        if _has_factor(term, mark):
+            return sp.S.Zero
+        return sp.sympify(term.func(*map(change, term.args)))
 
     return replace(
         equations,

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
 from planar_cli.equation.plain import longer, tidy, trigonometric
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining
@@ -49,11 +50,11 @@ def _parts(system: System, body: str, joining: Joining, vanishes: Callable[[sp.E
     omega, alpha = motion.velocities[joining.base].angular, motion.accelerations[joining.base].angular
     along, across = path.tangent, path.tangent.turned()
     yield along, sp.sympify(edge.slide_rate)
-    yield across, 2 * speed * omega
-    yield across, path.curvature * speed**2
+    yield across, with_mark(2 * speed * omega, CORIOLIS)
+    yield across, with_mark(path.curvature * speed**2, NORMAL)
     unit, distance = _arm(system, joining, along, vanishes)
-    yield unit.turned(), alpha * distance
-    yield -unit, omega**2 * distance
+    yield unit.turned(), with_mark(alpha * distance, TANGENTIAL)
+    yield -unit, with_mark(omega**2 * distance, NORMAL)
 
 
 def _arm(system: System, joining: Joining, along: Vec, vanishes: Callable[[sp.Expr], bool]) -> tuple[Vec, sp.Expr]:
