@@ -110,3 +110,38 @@ def test_a_zero_component_that_is_solved_has_no_sign() -> None:
     (verdict,) = compare(solve_problem(problem))
     assert verdict.agrees
     assert verdict.solved == "[0, 74.3523] lbf"
+
+
+PULLED = """
+plane: vertical
+given: {m: 40 kg, F: 200 N, beta: 30 deg, gamma: 10 deg, mu: 0.25}
+points: {P: [0, 0]}
+surfaces: {floor: {through: P, angle: gamma}}
+bodies: {sled: {particle: P, mass: m}}
+joints:
+  - contact: {between: [sled, floor], at: P, mu: mu}
+loads:
+  - force: {body: sled, magnitude: F, angle: beta + gamma}
+instant: [at rest]
+find: {N: N(P), a: a(sled).mag}
+"""
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        # m g cos γ without F sin β, and m g.
+        ("386.4 N", "another force acts along the normal too"),
+        ("392.4 N", "another force acts along the normal too"),
+        # m g - F sin β.
+        ("292.4 N", "the whole weight stands where its component along the normal belongs"),
+    ],
+)
+def test_a_pull_that_is_forgotten_in_the_normal_force(typed: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / "sled.yaml").write_text(PULLED)
+    (tmp_path / "set.yaml").write_text("tolerance: 0.005\nproblems: [sled.yaml]\n")
+    homework_set = read_set(str(tmp_path / "set.yaml"))
+    made = assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    one = graded(made, "sled.N", typed)
+    assert one.mistakes == ("normal-force-is-weight",)
+    assert said in one.feedback
