@@ -11,8 +11,8 @@ import sympy as sp
 
 from planar_cli.problem.scene import Particle, Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Answer, Block, Inline, Math, Name, Note, Paragraph, Text
-from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Name, Note, Paragraph, Text
+from planar_cli.report.mentioned import names_in, pieces_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.one_name import OPENING, RATES, Renaming, letter_of_answer, pieces_of_name
 
@@ -66,7 +66,7 @@ def with_only_body(blocks: Sequence[Block], problem: Problem) -> list[Block]:
         short = {x.name: x.short(with_axis or not {x.axis} <= {"", *axes}) for x in letters}
         # Along a line a velocity is its component.
         twice = with_axis and len({(x.subject, short[x.name]) for x in letters}) < len(letters)
-        if not twice and not _collides(short, names, blocks):
+        if not twice and not _collides(short, names, blocks) and not _merges(short, blocks):
             kept = [_without_nought(b, letters, axes) if _is_given(b) else b for b in blocks]
             renaming = Renaming(short)
             return [_answered(renaming.of(b)) for b in kept]
@@ -119,6 +119,12 @@ def _collides(short: dict[str, str], names: Sequence[str], blocks: Sequence[Bloc
     others = {plain_name(name) for name in names if name not in short}
     asked = {plain_name(b.name): letter_of_answer(b.line) for b in blocks if isinstance(b, Answer)}
     return bool(others & set(new.values())) or any(own in asked and asked[own] != name for name, own in new.items())
+
+
+def _merges(short: dict[str, str], blocks: Sequence[Block]) -> bool:
+    """Would two letters of one equation have one name, as v_2 = v_2 sin β of the speed and its component along y?"""
+    equations = ({n for n in names_in(b.sides) if n in short} for b in blocks if isinstance(b, Equation))
+    return any(len({short[n] for n in names}) < len(names) for names in equations)
 
 
 def _answered(block: Block) -> Block:
