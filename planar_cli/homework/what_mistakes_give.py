@@ -61,11 +61,7 @@ def with_mistakes(
         for k, paper in enumerate(papers):
             for i, one_expected in enumerate(paper):
                 if one_expected.kind in ("number", "vector"):
-                    # What a step of the solution gives is more to the point than a slip at its end.
-                    before = [values for _, _, values in found[k][i]]
-                    for feedback, slip in mistake.slips(one_expected):
-                        if not _is_among(slip, before):
-                            _add(found[k][i], one_expected, name, feedback, slip)
+                    _add_slips(found[k][i], one_expected, name, mistake)
     return [
         tuple(
             replace(e, mistakes=(*e.mistakes, *(Mistaken(*m) for m in made)), nearly=tuple(Mistaken(*m) for m in near))
@@ -73,6 +69,17 @@ def with_mistakes(
         )
         for paper, mistakes, others in zip(papers, found, nearly, strict=True)
     ]
+
+
+def _add_slips(found: Found, right: Expected, name: str, mistake: Mistake) -> None:
+    """What a step of the solution gives is more to the point than a slip at its end; but that the same mistake was made
+    in a certain step is not said where at the end it gives that number too.
+    """
+    for feedback, slip in mistake.slips(right):
+        if not _is_among(slip, [values for other, _, values in found if other != name]):
+            for one in [one for one in found if _is_among(slip, (one[2],))]:
+                del found[one]
+            _add(found, right, name, feedback, slip)
 
 
 def _fit(

@@ -1,25 +1,57 @@
-"""A prefix is lost: the number is off by a power of ten."""
+"""A prefix is lost: the number is off by a power of ten, or a given value was put in so."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import ClassVar, final
 
-from planar_cli.homework.mistakes.base import Mistake
+import sympy as sp
+
+from planar_cli.base_units import factor_to_base, in_base
+from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.named_mistakes import OFF_BY_TEN, POWER_OF_TEN, POWERS
 from planar_cli.homework.paper import Expected
+from planar_cli.homework.printed_names import printed
+from planar_cli.problem.scene import Problem
+from planar_cli.replay.equations import Equations
+from planar_cli.units import PURE, Unit, pretty_unit
 
 
 @final
 class PowerOfTen(Mistake):
-    """The number is off by a power of ten.
+    """The number is off by a power of ten, or a given value was.
 
     In the equations
-        Nothing: the right number is ten, a hundred or a thousand times as large, or as small.
+        A given value whose unit has a prefix, as kN/m or mm, has its number as one of N/m or m; one value at a time, or
+        all of one unit. Or the right number is ten, a hundred or a thousand times as large, or as small.
     """
 
     kind: ClassVar[str] = POWER_OF_TEN
 
+    def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
+        found: dict[str, dict[str, sp.Symbol]] = {}
+        for name, symbol in equations.inputs.items():
+            unit = equations.units.get(symbol)
+            if unit is not None and _has_prefix(unit, problem.us):
+                found.setdefault(unit.text, {})[name] = symbol
+        for text, names in found.items():
+            factor = in_base(equations.units[next(iter(names.values()))], problem.us)
+            for name, symbol in names.items():
+                said = f"{printed(name)} was put in with the number of {pretty_unit(text)}, without its power of ten"
+                yield Model(said, equations, {symbol: symbol / factor})
+            if len(names) > 1:
+                said = f"what is given in {pretty_unit(text)} was put in with its numbers, without the power of ten"
+                yield Model(said, equations, {s: s / factor for s in names.values()})
+
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
         for power in POWERS:
             yield OFF_BY_TEN, tuple(v * 10.0**power for v in expected.values)
+
+
+def _has_prefix(unit: Unit, us: bool) -> bool:
+    """Is it a power of ten of the unit in which it is put in?"""
+    if unit.dimension == PURE or unit.pi_power:
+        return False
+    factor = factor_to_base(unit, us)
+    return re.fullmatch("10+", str(factor.numerator * factor.denominator)) is not None
