@@ -110,3 +110,12 @@ def test_nothing_is_drawn_of_equations_in_components() -> None:
     solution = worked(next(p for p in PROBLEMS if p.stem == "belt-drive"))[0]
     blocks = [b for b in narrate(solution).blocks if not vector_sums([b])]
     assert polygons(blocks, solution.parts[0].instants[0]) == []
+
+
+def test_velocities_in_the_states_of_a_motion_stand_side_by_side() -> None:
+    """The wind felt from the north at 12 km/h, from the north-east at 24 km/h."""
+    (figure,) = figures("wind-felt-by-a-cyclist")
+    assert [told(p.head) for p in figure.panels] == [f"polygon of velocities at {s}, pole o" for s in ("slow", "fast")]
+    felt = [way(arrows(Figure((p,), ""))["v_air/cyclist"]) for p in figure.panels]
+    assert felt[0] == pytest.approx((0.0, -12 / 3.6))
+    assert felt[1] == pytest.approx((-12 / 3.6, -12 / 3.6))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
 from planar_cli.figures.centres import Centres
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
-from planar_cli.figures.polygons import polygons
+from planar_cli.figures.polygons import polygons, polygons_of_states
 from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph, Table
 from planar_cli.report.marks import Axes, Figure
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
@@ -42,7 +42,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     }
     case = instants.get("", ())
     instant, step = next(iter(case), None), list[Block]()
-    graphs, centres = _Graphs(solution), Centres(solution, document.blocks)
+    graphs, centres, motions = _Graphs(solution), Centres(solution, document.blocks), _Motions(solution)
     for place, block in enumerate(document.blocks):
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
@@ -50,6 +50,8 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
         if isinstance(block, Heading | Answer):
             yield from map(Drawing, centres.told(step, instant))
             yield from map(Drawing, polygons(step, instant) if instant is not None else [])
+            if isinstance(block, Answer) or block.label == CASE:
+                yield from map(Drawing, motions.polygons(document.blocks[:place]))
             if isinstance(block, Answer):
                 yield from map(Drawing, centres.asked(instant))
             step = []
@@ -66,6 +68,22 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
         if (graph := graphs.after(block)) is not None:
             yield Drawing(graph)
     yield from map(Drawing, centres.told(step, instant))
+
+
+class _Motions:
+    """The polygons of each motion, in its states, behind all that tells it."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.waiting = {p.case.replace("_", " "): p.motion for p in solution.parts if p.motion is not None}
+
+    def polygons(self, page: Sequence[Block]) -> Iterator[Figure]:
+        """`page`: what stands above."""
+        heads = [i for i, b in enumerate(page) if isinstance(b, Heading) and b.label == CASE]
+        begun = page[heads[-1] :] if heads else page
+        case = begun[0].text if heads and isinstance(begun[0], Heading) else ""
+        motion = self.waiting.pop(case, None)
+        if motion is not None:
+            yield from polygons_of_states(begun, motion)
 
 
 class _Graphs:

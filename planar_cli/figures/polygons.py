@@ -16,6 +16,7 @@ from planar_cli.figures.vector_sums import Sum, Term, vector_sums
 from planar_cli.figures.vector_values import Closed, Values
 from planar_cli.report.blocks import Block, Inline, Line, Math, Name, Text, line
 from planar_cli.report.marks import Figure, Mark, Panel, Span, Spot, Style, Symbol, Tag
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 STYLES: dict[str, Style] = {"v": "velocity", "a": "acceleration"}
@@ -34,8 +35,26 @@ ON = 1e-6
 def polygons(blocks: Sequence[Block], instant: InstantSolution) -> list[Figure]:
     """The polygons of the vector equations among some blocks, of velocities and of accelerations."""
     found = closed_sums(blocks, instant)
-    made = (_polygon([c for c in found if c.sum.letter == letter], letter) for letter in STYLES)
-    return [figure for figure in made if figure is not None]
+    made = ((letter, _panel(found, letter)) for letter in STYLES)
+    return [_figure([panel], letter) for letter, panel in made if panel is not None]
+
+
+def polygons_of_states(blocks: Sequence[Block], motion: MotionTrace) -> Iterator[Figure]:
+    """The polygons of velocities in the states of a motion, side by side to one scale."""
+    # Few pages have them.
+    from planar_cli.report.at_state import placed
+
+    sums = [s for s in vector_sums(blocks) if s.letter == "v"]
+    found = list[Panel]()
+    for state in motion.states if any(len(s.terms) > 1 for s in sums) else ():
+        regimes = (r for r in motion.regimes if any(state in stretch for stretch in r.stretches))
+        panels = (
+            _panel(closed_sums(blocks, placed(r.solution, motion, state)), "v", f" at {state.replace('_', ' ')}")
+            for r in regimes
+        )
+        found += [panel for panel in panels if panel is not None][:1]
+    if found:
+        yield _figure(found, "v")
 
 
 def closed_sums(blocks: Sequence[Block], instant: InstantSolution) -> list[Closed]:
@@ -48,8 +67,13 @@ def closed_sums(blocks: Sequence[Block], instant: InstantSolution) -> list[Close
     return Values(drawn, system.quantities(), blocks).closed(sums)
 
 
-def _polygon(sums: Sequence[Closed], letter: str) -> Figure | None:
-    """Nothing where no vector is a sum of others."""
+def _figure(panels: Sequence[Panel], letter: str) -> Figure:
+    return Figure(tuple(panels), f"polygon of {KINDS[letter]}", name=KINDS[letter])
+
+
+def _panel(found: Sequence[Closed], letter: str, at: str = "") -> Panel | None:
+    """Nothing where no vector is a sum of others. `at`: in which state."""
+    sums = [c for c in found if c.sum.letter == letter]
     spans = _once([s for c in sums for s in _spans(c, STYLES[letter])])
     largest = max((_length(s) for s in spans), default=0.0)
     seen = [s for s in spans if _length(s) > SMALL * largest]
@@ -58,9 +82,9 @@ def _polygon(sums: Sequence[Closed], letter: str) -> Figure | None:
     nil = [s.words for s in spans if _length(s) <= NIL * largest]
     short = [s.words for s in spans if NIL * largest < _length(s) <= SMALL * largest]
     marks: list[Mark] = [*_beside(seen, largest), Symbol("point", POLE), Tag(POLE, line("o"))]
-    head = line(f"polygon of {KINDS[letter]}, pole o", *_told(nil, " = 0"), *_told(short, ""))
+    head = line(f"polygon of {KINDS[letter]}{at}, pole o", *_told(nil, " = 0"), *_told(short, ""))
     head += line(" too short to be seen") if short else ()
-    return Figure((Panel(tuple(marks), head),), f"polygon of {KINDS[letter]}", name=KINDS[letter])
+    return Panel(tuple(marks), head)
 
 
 def _once(spans: Sequence[Span]) -> list[Span]:

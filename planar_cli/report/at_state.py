@@ -49,7 +49,7 @@ def is_told_at_states(motion: MotionTrace, regime: RegimeTrace) -> bool:
 def _has_values(instant: InstantSolution, motion: MotionTrace, state: str) -> bool:
     """Has every line a number at a state? What is divided by may vanish there, though what is asked has a limit."""
     try:
-        _placed(instant, motion, state)
+        placed(instant, motion, state)
     except NoValue:
         return False
     return True
@@ -76,10 +76,10 @@ def state_blocks(motion: MotionTrace, figures: int, audience: str, steps: int, n
     elsewhere = in_turning_axes(motion)
     every = [(r, state, asked) for r in regimes for state, asked in r.asked.items() if not elsewhere >= set(asked)]
     for regime, state, asked in every:
-        placed = _placed(regime.solution, motion, state)
+        here = placed(regime.solution, motion, state)
         names = frozenset(s.name for parts in asked.values() for p in parts for s in p.free_symbols)
-        phrases = Phrases(placed.instant.scene.ledger, placed.value, figures, False)
-        telling = Telling(placed, phrases, audience, names, steps, numbers)
+        phrases = Phrases(here.instant.scene.ledger, here.value, figures, False)
+        telling = Telling(here, phrases, audience, names, steps, numbers)
         yield Heading("STATE", state)
         yield from telling.blocks()
         yield from _answers(motion, asked, phrases)
@@ -101,10 +101,11 @@ def _answers(motion: MotionTrace, asked: Mapping[str, tuple[sp.Expr, ...]], phra
             yield Equation((*sides, *values))
 
 
-def _placed(instant: InstantSolution, motion: MotionTrace, state: str) -> InstantSolution:
-    """A general position with the numbers of one state."""
+def placed(instant: InstantSolution, motion: MotionTrace, state: str) -> InstantSolution:
+    """A general position with the numbers of one state, as far as they are known."""
     roles = motion.ledger.roles
-    here = {g: motion.value(own) for own, g in motion.general.items() if roles[own].at == state}
+    own = {g: motion.value.known(x) for x, g in motion.general.items() if roles[x].at == state}
+    here = {g: number for g, number in own.items() if number is not None}
     found = {x for s in instant.stages for x in (*s.algebra.unknowns, *s.algebra.explicit)} - set(here)
     value = instant.value.extended(motion.value.values).without(found).extended(here)
     for stage in instant.stages:

@@ -22,7 +22,8 @@ Figures of a page
                            Where moments are taken about a point C, it is in both diagrams, with the lines of action
                            that meet there. Of a blow: momentum before + impulses = momentum after, momenta green.
   polygons                 of velocities and accelerations, to scale: the vector equations of the page, v_B/A, v_rel and
-                           a_cor among them; vectors along one line lie side by side
+                           a_cor among them; vectors along one line lie side by side. Of a motion: velocities in its
+                           states
   instantaneous centres    where velocities are found or checked by I, or it is asked for: I, the perpendiculars to the
                            velocities, dashed, and these velocities, to one scale
   `figure: {hide: [W, Q]}` in the file keeps the names of points and bodies out of the scene.
