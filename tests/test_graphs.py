@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from test_figures import demand_inside, illustrated_page
+from figure_demands import demand_figure
+from test_figures import illustrated_page
 from test_simulate import CRATE
 from worked import worked
 
@@ -58,7 +59,7 @@ def test_a_motion_that_was_integrated_has_its_graph(stem: str) -> None:
         assert told.split(", ") == states
         assert all(math.isfinite(v) for c in graph.curves for piece in c.pieces for spot in piece for v in spot)
     assert not any(clashes(paper) for paper in papers_of(figure))
-    demand_inside(figure)
+    demand_figure(figure)
     assert 'class="stroke curve c0"' in Html().render(page)
 
 
