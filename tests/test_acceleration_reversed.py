@@ -1,0 +1,60 @@
+"""The acceleration with the wrong sign in one equation: a weight that goes down by a cord from a drum."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.homework.grading import grade
+from planar_cli.homework.homework import assembled, prepared
+from planar_cli.homework.paper import Graded, Submission
+from planar_cli.homework.ready import Homework
+from planar_cli.homework.rules import Rules
+from planar_cli.homework.set_file import read_set
+
+HOIST = """
+plane: vertical
+given: {W: 80 lbf, W_A: 40 lbf, R: 10 in, k_O: 8 in, M: 5 lbf*ft, h: 4 ft, g: 32.2 ft/s^2}
+points: {O: [0, 0], S: [-R, 0], A: [-R, -h]}
+bodies:
+  drum: {disk: O, radius: R, weight: W, radius_of_gyration: k_O}
+  A: {particle: A, weight: W_A}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+  - rope: {path: [S on drum, A], name: cord_A}
+loads:
+  - torque: {body: drum, moment: -M}
+instant: [at rest]
+find: {T_A: tension(cord_A), alpha: alpha(drum)}
+"""
+# By hand: α = (R W_A - M) g/(W k² + W_A R²) = 14.40 rad/s², T_A = W_A (1 - R α/g) = 25.09 lbf.
+
+
+@pytest.fixture(scope="module")
+def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
+    path: Path = tmp_path_factory.mktemp("hoist") / "set.yaml"
+    (path.parent / "hoist.yaml").write_text(HOIST)
+    path.write_text("problems: [hoist.yaml]\n")
+    homework_set = read_set(str(path))
+    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+
+
+def graded(homework: Homework, find: str, typed: str) -> Graded:
+    result = grade(Submission("ann", 0, (("hoist", find, typed),)), homework.papers, Rules())
+    return next(g for g in result.graded if g.find == find)
+
+
+@pytest.mark.parametrize(
+    ("find", "typed"),
+    [
+        # W_A (1 + R α/g), with the right α.
+        ("T_A", "54.91 lbf"),
+        # (R W_A - M) g/(W k² - W_A R²), as the wrong T_A goes into the moments about O.
+        ("alpha", "117.3 rad/s^2"),
+    ],
+)
+def test_it_is_named(homework: Homework, find: str, typed: str) -> None:
+    one = graded(homework, find, typed)
+    assert one.mistakes == ("acceleration-reversed",)
+    assert one.feedback == "the acceleration has the wrong sign in the equation of A along y"
