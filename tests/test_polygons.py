@@ -115,7 +115,14 @@ def test_nothing_is_drawn_of_equations_in_components() -> None:
 def test_velocities_in_the_states_of_a_motion_stand_side_by_side() -> None:
     """The wind felt from the north at 12 km/h, from the north-east at 24 km/h."""
     (figure,) = figures("wind-felt-by-a-cyclist")
-    assert [told(p.head) for p in figure.panels] == [f"polygon of velocities at {s}, pole o" for s in ("slow", "fast")]
+    assert [told(p.head) for p in figure.panels] == [
+        f"polygon of velocities in state {s}, pole o" for s in ("slow", "fast")
+    ]
     felt = [way(arrows(Figure((p,), ""))["v_air/cyclist"]) for p in figure.panels]
     assert felt[0] == pytest.approx((0.0, -12 / 3.6))
     assert felt[1] == pytest.approx((-12 / 3.6, -12 / 3.6))
+
+
+def test_a_polygon_that_is_the_same_in_all_states_is_drawn_once() -> None:
+    (figure,) = figures("river-crossing")
+    assert [told(p.head) for p in figure.panels] == ["polygon of velocities in state start, pole o"]

@@ -48,13 +48,23 @@ def polygons_of_states(blocks: Sequence[Block], motion: MotionTrace) -> Iterator
     found = list[Panel]()
     for state in motion.states if any(len(s.terms) > 1 for s in sums) else ():
         regimes = (r for r in motion.regimes if any(state in stretch for stretch in r.stretches))
-        panels = (
-            _panel(closed_sums(blocks, placed(r.solution, motion, state)), "v", f" at {state.replace('_', ' ')}")
-            for r in regimes
-        )
-        found += [panel for panel in panels if panel is not None][:1]
+        words = f" in state {state.replace('_', ' ')}"
+        panels = (_panel(closed_sums(blocks, placed(r.solution, motion, state)), "v", words) for r in regimes)
+        panel = next((p for p in panels if p is not None), None)
+        # What stays as it was is drawn once.
+        found += [panel] if panel is not None and all(not _alike(panel, p) for p in found) else []
     if found:
         yield _figure(found, "v")
+
+
+def _alike(one: Panel, other: Panel) -> bool:
+    """Do two polygons have the same vectors?"""
+    first, second = ([m for m in p.marks if isinstance(m, Span)] for p in (one, other))
+    size = max(map(_length, first), default=0.0)
+    pairs = list(zip(first, second, strict=False))
+    return len(first) == len(second) and all(
+        _key(a.words) == _key(b.words) and math.dist(a.end, b.end) <= ON * size for a, b in pairs
+    )
 
 
 def closed_sums(blocks: Sequence[Block], instant: InstantSolution) -> list[Closed]:
