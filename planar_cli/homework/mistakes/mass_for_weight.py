@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import ClassVar, final
 
@@ -18,7 +18,8 @@ class MassForWeight(Mistake):
     """The mass is taken for the weight, or the weight for the mass.
 
     In the equations
-        g is 1 in the equations of forces, moments and energies; where weights are given, g is 1 in m = W/g.
+        g is 1 in the equations of forces, moments and energies. Where weights are given, W stands for W/g in m a, I α,
+        m v²/2 and the like, while the weight is right; or wherever there is a mass, so that the weight is W g.
     """
 
     kind: ClassVar[str] = "mass-for-weight"
@@ -34,8 +35,26 @@ class MassForWeight(Mistake):
         if masses:
             # m = W/g, where weights are given.
             weights = {s: sp.sympify(e.xreplace({g: sp.S.One})) for s, e in masses.items()}
-            changed = replace(equations, defined={**equations.defined, **weights})
-            yield Model("the weight stands where the mass W/g belongs", changed)
+            for one in (_with_right_weights(equations, masses, g), equations):
+                changed = replace(one, defined={**one.defined, **weights})
+                yield Model("the weight stands where the mass W/g belongs", changed)
+
+
+def _with_right_weights(equations: Equations, masses: Mapping[sp.Symbol, sp.Expr], g: sp.Symbol) -> Equations:
+    """The equations with W for m g, so that it stays whatever stands for m elsewhere."""
+
+    def change(expr: sp.Expr) -> sp.Expr:
+        if g not in expr.free_symbols or masses.keys().isdisjoint(expr.free_symbols):
+            return expr
+        terms = sp.Add.make_args(sp.expand(expr))
+        return sp.Add(*(sp.sympify(t.xreplace(dict(masses))) if t.as_powers_dict().get(g, 0) > 0 else t for t in terms))
+
+    return replace(
+        equations,
+        steps=tuple(replace(s, residuals=tuple(map(change, s.residuals))) for s in equations.steps),
+        defined={s: change(sp.sympify(e)) for s, e in equations.defined.items()},
+        asked={n: replace(a, parts=tuple(map(change, a.parts))) for n, a in equations.asked.items()},
+    )
 
 
 def _is_mass(equations: Equations, symbol: sp.Symbol) -> bool:

@@ -1,4 +1,4 @@
-"""The acceleration with the wrong sign in one equation: a weight that goes down by a cord from a drum."""
+"""A weight that goes down by a cord from a drum: m a with the wrong sign in one equation, W in place of W/g."""
 
 from __future__ import annotations
 
@@ -54,7 +54,22 @@ def graded(homework: Homework, find: str, typed: str) -> Graded:
         ("alpha", "117.3 rad/s^2"),
     ],
 )
-def test_it_is_named(homework: Homework, find: str, typed: str) -> None:
+def test_the_acceleration_has_the_wrong_sign(homework: Homework, find: str, typed: str) -> None:
     one = graded(homework, find, typed)
     assert one.mistakes == ("acceleration-reversed",)
     assert one.feedback == "the acceleration has the wrong sign in the equation of A along y"
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        # (R W_A - M)/(W k² + W_A R²): the weight in place of the mass, and the weights as they are.
+        "0.4474 rad/s^2",
+        # Pounds are taken for a mass: (R W_A g - M)/(W k² + W_A R²).
+        "16.87 rad/s^2",
+    ],
+)
+def test_the_weight_for_the_mass(homework: Homework, typed: str) -> None:
+    one = graded(homework, "alpha", typed)
+    assert one.mistakes == ("mass-for-weight",)
+    assert one.feedback == "the weight stands where the mass W/g belongs"
