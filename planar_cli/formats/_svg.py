@@ -140,8 +140,8 @@ def _element(
     over = HEADED if headed or any(one.head for one in laid) else 0.0
     height, left = laid[0].box.bottom - laid[0].box.top, 0.0
     for place, one in enumerate(laid):
-        if place:
-            _between(root, between[place - 1 : place], left - BETWEEN / 2, height / 2)
+        if sign := between[place - 1 : place] if place else "":
+            _between(root, sign, left - BETWEEN / 2, height / 2)
         # One scale and one height: what is the same in two panels is level.
         box = one.box
         group = ET.SubElement(root, "g", {"transform": f"translate({px(left - box.left)} {px(-box.top)})"})

@@ -25,9 +25,8 @@ def tikz(figure: Figure) -> str:
     left = 0.0
     for place, one in enumerate(laid_out(figure)):
         box = one.box
-        if place:
-            sign = words(figure.between[place - 1 : place])
-            rows.append(_node((left - BETWEEN / 2, (box.bottom - box.top) / 2), sign, "ink", SIZE * 1.6))
+        if sign := figure.between[place - 1 : place] if place else "":
+            rows.append(_node((left - BETWEEN / 2, (box.bottom - box.top) / 2), words(sign), "ink", SIZE * 1.6))
         rows += _panel(one.paper, (left - box.left, -box.top))
         if one.head:
             over = left + (box.right - box.left) / 2, -HEADED / 3
