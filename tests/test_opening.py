@@ -151,10 +151,11 @@ def test_polar_coordinates_about_a_fixed_point_are_no_relative_motion() -> None:
     assert "elative" not in _notes("ex-1-14")["Principle"]
 
 
-def test_one_answer_alone_has_no_head() -> None:
-    """What is printed for `--why` begins with the chain to the answer."""
+def test_one_answer_alone_has_its_principle() -> None:
+    """What is printed for `--why` has no data, and begins with the principle of the chain to the answer."""
     document = narrate(worked(FILES["ex-2-09"])[0], why="a_cor")
-    assert not [b for b in document.blocks if isinstance(b, Note) and b.kind in ("Given", "Find", "Principle")]
+    assert [b.kind for b in document.blocks if isinstance(b, Note)][:1] == ["Principle"]
+    assert not [b for b in document.blocks if isinstance(b, Note) and b.kind in ("Given", "Find")]
     assert isinstance(FILES["ex-2-09"], Path)
 
 

@@ -17,6 +17,7 @@ from planar_cli.report.motion import MotionTelling
 from planar_cli.report.motion_phrases import motion_phrases
 from planar_cli.report.motion_title import title_of
 from planar_cli.report.nil_impulses import nil_impulses
+from planar_cli.report.one_find import letters_of_find
 from planar_cli.report.origins import needed_steps
 from planar_cli.solve.between.trace import PAIR, ImpactEquation, MotionTrace
 from planar_cli.solve.solution import InstantSolution
@@ -24,9 +25,8 @@ from planar_cli.solve.solution import InstantSolution
 
 def motion_telling(motion: MotionTrace, figures: int, why: str | None) -> MotionTelling:
     """What tells a motion. `why`: the name of the find on which it then rests alone."""
-    asked = [a for a in motion.requests if a.find.name == why]
-    letters = frozenset(s.name for a in asked for p in a.parts for s in p.free_symbols)
-    return MotionTelling(motion, motion_phrases(motion, figures), 1, None if why is None else letters)
+    letters = None if why is None else letters_of_find(motion, why)
+    return MotionTelling(motion, motion_phrases(motion, figures), 1, letters)
 
 
 def early_blocks(

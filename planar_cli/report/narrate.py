@@ -51,6 +51,7 @@ from planar_cli.report.meanings import with_meanings
 from planar_cli.report.named_in_answer import named_in_answer
 from planar_cli.report.near_rest import with_numbers
 from planar_cli.report.numbers_alone import numbers_alone
+from planar_cli.report.one_find import for_one_find
 from planar_cli.report.one_name import with_one_name, without_primes
 from planar_cli.report.only_body import with_only_body
 from planar_cli.report.opening import changed_notes, not_used, opening_notes
@@ -114,6 +115,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     texts = stated_text(problem) if voice.audience == "lesson" else []
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
+    solution = for_one_find(solution, why)
     told: set[tuple[str, ...]] = set()
     lessons, meanings = set[str](), set[str]()
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
@@ -147,13 +149,11 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             blocks += with_lessons(told_once(as_in_part(own, blocks, problem, part), blocks), uses_of([part]), lessons)
         else:
             blocks += told_once(as_in_part(numbers_alone(own), blocks, problem, part), blocks)
-    blocks[:0] = not_used(problem, blocks, voice.figures)
-    opening: tuple[Note, ...] = ()
-    if why is None:
-        scene = next((i.instant.scene for part in solution.parts for i in part.instants), None)
-        drawn = () if first is None or scene is None else tuple(slots_beside(scene, first))
-        opening = tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures, drawn))
-    opening = tuple(n for n in opening if voice.audience != "exam" or n.kind == "Principle")
+    blocks[:0] = not_used(problem, blocks, voice.figures) if why is None else ()
+    scene = next((i.instant.scene for part in solution.parts for i in part.instants), None)
+    drawn = () if first is None or scene is None else tuple(slots_beside(scene, first))
+    opening = opening_notes(problem, blocks, uses_of(solution.parts, why), first, voice.figures, drawn)
+    opening = (n for n in opening if (voice.audience != "exam" and why is None) or n.kind == "Principle")
     named = with_short_impulses(with_one_name(with_polar_names(with_only_body((*opening, *blocks), problem))))
     named = beside_headings(with_stated_angles(with_loads_by_letter(named, problem), problem))
     page = told_likewise(with_letters_apart(without_restated_data(named), problem), problem)
@@ -185,7 +185,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         assert telling is not None
         moving = list(_motion_blocks(part, telling, voice, why, steps + bool(whole), count))
         settled = settled_phrases(part.motion, phrases)
-        if part.instants and why is None:
+        if part.instants:
             scene = part.instants[-1].instant.scene
             moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), [*before.data, *blocks])
             blocks, moving = with_laws_solved(blocks, moving, part.instants[-1].value, part.motion.varying)
@@ -343,7 +343,7 @@ def _motion_blocks(
     from planar_cli.report.motion_in_parts import way_blocks
 
     telling.next = count + 1
-    at_states = why is None and (part.tale is None or not part.tale.whole)
+    at_states = part.tale is None or not part.tale.whole
     yield from way_blocks(telling, steps, (voice.figures, voice.audience) if at_states else None)
 
 

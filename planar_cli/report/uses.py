@@ -22,6 +22,7 @@ from planar_cli.report.at_rest import balance
 from planar_cli.report.characteristic import linear_method
 from planar_cli.report.drawing_only import drawing_only
 from planar_cli.report.rope_lengths import drums
+from planar_cli.report.wanted import letters_asked
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
@@ -127,8 +128,8 @@ class Uses:
         return bool(self.sliding or self.frames)
 
 
-def uses_of(parts: Iterable[PartSolution]) -> Uses:
-    """Of some parts together."""
+def uses_of(parts: Iterable[PartSolution], why: str | None = None) -> Uses:
+    """Of some parts together. `why`: the name of the find for which alone they are told; None: all are."""
     found = Uses()
     parts = tuple(parts)
     found.drawn = drawing_only(parts)
@@ -136,7 +137,7 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
         if part.tale is None or not part.tale.whole:
             for instant in part.instants:
                 if not instant.quiet:
-                    _of_instant(found, instant, _stages(part, instant))
+                    _of_instant(found, instant, _stages(part, instant, why))
         else:
             found.relations = True
         if part.motion is not None:
@@ -145,7 +146,7 @@ def uses_of(parts: Iterable[PartSolution]) -> Uses:
             found.integrated = True
         found.passages |= {p.kind for p in part.tale.passages} if part.tale is not None else set()
         found.beside |= any(_refers(i) for i in part.instants)
-        for answer in part.found:
+        for answer in (f for f in part.found if why in (None, f.name)):
             found.kinetic_energy |= part.motion is None and answer.energy
             what = answer.find.found.what if answer.find is not None else None
             quantities = [n for n in walk(what) if isinstance(n, Quantity)] if what is not None else []
@@ -188,8 +189,8 @@ def _moves(instant: InstantSolution, base: str) -> bool:
     return base == owner or v.x != 0 or v.y != 0
 
 
-def _stages(part: PartSolution, instant: InstantSolution) -> tuple[Stage, ...]:
-    wanted = None if part.motion is None else part.motion.regime(instant).wanted
+def _stages(part: PartSolution, instant: InstantSolution, why: str | None) -> tuple[Stage, ...]:
+    wanted = letters_asked(part, why) if part.motion is None else part.motion.regime(instant).wanted
     return used_blocks(instant.stages, wanted)
 
 

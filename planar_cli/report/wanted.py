@@ -7,18 +7,20 @@ from planar_cli.solve.solved_problem import PartSolution
 
 
 def needed_of(part: PartSolution, instant: InstantSolution, why: str | None) -> frozenset[str] | None:
-    """The unknowns of an instant that are told: of a motion only those on which it rests."""
-    if part.motion is None or why is not None:
-        return _wanted(part, why)
+    """The unknowns of an instant that are told: of a motion only those on which it rests. `why`: the name of the find
+    for which alone it is told.
+    """
+    if part.motion is None:
+        return letters_asked(part, why)
     from planar_cli.report.at_state import is_told_at_states
 
     regime = part.motion.regime(instant)
     return regime.resting if is_told_at_states(part.motion, regime) else regime.wanted
 
 
-def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
+def letters_asked(part: PartSolution, why: str | None) -> frozenset[str] | None:
     """The names of the symbols that the wanted find rests on directly; None: everything."""
-    if why is None:
+    found = next((f for f in part.found if f.name == why), None)
+    if found is None:
         return None
-    found = next(f for f in part.found if f.name == why)
     return frozenset(s.name for e in found.asked for s in e.free_symbols)
