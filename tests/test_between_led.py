@@ -61,3 +61,9 @@ def test_at_rest_and_with_other_places_and_lines(tmp_path: Path, changes: dict[s
     for old, new in changes.items():
         text = text.replace(old, new)
     assert told in page_of_text(tmp_path, text)
+
+
+def test_a_coordinate_is_not_put_in_for_itself(tmp_path: Path) -> None:
+    text = TWO.replace("a: 0.3 m, b: 0.4 m", "a: 0.3 m, l: 0.5 m")
+    page = page_of_text(tmp_path, text.replace("B: [0, b]", "B: {x: 0 m, distances: {A: l}, side: above}"))
+    assert "Differentiated, with x_A = a: (1)" in page

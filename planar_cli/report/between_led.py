@@ -17,7 +17,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.along_slots import distance_named
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
-from planar_cli.report.names import index_of
+from planar_cli.report.names import index_of, plain_name
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.led import OF_LENGTH, led_by_ground, reach_of
 from planar_cli.solve.instant.written import Written
@@ -63,9 +63,13 @@ def _derived(w: Written, phrases: Phrases) -> Line:
 
 
 def _put(put: Sequence[tuple[sp.Symbol, sp.Expr]], phrases: Phrases) -> Line:
-    """, with x_A = a and y_B = b: of coordinates for which the file has no letters that vary."""
+    """, with x_A = a and y_B = b: of coordinates for which the file has no letters that vary. One that the page has
+    found as y_B needs no word.
+    """
     parts: list[Any] = []
     for letter, place in put:
+        if place.is_Symbol and plain_name(place.name) == plain_name(letter.name):
+            continue
         parts += [" and " if parts else ", with ", phrases.math(letter), " = ", phrases.math(place)]
     return line(*parts)
 
