@@ -35,6 +35,9 @@ def _lengths(where: dict[str, Later], problem: Problem) -> Iterator[tuple[int, S
     for state in problem.states:
         for relation in state.relations:
             if isinstance(relation, Relation) and relation.operator == "=" and state.name in where:
+                if isinstance(relation.right, Number) and relation.right.value == 0:
+                    # No length; and a place near it may be drawn for it.
+                    continue
                 yield from _between(where, state, relation, size_of(relation.right))
     for find in problem.find:
         what = find.found.what

@@ -1,0 +1,58 @@
+"""What would hide something in a scene, or say nothing there: arrows on each other, a length that is zero."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.report.marks import Arrow, Dimension, Mark
+from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.narrate import narrate
+
+PUSHED = """
+title: A block that is pushed
+plane: horizontal
+given: {m: 3 kg, F: 60 N, v_A: 0.8 m/s}
+bodies: {A: {particle: [0, 0], mass: m}}
+joints:
+  - guide: {point: A, along: 0 deg}
+loads:
+  - force: {body: A, magnitude: F, angle: 0 deg}
+instant: [v(A).x = v_A]
+find: {a: a(A).x}
+"""
+GUN = """
+title: A ball from a tube
+plane: vertical
+given: {m: 0.2 kg, s: 120 mm, k: 1.6 kN/m, beta: 55 deg, h: 3 m, l_0: 300 mm}
+points:
+  O: {from: Q, distance: l_0, angle: beta + 180 deg}
+  Q: [0, 0]
+  P: {from: Q, distance: s, angle: beta + 180 deg}
+bodies: {ball: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: beta, during: 1->2}
+loads:
+  - spring: {between: [O, P], stiffness: k, natural_length: l_0, during: 1->2}
+states: {1: [at rest], 2: [y(ball) = 0], 3: [y(ball) = h]}
+find: {v_0: v(ball).mag @ 2}
+"""
+
+
+def scene(folder: Path, text: str) -> tuple[Mark, ...]:
+    path = folder / "problem.yaml"
+    path.write_text(text, encoding="utf-8")
+    solution, _ = solve_and_compare(read(str(path)))
+    return next(figures_of(illustrated(narrate(solution), solution)))[1].panels[0].marks
+
+
+def test_a_velocity_lies_beside_the_force_along_it(tmp_path: Path) -> None:
+    arrows = [m for m in scene(tmp_path, PUSHED) if isinstance(m, Arrow)]
+    assert {m.style: m.aside > 0 for m in arrows} == {"force": False, "velocity": True}
+
+
+def test_no_length_is_zero(tmp_path: Path) -> None:
+    lengths = [m for m in scene(tmp_path, GUN) if isinstance(m, Dimension)]
+    assert lengths
+    assert not [m for m in lengths if "'0'" in repr(list(pieces_of(m.words)))]
