@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.given_motion import Moving, given_motion_marks
+from planar_cli.figures.given_motion import Moving, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
@@ -158,7 +158,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     measures = [*measure_marks(drawn, problem, tagged)]
     yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
-        yield from given_motion_marks(moving, problem, aside)
+        yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)
     yield Axes(problem.plane == "vertical")
     yield from _bodies_named(drawn, problem, tagged)
 

@@ -5,7 +5,8 @@ and the angles of their directions.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from planar_cli.equation.motion import Motion
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
@@ -20,6 +21,8 @@ VECTORS: Mapping[str, Style] = {"v": "velocity", "a": "acceleration"}
 ROTATIONS: Mapping[str, Style] = {"omega": "velocity", "alpha": "acceleration"}
 UPRIGHT = math.pi / 2
 NEAR = 1e-6
+ALONG, BESIDE = 0.05, 9.0
+"""Arrows of directions that differ by less, rad, lie on each other; one is drawn so far beside the other, px."""
 MAG, ANGLE = "mag", "angle"
 
 
@@ -58,6 +61,25 @@ def given_motion_marks(moving: Moving, problem: Problem, aside: Mapping[str, Spo
             continue
         at = (at[0] + aside.get(name, (0.0, 0.0))[0], at[1] + aside.get(name, (0.0, 0.0))[1])
         yield from _turn(moving, word, at, parts) if word in ROTATIONS else _vector(moving, word, name, at, parts)
+
+
+def arrows_apart(marks: Iterable[Mark], before: Iterable[Mark]) -> Iterator[Mark]:
+    """The marks, each arrow beside one that begins at the same place in the same direction, under which nobody would
+    see it. `before`: what is drawn already.
+    """
+    drawn = [m for m in before if isinstance(m, Arrow)]
+    for mark in marks:
+        if isinstance(mark, Arrow):
+            again = sum(_lie_together(mark, other) for other in drawn)
+            drawn.append(mark)
+            yield replace(mark, aside=BESIDE * again)
+        else:
+            yield mark
+
+
+def _lie_together(one: Arrow, other: Arrow) -> bool:
+    turned = math.remainder(one.angle - other.angle, 2 * math.pi)
+    return one.inward == other.inward and math.dist(one.at, other.at) < NEAR and abs(turned) < ALONG
 
 
 def _given(problem: Problem) -> Iterator[tuple[str, str, str, Side]]:

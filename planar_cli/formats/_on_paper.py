@@ -176,7 +176,7 @@ def _symbol(mark: Symbol, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _arrow(mark: Arrow, scale: Scale) -> Iterator[Piece]:
-    at, length = scale.spot(mark.at), ARROW * mark.reach
+    at, length = moved(scale.spot(mark.at), mark.angle, 0.0, mark.aside), ARROW * mark.reach
     tail, tip = (moved(at, mark.angle, -length), at) if mark.inward else (at, moved(at, mark.angle, length))
     yield from pointed((tail, tip), mark.style, " dashed" if mark.assumed else "")
     outer = tail if mark.inward else tip

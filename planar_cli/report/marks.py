@@ -129,7 +129,8 @@ class Symbol:
 @record
 class Arrow:
     """A vector at a place, in the direction `angle`. `reach`: its length in parts of the usual one. `inward`: its tip
-    is at the place, as that of what pushes. `assumed`: its direction may be the opposite one.
+    is at the place, as that of what pushes. `assumed`: its direction may be the opposite one. `aside`: on paper it lies
+    so far to the left of its way, px.
     """
 
     at: Spot
@@ -139,6 +140,7 @@ class Arrow:
     reach: float = 1.0
     inward: bool = False
     assumed: bool = False
+    aside: float = 0.0
 
 
 @record
