@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import pickle
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import field, replace
 
 import numpy as np
@@ -79,11 +79,12 @@ class _Part:
         self._starts: dict[tuple[int, int], tuple[Values, Values]] = {}
         self._given: dict[tuple[tuple[int, int], str], bool] = {}
         self._behind: dict[str, frozenset[sp.Symbol]] = {}
+        self._unknown: dict[str, sp.Symbol | None] = {}
 
-    def start(self, key: tuple[int, int], values: Mapping[str, float]) -> tuple[Values, Values]:
-        """The inputs of a variant (or of a place of it), and all that is right for it."""
+    def start(self, key: tuple[int, int], of_key: Callable[[], Mapping[str, float]]) -> tuple[Values, Values]:
+        """The inputs of a variant (or of a place of it), whose values are made once, and all that is right for it."""
         if key not in self._starts:
-            equations = self.equations
+            equations, values = self.equations, of_key()
             inputs = {s: values.get(n, equations.value[s]) for n, s in equations.inputs.items()}
             run = self.replay.run({s: np.array([v]) for s, v in inputs.items()})
             self._starts[key] = inputs, {s: float(n[0]) for s, n in run.values.items()}
@@ -108,7 +109,9 @@ class _Part:
 
     def unknown_of(self, find: str, number: float, right: Values) -> tuple[sp.Symbol, float] | None:
         """The one unknown of which a find is made, with its value where the find has a number; None: there are more."""
-        symbol = only_unknown(self.equations, find)
+        if find not in self._unknown:
+            self._unknown[find] = only_unknown(self.equations, find)
+        symbol = self._unknown[find]
         if symbol is None or symbol not in right:
             return None
         expr = self.equations.asked[find].parts[0]
@@ -261,9 +264,11 @@ def _carried(
         factor = problem.unit(find, expected.kind)
         return tuple(n * factor for n in numbers)
 
-    known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
-    varied = {n: v for n, v in given.items() if n not in data.own[case]}
-    inputs, right = part.start(key, {**varied, **known})
+    def of_key() -> dict[str, float]:
+        known = {s.name: n for v in vectors for s, n in own_inputs(part.equations, v, in_base_units(v, due[v])).items()}
+        return {n: v for n, v in given.items() if n not in data.own[case]} | known
+
+    inputs, right = part.start(key, of_key)
     factor = problem.unit(expected.find, expected.kind)
     if not part.gives(key, expected, tuple(n * factor for n in due.get(expected.find, ()))):
         return None
