@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.formats._on_paper import Scale, in_rows
 from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.report.blocks import line
 from planar_cli.report.marks import Arrow, Dimension, Mark
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.narrate import narrate
@@ -56,3 +58,18 @@ def test_no_length_is_zero(tmp_path: Path) -> None:
     lengths = [m for m in scene(tmp_path, GUN) if isinstance(m, Dimension)]
     assert lengths
     assert not [m for m in lengths if "'0'" in repr(list(pieces_of(m.words)))]
+
+
+def test_dimensions_of_one_direction_lie_in_rows() -> None:
+    """The longer one farther out, but not where one follows the other, or lies on the other side."""
+    word = line("l")
+    short, long = Dimension((0, 0), (1, 1), word), Dimension((0, 0), (2, 2), word)
+    after, below = Dimension((1, 1), (2, 2), word), Dimension((0, 0), (2, 2), word, side=-1)
+    back = Dimension((2, 2), (0, 0), word, side=-1)
+
+    def rows(*marks: Mark) -> list[int]:
+        return [m.row for m in in_rows(marks, Scale(100.0)) if isinstance(m, Dimension)]
+
+    assert rows(long, short) == [1, 0]
+    assert rows(short, after, below) == [0, 0, 0]
+    assert rows(short, back) == [0, 1]

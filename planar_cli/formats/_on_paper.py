@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import singledispatch
 from typing import Any
@@ -67,7 +67,7 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     level = [m for m in panel.marks if isinstance(m, Dimension) and m.level]
     axes = [m for m in panel.marks if isinstance(m, Axes)]
     inner = [m for m in panel.marks if not isinstance(m, Axes) and m not in level]
-    pieces = [piece for mark in _with_room(inner, scale) for piece in _drawn(mark, scale)]
+    pieces = [piece for mark in in_rows(_with_room(inner, scale), scale) for piece in _drawn(mark, scale)]
     frame = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
     pieces += _beside(level, frame or Box(0.0, 0.0, 0.0, 0.0), scale)
     whole = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
@@ -245,7 +245,44 @@ def _beside(level: Sequence[Dimension], frame: Box, scale: Scale) -> Iterator[Pi
 
 @_drawn.register
 def _dimension(mark: Dimension, scale: Scale) -> Iterator[Piece]:
-    yield from _measured(mark.words, (scale.spot(mark.start), scale.spot(mark.end)), ASIDE * mark.side)
+    yield from _measured(mark.words, (scale.spot(mark.start), scale.spot(mark.end)), _away(mark))
+
+
+def _away(mark: Dimension) -> float:
+    """How far on the left of its way a dimension line lies, px."""
+    return (ASIDE + ROW * mark.row) * mark.side
+
+
+def in_rows(marks: Iterable[Mark], scale: Scale) -> list[Mark]:
+    """The marks, of dimensions that would lie on one line the longer ones farther out."""
+    told = list(marks)
+    found: list[tuple[Spot, Spot]] = []
+    aslant = [(m, i) for i, m in enumerate(told) if isinstance(m, Dimension) and m.side and not m.level]
+    for mark, i in sorted(aslant, key=lambda entry: math.dist(entry[0].start, entry[0].end)):
+        own = mark
+        while any(_on_each_other(_ends(own, scale), other) for other in found):
+            own = replace(own, row=own.row + 1)
+        found.append(_ends(own, scale))
+        told[i] = own
+    return told
+
+
+def _ends(mark: Dimension, scale: Scale) -> tuple[Spot, Spot]:
+    """Of a dimension line, on paper."""
+    start, end = scale.spot(mark.start), scale.spot(mark.end)
+    angle = math.atan2(start[1] - end[1], end[0] - start[0])
+    return moved(start, angle, 0.0, _away(mark)), moved(end, angle, 0.0, _away(mark))
+
+
+def _on_each_other(one: tuple[Spot, Spot], other: tuple[Spot, Spot]) -> bool:
+    """Do two lines have a part in common?"""
+    (x, y), length = one[0], math.dist(*one)
+    if length < 2.0:
+        return False
+    along = ((one[1][0] - x) / length, (one[1][1] - y) / length)
+    ways = [((u - x) * along[0] + (v - y) * along[1], (v - y) * along[0] - (u - x) * along[1]) for u, v in other]
+    (low, _), (high, _) = sorted(ways)
+    return all(abs(aside) < ROW / 4 for _, aside in ways) and low < length - 1.0 and high > 1.0
 
 
 def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[Piece]:

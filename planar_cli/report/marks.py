@@ -173,6 +173,7 @@ class Turn:
 class Dimension:
     """A distance between two places, drawn beside them on the left of the way from one to the other (`side` 1), on the
     right (-1), or from the first to the second (0, a radius). `level`: it is along an axis, and drawn beside all else.
+    `row`: so many others lie between it and its way.
     """
 
     start: Spot
@@ -180,6 +181,7 @@ class Dimension:
     words: Line
     side: int = 1
     level: bool = False
+    row: int = 0
 
 
 @record
