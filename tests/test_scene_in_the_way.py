@@ -8,7 +8,7 @@ from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._on_paper import Scale, in_rows
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.blocks import line
-from planar_cli.report.marks import Arrow, Dimension, Mark
+from planar_cli.report.marks import Arrow, Dimension, Mark, Tag
 from planar_cli.report.mentioned import pieces_of
 from planar_cli.report.narrate import narrate
 
@@ -39,6 +39,24 @@ loads:
   - spring: {between: [O, P], stiffness: k, natural_length: l_0, during: 1->2}
 states: {1: [at rest], 2: [y(ball) = 0], 3: [y(ball) = h]}
 find: {v_0: v(ball).mag @ 2}
+"""
+LADDER = """
+title: A rod on a wheel that slides down a wall
+plane: vertical
+given: {m: 12 kg, m_w: 4 kg, l: 1 m, R: 0.2 m}
+coordinates: {phi: deg}
+points: {A: [l*sin(phi), R], B: [0, R + l*cos(phi)], O: [0, 0]}
+surfaces:
+  floor: {through: O, angle: 0 deg}
+bodies:
+  AB: {rod: [A, B], mass: m}
+  wheel: {disk: A, radius: R, mass: m_w}
+joints:
+  - guide: {point: B, along: 90 deg}
+  - pin: {at: A, between: [AB, wheel]}
+  - rolling: {between: [wheel, floor]}
+states: {1: [phi = 30 deg, at rest], 2: [phi = 90 deg]}
+find: {omega: omega(AB) @ 2}
 """
 
 
@@ -73,3 +91,8 @@ def test_dimensions_of_one_direction_lie_in_rows() -> None:
     assert rows(long, short) == [1, 0]
     assert rows(short, after, below) == [0, 0, 0]
     assert rows(short, back) == [0, 1]
+
+
+def test_a_state_has_one_name_where_bodies_hang_together(tmp_path: Path) -> None:
+    tags = [m.words for m in scene(tmp_path, LADDER) if isinstance(m, Tag)]
+    assert [tags.count(line(state)) for state in "12"] == [1, 1]

@@ -189,7 +189,7 @@ def position_marks(
             yield from p.marks(name) if angle is None else [Symbol("later", p.at(name), _lies(p, name, angle))]
         if not first and p.first is None and not any(p.shift):
             yield from held_marks(p.there, places[0].there)
-        for name in _apart(p, seen) if p.words else ():
+        for name in _apart(p, seen, places) if p.words else ():
             yield Tag(p.at(name), line(p.words))
 
 
@@ -205,16 +205,29 @@ def _lies(p: Later, name: str, angle: float) -> float:
     return angle
 
 
-def _apart(p: Later, names: Sequence[str]) -> list[str]:
-    """One of each group of bodies that hang together, as the name of the state stands beside it once."""
-    return [group[0] for group in _hanging(p, names)]
+def _apart(p: Later, names: Sequence[str], places: Sequence[Later]) -> list[str]:
+    """One of each group of bodies that hang together, as the name of the state stands beside it once: not where it
+    would stand on a wheel in another position.
+    """
+    others = [q for q in places if q is not p]
+    groups = _hanging(p, names, by_axles=True)
+    return [next((n for n in g if not any(_is_on_a_wheel(p.at(n), q) for q in others)), g[0]) for g in groups]
 
 
-def _hanging(p: Later, names: Sequence[str]) -> list[list[str]]:
-    """The bodies in groups whose outlines have places in common, as ends at a pin."""
+def _is_on_a_wheel(spot: Spot, q: Later) -> bool:
+    round_ = (n for n in q.spots if q.is_round(n) and n in q.there.scene.bodies)
+    return any(math.dist(spot, q.at(n)) < _own(q.there, n) / 2 for n in round_)
+
+
+def _hanging(p: Later, names: Sequence[str], by_axles: bool = False) -> list[list[str]]:
+    """The bodies in groups whose outlines have places in common, as ends at a pin. `by_axles`: or one of which ends at
+    the centre of another that is round.
+    """
     groups: list[tuple[list[str], set[Spot]]] = []
     for name in names:
-        own = {(round(x, 6), round(y, 6)) for m in p.marks(name) for x, y in spots_of(m)}
+        places = [s for m in p.marks(name) for s in spots_of(m)]
+        places += [p.at(name)] if by_axles and p.is_round(name) else []
+        own = {(round(x, 6), round(y, 6)) for x, y in places}
         joined = [g for g in groups if g[1] & own]
         groups = [g for g in groups if g not in joined]
         groups.append(([*(n for g in joined for n in g[0]), name], own.union(*(g[1] for g in joined))))
