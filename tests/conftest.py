@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import os
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,10 @@ PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.nam
 # As on the command line, before any test loads SymPy.
 gc.set_threshold(CLUTTER, 20, 20)
 defer()
+
+# What is printed into a pipe keeps to these where they are set, as by those who run tests on several workers.
+for name in ("COLUMNS", "LC_ALL"):
+    os.environ.pop(name, None)
 
 HELD: set[Path] = set()
 """The problem files whose printed page this run compares with the golden file, on one worker or another."""

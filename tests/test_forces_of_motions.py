@@ -71,7 +71,7 @@ def test_one_body_in_equilibrium_and_one_equation_without_the_weight() -> None:
     assert told["load is taken to be in equilibrium: m a is missing"] == pytest.approx(80)
     a = worked.parts[0].solution.found[0].values
     assert a is not None
-    alone = told["this is the result without the weight in one equation of load"]
+    alone = told["this is the result without the weight in the equation of load along y"]
     assert alone == pytest.approx(80 / 32.2 * float(a[0]))
 
 

@@ -127,7 +127,7 @@ def test_no_answer_stands_in_the_figure_of_a_sheet(path: Path) -> None:
 @pytest.mark.parametrize("form", PAGES)
 def test_a_sheet_holds_nothing_of_the_key(folder: Path, form: str) -> None:
     key = (folder / "markdown" / "once" / "key.md").read_text()
-    answers = re.findall(r"^\| slope \| \w+ \| (\d+\.\d+)", key, re.MULTILINE)
+    answers = re.findall(r"^\| slope \| \$\w+\$ \| (\d+\.\d+)", key, re.MULTILINE)
     assert len(answers) == 2
     shown = {p.name: text_of(p) for p in (folder / form / "once").iterdir() if p.name.startswith("sheet")}
     assert shown

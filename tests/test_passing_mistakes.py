@@ -20,7 +20,7 @@ joints:
   - contact: {between: [block, slope], at: A, mu: mu_k}
 instant: [at rest]
 find: {a: a(block).mag}
-variants: {beta: [10 deg, 50 deg, 12 deg]}
+variants: {beta: [10 deg, 60 deg, 12 deg]}
 """
 
 

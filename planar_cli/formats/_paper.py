@@ -8,8 +8,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
 from itertools import pairwise
 
-import sympy as sp
-
 from planar_cli.formats._layout import settled, spans
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Name
@@ -127,7 +125,7 @@ def runs_of(line: Line) -> tuple[Run, ...]:
     """A line as runs of letters, with indices set lower."""
     found: list[Run] = []
     for piece in line:
-        alone = isinstance(piece, Name) or (isinstance(piece, Math) and isinstance(piece.expr, sp.Symbol))
+        alone = isinstance(piece, Name) or (isinstance(piece, Math) and piece.expr.is_Symbol)
         for span in settled(spans((piece,))):
             text, formula, end = span.text, span.style == "math", 0
             for match in (_OF_NAME if alone else _INDEX).finditer(text):
