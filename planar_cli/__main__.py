@@ -17,8 +17,6 @@ else:
 
 INTERRUPTED = 130
 """The exit status after Ctrl-C, 128 and the number of the signal."""
-CLUTTER = 400_000
-"""So many objects more are looked through for what nobody needs: most of what is made at a start lives to the end."""
 
 
 def main() -> None:
@@ -34,9 +32,10 @@ def main() -> None:
         except OSError:
             # It cannot be written; the command line tells why.
             pass
+    from planar_cli.later import CLUTTER, defer
+
     gc.set_threshold(CLUTTER, 20, 20)
     from planar_cli.cli import run
-    from planar_cli.later import defer
 
     defer()
     _leave(run())

@@ -39,6 +39,9 @@ DEFERRED = tuple(
 BY_TYPES = "sympy.multipledispatch"
 """The package for functions that go by the types of their arguments; it needs nothing else of SymPy."""
 
+CLUTTER = 400_000
+"""So many objects more are looked through for what nobody needs: most of what is made at a start lives to the end."""
+
 
 def defer() -> None:
     """Let stand-ins take the places of these modules; without effect on SymPy where it is loaded, or is not there."""

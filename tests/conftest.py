@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_cli.__main__ import CLUTTER
-from planar_cli.later import defer
+from planar_cli.later import CLUTTER, defer
 
 ROOT = Path(__file__).parent.parent
 PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.name != "hard")

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 import tempfile
 import time
@@ -22,9 +23,12 @@ from planar_cli.homework.submissions import contents, submission_files, submissi
 from planar_cli.homework.variants import columns, variants_of
 from planar_cli.homework.what_mistakes_give import with_mistakes
 from planar_cli.homework.worked_problem import base_expected, read_and_solve
+from planar_cli.later import CLUTTER
 
 SET = Path(__file__).parent / "homework" / "set.yaml"
 AGAIN = 3
+# As on the command line, in the processes too that are started here.
+gc.set_threshold(CLUTTER, 20, 20)
 
 
 def timed(function: Callable[[], object]) -> float:

@@ -76,8 +76,9 @@ def _add_slips(found: Found, right: Expected, name: str, mistake: Mistake) -> No
     in a certain step is not said where at the end it gives that number too.
     """
     for feedback, slip in mistake.slips(right):
-        if not _is_among(slip, [values for other, _, values in found if other != name]):
-            for one in [one for one in found if _is_among(slip, (one[2],))]:
+        same = _same_as(slip, found)
+        if all(other == name for other, _, _ in same):
+            for one in same:
                 del found[one]
             _add(found, right, name, feedback, slip)
 
@@ -113,12 +114,13 @@ def _apart(numbers: Sequence[Numbers], others: Numbers) -> NDArray[np.bool_]:
     return apart
 
 
-def _is_among(one: Sequence[float], others: Iterable[Sequence[float]]) -> bool:
+def _same_as(one: Sequence[float], found: Found) -> list[tuple[str, str, tuple[float, ...]]]:
+    """What has the same numbers already."""
     least = SAME * math.hypot(*one)
     if len(one) == 1:
         (number,) = one
-        return any(abs(number - other[0]) <= least for other in others if len(other) == 1)
-    return any(len(one) == len(other) and math.dist(one, other) <= least for other in others)
+        return [m for m in found if len(m[2]) == 1 and abs(number - m[2][0]) <= least]
+    return [m for m in found if len(m[2]) == len(one) and math.dist(one, m[2]) <= least]
 
 
 def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...], bool]]:

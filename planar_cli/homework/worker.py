@@ -5,6 +5,7 @@ started it.
 from __future__ import annotations
 
 import contextlib
+import gc
 import inspect
 import multiprocessing
 import os
@@ -20,6 +21,7 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from planar_cli.homework.memory import memory_limit, too_much
+from planar_cli.later import CLUTTER
 from planar_cli.records import changing
 
 READY, PART, OK, FAULT, MEMORY_OUT = "ready", "part", "ok", "fault", "memory"
@@ -86,6 +88,7 @@ def _deaf_children() -> Iterator[None]:
 def _serve(pipe: Connection, make: Callable[[], Callable[[Any], Any]], memory: int, parent: int) -> None:
     """One item after the other until the pipe closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    gc.set_threshold(CLUTTER, 20, 20)
     _end_with(parent)
     with memory_limit(memory):
         try:
