@@ -34,3 +34,10 @@ def test_beside_accelerations_the_mass_stays(name: str, line: str) -> None:
 
 def test_a_mass_that_is_given_keeps_its_weight() -> None:
     assert "m_A g ↓" in page_of_file("stacked-blocks")
+
+
+def test_a_weight_that_is_a_number_has_no_letter() -> None:
+    told = narrate(solve_and_compare(read("problems/motion/package-set-down-on-a-belt.yaml"))[0])
+    page = " ".join(Terminal(width=110).render(told).split())
+    assert "#" not in page
+    assert "N_K = m g = 0.6211 · 32.2 = 20 lbf" in page

@@ -34,6 +34,7 @@ from planar_cli.homework.fit_variants import (
     variant_solved,
 )
 from planar_cli.homework.given_letters import with_given
+from planar_cli.homework.own_gravity import GRAVITY
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.same_formula import as_in_file
 from planar_cli.homework.solved_anew import REFUSED, is_same, to_check
@@ -48,6 +49,7 @@ from planar_cli.homework.worked_problem import (
     base_numbers,
     expected_of,
     models_of,
+    with_other_number,
 )
 from planar_cli.problem.reading import Report
 from planar_cli.problem.variations import Variation, variations_of
@@ -196,7 +198,9 @@ class _CarriedOut:
                 return self.base[one.name]
             pairs = zip(self.numbers[one.name], self._signs[one.name], strict=True)
             own = tuple(float(n[k]) if due else 0.0 for n, due in pairs)
-            return expected_of(self.problem, part, one, own, self.base[one.name].scale, data)
+            plain = len(own) == 1 and GRAVITY not in data
+            other = with_other_number(self.base[one.name], one, own[0]) if plain else None
+            return other or expected_of(self.problem, part, one, own, self.base[one.name].scale, data)
 
         return tuple(of(part, one) for part, one in self.problem.finds)
 

@@ -267,8 +267,6 @@ def expected_of(
     couple = isinstance(what, Name) and what.name in couples_of(part.problem)
     rotation = not direction and (found.unit.angle or couple or (isinstance(what, Quantity) and what.word in TURNING))
     axis = last if last in ("x", "y") else ""
-    moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1
-    sense = COUNTERCLOCKWISE if rotation else ALONG.get(axis, ("", "")) if moves else ("", "")
     # A moment has the same unit; of an energy it is the joule.
     unit = "J" if found.unit.text == "N*m" and is_energy(found.find) else found.unit.text
     return Expected(
@@ -277,7 +275,7 @@ def expected_of(
         _kind(found),
         values,
         unit,
-        _text(found, unit, values, sense),
+        _text(found, unit, values, _sense(what, bool(rotation), axis)),
         tolerance_of(problem.problem, found.name),
         scale,
         rotation and (len(values) == 1 or found.values is None),
@@ -289,6 +287,21 @@ def expected_of(
         us=problem.problem.us,
         gravity=gravity_of(equations, own, problem.problem.us),
     )
+
+
+def _sense(what: object, rotation: bool, axis: str) -> tuple[str, str]:
+    """The words for plus and for minus; "" where the number has its sign."""
+    moves = isinstance(what, Quantity) and what.word in MOVES and len(what.parts) == 1
+    return COUNTERCLOCKWISE if rotation else ALONG.get(axis, ("", "")) if moves else ("", "")
+
+
+def with_other_number(base: Expected, found: Found, value: float) -> Expected | None:
+    """A find that is one number, with another, of data with the same g; None: more of it than that rests on them."""
+    if base.kind != "number" or base.heading is not None:
+        return None
+    what = found.find.found.what if found.find is not None else None
+    text = _text(found, base.unit, (value,), _sense(what, base.rotation, base.axis))
+    return replace(base, values=(value,), text=text)
 
 
 def _kind(found: Found) -> str:

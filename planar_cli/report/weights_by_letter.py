@@ -14,6 +14,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Math, Name, Relation, Text
 from planar_cli.report.formula import is_canonical
 from planar_cli.report.mentioned import pieces_of
+from planar_cli.report.ordering import NUMBER
 
 MASS = "mass of "
 LINES = ("line", "sides", "lead", "note", "left", "right", "rows", "aside")
@@ -62,7 +63,8 @@ def _defined(block: Block) -> _Weight | None:
     if not isinstance(own, Math) or not isinstance(formula, Math) or not own.expr.is_Symbol:
         return None
     above, below = sp.fraction(formula.expr)
-    if not above.is_Symbol or not below.is_Symbol or below.name != "g":
+    # A weight that the file writes as a number has no letter.
+    if not above.is_Symbol or above.name.startswith(NUMBER) or not below.is_Symbol or below.name != "g":
         return None
     number = next((s.values[above] for s in rest if isinstance(s, Math) and s.values and above in s.values), "")
     return _Weight(own.expr, below, above, number)
