@@ -119,3 +119,10 @@ def test_results_of_submissions_are_not_taken_for_those_of_problems(folder: Path
     line = {"file": "x", "content": "", "key": "", "part": 0, "parts": 1, "result": {"student": "anna", "graded": []}}
     results.write_text(json.dumps(line) + "\n")
     assert cli.run(["check", str(folder), "--results", str(results)]) == 2
+
+
+def test_a_pipe_among_the_files_is_not_waited_for(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    os.mkfifo(folder / "p.yaml")
+    command = ["check", str(folder / "a.yaml"), str(folder / "p.yaml"), "--results", str(folder.parent / "results")]
+    assert cli.run(command) == 2
+    assert "it is not a regular file" in capsys.readouterr().err

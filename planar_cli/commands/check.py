@@ -33,7 +33,6 @@ STATUS = {
     "undecided": cli.UNDECIDED,
     "fault": cli.FAULT,
 }
-NO_ANSWERS = "no answers"
 FORMS = ("terminal", "json", "jsonl", "csv", "junit", "github", "markdown")
 ONLY_SET = {
     "--feedback": "feedback",
@@ -125,14 +124,11 @@ def _print(checked: Sequence[Checked], form: str) -> None:
 
 
 def _row(checked: Checked) -> tuple[str, str, str, str]:
+    from planar_cli.commands._check_formats import told
+
     right = sum(v.agrees for v in checked.verdicts)
     answers = f"{right} of {len(checked.verdicts)}" if checked.verdicts else "-"
-    return checked.path, _told(checked), answers, f"{checked.seconds:.1f}"
-
-
-def _told(checked: Checked) -> str:
-    """The outcome in print: what was solved and states no answers agrees with nothing."""
-    return NO_ANSWERS if checked.outcome == "agrees" and not checked.verdicts else checked.outcome
+    return checked.path, told(checked), answers, f"{checked.seconds:.1f}"
 
 
 def _print_table(checked: Sequence[Checked]) -> None:
@@ -141,22 +137,22 @@ def _print_table(checked: Sequence[Checked]) -> None:
 
     rows = [tuple(visible(cell) for cell in _row(c)) for c in checked]
     if sys.stdout.isatty():
-        _print_rich(checked, rows)
+        _print_rich(rows)
         return
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     for path, outcome, answers, seconds in rows:
         echo(f"{path:<{widths[0]}}  {outcome:<{widths[1]}}  {answers:>{widths[2]}}  {seconds:>{widths[3]}} s")
 
 
-def _print_rich(checked: Sequence[Checked], rows: Sequence[tuple[str, ...]]) -> None:
+def _print_rich(rows: Sequence[tuple[str, ...]]) -> None:
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     table = Table("File", "Outcome", "Answers", "Seconds", box=None)
-    for one, row in zip(checked, rows, strict=True):
+    for row in rows:
         # Text, not str: a name of a file is no markup.
-        table.add_row(Text(row[0]), Text(row[1], style=COLOURS.get(_told(one), "yellow")), Text(row[2]), Text(row[3]))
+        table.add_row(Text(row[0]), Text(row[1], style=COLOURS.get(row[1], "yellow")), Text(row[2]), Text(row[3]))
     Console().print(table)
 
 
@@ -173,7 +169,9 @@ def _print_differences(checked: Sequence[Checked]) -> None:
 
 
 def _print_count(checked: Sequence[Checked]) -> None:
-    outcomes = [_told(c) for c in checked]
+    from planar_cli.commands._check_formats import NO_ANSWERS, told
+
+    outcomes = [told(c) for c in checked]
     counts = ", ".join(f"{outcomes.count(o)} {o}" for o in (*STATUS, NO_ANSWERS) if o in outcomes)
     answers = [v.agrees for c in checked for v in c.verdicts]
     compared = f"{sum(answers)} of {len(answers)} answers agree" if answers else "nothing to compare"

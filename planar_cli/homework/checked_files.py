@@ -20,6 +20,7 @@ from planar_cli.homework.interrupts import number_of, terminated
 from planar_cli.homework.results import VERSION, Line, ResultsFile, lines_of
 from planar_cli.homework.supervisor import Heard, Supervisor
 from planar_cli.homework.verdict import Verdict
+from planar_cli.problem.nodes import regular_bytes
 from planar_cli.problem.show import visible
 from planar_cli.records import record
 
@@ -55,22 +56,25 @@ def check_files(
     written = ResultsFile(results) if results is not None else None
     held: dict[int, Checked] = {}
     heard = 0
+
+    def let_go() -> None:
+        nonlocal heard
+        while heard in held:
+            hear(held.pop(heard))
+            heard += 1
+
     try:
         digests = {path: _digest(path) for path in paths} if written is not None else {}
         before = _done_before(results, digests) if results is not None else {}
         held = {i: before[path] for i, path in enumerate(paths) if path in before}
         items = [_Item(i, path) for i, path in enumerate(paths) if i not in held]
         with terminated(), contextlib.closing(_as_they_end(items, jobs, timeout)) as ended:
-            while heard in held:
-                hear(held.pop(heard))
-                heard += 1
+            let_go()
             for number, checked in ended:
                 if written is not None:
                     written.write(_line(checked, digests[checked.path]))
                 held[number] = checked
-                while heard in held:
-                    hear(held.pop(heard))
-                    heard += 1
+                let_go()
                 told(heard + len(held))
     except KeyboardInterrupt as stop:
         for number in sorted(held):
@@ -113,8 +117,7 @@ def _checked(path: str, heard: Heard) -> Checked:
 def _digest(path: str) -> str:
     """Of the content; of what cannot be read, empty: checking tells why."""
     try:
-        with open(path, "rb") as stream:
-            return hashlib.sha256(stream.read()).hexdigest()
+        return hashlib.sha256(regular_bytes(path)).hexdigest()
     except (OSError, ValueError):
         return ""
 
