@@ -4,11 +4,17 @@ terms of a coefficient one by one, each time as a new sum.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 
 from planar_cli.equation.expansion import expanded
 
+KEPT = 2_000
+"""So many are remembered: what lies on several branches of a motion is solved on each."""
 
+
+@lru_cache(maxsize=KEPT)
 def powers_of(expr: sp.Expr, x: sp.Symbol) -> tuple[tuple[int, sp.Expr], ...]:
     """Each power of `x` with what stands before it, multiplied out, the highest first."""
     by: dict[tuple[int], list[sp.Expr]] = {}

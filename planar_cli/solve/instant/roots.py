@@ -125,7 +125,7 @@ def _distinct(roots: list[Root], angle: bool) -> list[Root]:
 def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """Closed forms: linear, quadratic, the same in a power of x, or A cos x + B sin x = C."""
     if numerator.is_polynomial(x):
-        terms = [(m, c) for m, c in _powers(numerator, x) if c.is_number or not value.vanishes(c)]
+        terms = [(m, c) for m, c in powers_of(numerator, x) if c.is_number or not value.vanishes(c)]
         if not terms:
             return []
         low = min(m for m, _ in terms)
@@ -176,12 +176,6 @@ def _of_power(base: sp.Expr, degree: int, value: Valuation) -> list[sp.Expr]:
         return []
     root = sp.root(-base, degree) if size < 0 else sp.root(base, degree)
     return [root, -root] if degree % 2 == 0 else [-root if size < 0 else root]
-
-
-@lru_cache(maxsize=KEPT)
-def _powers(expr: sp.Expr, x: sp.Symbol) -> tuple[tuple[int, sp.Expr], ...]:
-    """The powers of a letter in a polynomial with what stands before them, the highest first."""
-    return powers_of(expr, x)
 
 
 @lru_cache(maxsize=KEPT)
@@ -241,7 +235,7 @@ def _by_factors(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.E
 def _of_one_function(flat: sp.Expr, value: Valuation) -> list[sp.Expr]:
     """Roots where the sine alone is left, or the cosine, once the squares of the other one are put in by it."""
     for one, other in ((_SINE, _COSINE), (_COSINE, _SINE)):
-        powers = dict(_powers(flat, other))
+        powers = dict(powers_of(flat, other))
         if any(n % 2 for n in powers):
             continue
         inside = expanded(sp.Add(*(c * (1 - one**2) ** (n // 2) for n, c in powers.items())))
