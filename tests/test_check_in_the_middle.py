@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -126,3 +127,12 @@ def test_a_pipe_among_the_files_is_not_waited_for(folder: Path, capsys: pytest.C
     command = ["check", str(folder / "a.yaml"), str(folder / "p.yaml"), "--results", str(folder.parent / "results")]
     assert cli.run(command) == 2
     assert "it is not a regular file" in capsys.readouterr().err
+
+
+def test_data_keep_their_letters_where_a_terminal_has_none(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LC_ALL", "C")
+    (folder / "a.yaml").write_text(re.sub(r"title: .*", "title: Stab, der fällt", ROD))
+    assert cli.run(["check", str(folder / "a.yaml"), "--format", "jsonl"]) == 0
+    assert "Stab, der fällt" in capsys.readouterr().out

@@ -38,15 +38,13 @@ def as_record(one: Checked) -> dict[str, Any]:
     }
 
 
-def _jsonl(one: Checked, first: bool) -> str:
+def _jsonl(one: Checked) -> str:
     return f"{json.dumps(as_record(one), ensure_ascii=False, default=float)}\n"
 
 
-def _csv(one: Checked, first: bool) -> str:
+def _csv(one: Checked) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    if first:
-        writer.writerow(("file", "outcome", "find", "stated", "solved", "agrees", "message"))
     if not one.verdicts:
         writer.writerow((spreadsheet_cell(one.path), told(one), "", "", "", "", spreadsheet_cell(one.message)))
     for v in one.verdicts:
@@ -89,7 +87,7 @@ def _clean(text: str, kept: str = "") -> str:
     return harmless(text, kept=kept)
 
 
-def _github(one: Checked, first: bool) -> str:
+def _github(one: Checked) -> str:
     """`::error file=…,line=…::…`, one for each thing that is wrong."""
     lines = []
     for d in one.diagnostics:
@@ -121,7 +119,9 @@ def _markdown(checked: Sequence[Checked]) -> str:
     return "\n".join([*lines, "", *notes, ""] if notes else [*lines, ""])
 
 
-STREAMED: Mapping[str, Callable[[Checked, bool], str]] = {"jsonl": _jsonl, "csv": _csv, "github": _github}
-"""Forms in which a file is told as soon as all before it are known, and whether it is the first."""
+STREAMED: Mapping[str, Callable[[Checked], str]] = {"jsonl": _jsonl, "csv": _csv, "github": _github}
+"""Forms in which a file is told as soon as all before it are known."""
+HEADS: Mapping[str, str] = {"csv": "file,outcome,find,stated,solved,agrees,message\n"}
+"""What stands before the first file."""
 WHOLE: Mapping[str, Callable[[Sequence[Checked]], str]] = {"junit": _junit, "markdown": _markdown}
 """Forms that tell all files at once."""

@@ -84,7 +84,7 @@ def command(
 
 
 def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float, options: Mapping[str, Any]) -> int:
-    from planar_cli.commands._check_formats import STREAMED
+    from planar_cli.commands._check_formats import HEADS, STREAMED
     from planar_cli.commands._counter import counter
     from planar_cli.homework.batches import in_shard, shard_of
     from planar_cli.homework.checked_files import check_files
@@ -97,8 +97,9 @@ def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float, optio
     def hear(one: Checked) -> None:
         checked.append(one)
         if form in STREAMED:
-            echo(STREAMED[form](one, len(checked) == 1), end="")
+            echo(STREAMED[form](one), end="", exact=True)
 
+    echo(HEADS.get(form, ""), end="", exact=True)
     told = counter(len(paths), "problems checked")
     interrupted = check_files(paths, jobs, timeout, hear, told, options["results"])
     _print(checked, form)
