@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from worked import page_of_file
+from worked import page_of_file, page_of_text
 
 
 @pytest.mark.parametrize(
@@ -17,6 +19,26 @@ from worked import page_of_file
 )
 def test_a_case_whose_result_is_known(stem: str, words: str) -> None:
     assert words in page_of_file(stem)
+
+
+BOUNCE = """
+title: Ball against a wall
+plane: horizontal
+symbols: {v_0: m/s, m: kg, e: 1}
+points: {A: [0, 0]}
+surfaces: {wall: {through: A, angle: 90 deg}}
+bodies: {ball: {particle: A, mass: m}}
+joints:
+  - impact: {between: [ball, wall], restitution: e}
+states:
+  1: [v(ball).x = v_0, v(ball).y = 0]
+  2: [just after 1]
+find: {lost: KE(ball) @ 1 - KE(ball) @ 2}
+"""
+
+
+def test_a_coefficient_of_restitution_is_none_of_friction(tmp_path: Path) -> None:
+    assert "Discussion Without rebound, e = 0: lost = 1/2 m v_0²." in page_of_text(tmp_path, BOUNCE)
 
 
 @pytest.mark.parametrize("stem", ["ball-in-a-rotating-tube-in-letters", "atwood-let-go"])

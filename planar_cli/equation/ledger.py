@@ -76,8 +76,8 @@ class Ledger:
     where in parts of its size (of a radian, for an angle). `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
     the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene. `above_zero`: sums that
-    the file assumes to be positive. `coefficients`: the names of letters that are coefficients of friction or of
-    restitution.
+    the file assumes to be positive. `coefficients`: of what the letters of these names are the coefficients,
+    "friction" or "rebound".
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -97,7 +97,7 @@ class Ledger:
     reserved: frozenset[str] = frozenset()
     scales: Scales = field(default_factory=Scales)
     above_zero: tuple[sp.Expr, ...] = ()
-    coefficients: frozenset[str] = frozenset()
+    coefficients: dict[str, str] = field(default_factory=dict)
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""

@@ -97,7 +97,7 @@ class Setup:
         written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
         names = frozenset(s.name for s in written) | differences(problem)
         self.ledger = Ledger(us=problem.us, reserved=names, scales=scales_of(problem))
-        self.ledger.coefficients = frozenset(s.name for s in problem.symbols if s.coefficient)
+        self.ledger.coefficients = {s.name: s.coefficient for s in problem.symbols if s.coefficient}
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []
         self.motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]] = {}

@@ -15,7 +15,8 @@ from planar_cli.problem.walk import Tree, children, walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
-COEFFICIENTS = ("mu", "mu_s", "mu_k", "restitution")
+COEFFICIENTS = {"mu": "friction", "mu_s": "friction", "mu_k": "friction", "restitution": "rebound"}
+"""Keys of joints for coefficients, with what there is none of where they are zero."""
 RATES = ("stiffness", "coefficient", "natural_length", "linear", "quadratic")
 """Keys of springs, dampers and drags."""
 SIZES = ("radius", "hub", "width", "height", "length")
@@ -30,10 +31,11 @@ def limits_of_friction(problem: Problem) -> frozenset[str]:
 
 def with_coefficients(problem: Problem) -> Problem:
     """The letters that stand alone for coefficients of friction or restitution are marked: both are below one."""
-    named = {s.name for j in problem.joints for k in COEFFICIENTS if isinstance(s := getattr(j, k, None), Name)}
+    sides = ((getattr(joint, key, None), of) for joint in problem.joints for key, of in COEFFICIENTS.items())
+    named = {side.name: of for side, of in sides if isinstance(side, Name)}
     if not named:
         return problem
-    return replace(problem, symbols=tuple(replace(s, coefficient=s.name in named) for s in problem.symbols))
+    return replace(problem, symbols=tuple(replace(s, coefficient=named.get(s.name, "")) for s in problem.symbols))
 
 
 def not_negative(problem: Problem) -> frozenset[str]:

@@ -31,8 +31,8 @@ class Symbol:
     distance: bool = False
     written: str = ""
     varies: bool = False
-    coefficient: bool = False
-    """Of friction or restitution. `written`: as the file has it; where it `varies` the first of its range."""
+    coefficient: str = ""
+    """Of friction or rebound. `written`: as the file has it; where it `varies` the first of its range."""
 
 
 @record

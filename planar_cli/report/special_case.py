@@ -102,8 +102,8 @@ def _cases(letters: set[sp.Symbol], phrases: Phrases) -> Iterator[_Case]:
     for one, other in combinations(masses, 2):
         yield _Case(line("With ", Math(one), " = ", Math(other)), {one: other}, True)
     for s in own:
-        if s.name in ledger.coefficients:
-            yield _Case(line("Without friction, ", Math(s), " = 0"), {s: sp.S.Zero}, False)
+        if of := ledger.coefficients.get(s.name):
+            yield _Case(line(f"Without {of}, ", Math(s), " = 0"), {s: sp.S.Zero}, False)
     for s in own:
         if ledger.units[s].angle and ledger.units[s].dimension == PURE:
             yield _Case(line("With ", Math(s), " = 0"), {s: sp.S.Zero}, True)
