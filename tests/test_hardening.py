@@ -91,18 +91,46 @@ def test_output_replaces_nothing_among_the_devices(output: str, tmp_path: Path) 
     assert os.lstat(output).st_mode == before
 
 
-@pytest.mark.parametrize("args", ["--help", "solve FILE", "check FILE", "list FILE", "validate FILE", "explain rope"])
+PRINTING = (
+    "--help",
+    "solve FILE",
+    "check FILE",
+    "list FILE",
+    "validate FILE",
+    "explain rope",
+    "draw FILE -o FOLDER",
+    "draw FILE --format text",
+)
+
+
+@pytest.mark.parametrize("args", PRINTING)
 def test_a_full_disk_is_told(args: str, tmp_path: Path) -> None:
     full = Path("/dev/full")
     if not full.is_char_device():
         return
-    words = [file_of(tmp_path) if word == "FILE" else word for word in args.split()]
+    words = line_of(args, tmp_path)
     with full.open("w") as stream:
         run = subprocess.run(
             [sys.executable, "-m", "planar_cli", *words], stdout=stream, stderr=subprocess.PIPE, text=True, check=False
         )
     assert run.returncode == cli.BAD
     assert run.stderr == "planar: cannot write to standard output: No space left on device\n"
+
+
+@pytest.mark.parametrize("args", PRINTING)
+def test_a_reader_who_has_left_is_told_nothing(args: str, tmp_path: Path) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [sys.executable, "-m", "planar_cli", *line_of(args, tmp_path)]
+    run = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(writer)
+    assert (run.returncode, run.stderr) == (cli.SOLVED, "")
+
+
+def line_of(args: str, folder: Path) -> list[str]:
+    """A line for a file and a folder of its own."""
+    named = {"FILE": file_of(folder), "FOLDER": str(folder)}
+    return [named.get(word, word) for word in args.split()]
 
 
 def test_closed_streams(tmp_path: Path) -> None:

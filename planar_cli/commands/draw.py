@@ -46,22 +46,29 @@ def command(files: tuple[str, ...], output: str | None, form: str, timeout: floa
         raise click.UsageError("figures in letters are printed: leave -o out, or write `> FILE` behind the command")
     worst = cli.SOLVED
     for path in files:
+        told = ""
         try:
-            with limits(timeout):
-                if form in LETTERS:
-                    worst = max(worst, _printed(path))
-                    continue
-                made = dict(_figures(path, form))
-            write_files(made, output or ".")
-            for name in made:
-                click.echo(str(Path(output or ".", name)))
-            if not made:
-                worst = max(worst, _nothing(path))
+            told = _drawn(path, form, output or ".", timeout)
+            status = cli.SOLVED if told else _nothing(path)
         except PlanarError as error:
-            worst = max(worst, cli.tell(error))
+            status = cli.tell(error)
         except Exception as error:
-            worst = max(worst, cli.tell_fault(error))
+            status = cli.tell_fault(error)
+        worst = max(worst, status)
+        if told:
+            # Where nobody takes it, that is no failure of this file: the command line sees to it.
+            write(told, None, exact=True)
     return worst
+
+
+def _drawn(path: str, form: str, folder: str, timeout: float) -> str:
+    """What is printed of a file: its figures in letters, or the files that they are in; "": it has none."""
+    with limits(timeout):
+        if form in LETTERS:
+            return _in_letters(path)
+        made = dict(_figures(path, form))
+    write_files(made, folder)
+    return "".join(f"{Path(folder, name)}\n" for name in made)
 
 
 def _nothing(path: str) -> int:
@@ -69,7 +76,7 @@ def _nothing(path: str) -> int:
     return cli.UNDECIDED
 
 
-def _printed(path: str) -> int:
+def _in_letters(path: str) -> str:
     """The figures of a file in letters, one below the other."""
     from planar_cli.figures.illustrated import figures_of
     from planar_cli.formats._drawn_small import small_drawing
@@ -77,12 +84,9 @@ def _printed(path: str) -> int:
     from planar_cli.plain_letters import letters
 
     found = dict(figures_of(_page(path)))
-    if not found:
-        return _nothing(path)
     with shown_on(sys.stdout, None) as width:
         drawn = [[letters(f.words), "", *small_drawing(f, min(width, PIPE_WIDTH)), ""] for f in found.values()]
-        write("\n".join(line for lines in drawn for line in lines), None, exact=True)
-    return cli.SOLVED
+    return "\n".join(line for lines in drawn for line in lines)
 
 
 def _figures(path: str, form: str) -> Iterator[tuple[str, bytes]]:
