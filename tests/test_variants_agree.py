@@ -17,8 +17,10 @@ from planar_cli.homework.course import course_of
 from planar_cli.homework.fit_variants import in_equations
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.ready import Prepared
+from planar_cli.homework.rules import Rules
 from planar_cli.homework.set_file import read_set
 from planar_cli.homework.solved_anew import to_check
+from planar_cli.homework.tolerance_report import tolerance_report
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import columns, variations
 from planar_cli.homework.what_mistakes_give import with_mistakes
@@ -257,6 +259,27 @@ def test_what_is_of_no_second_degree_is_followed() -> None:
 
 
 SET = sorted(p for p in (ROOT / "tests" / "homework").glob("*.yaml") if "problems:" not in p.read_text())
+
+
+RATIO = """
+plane: vertical
+given: {m: 20 kg, mu: 0.2, beta: 30 deg}
+variants: {m: {from: 20 kg, to: 24 kg, step: 1 kg}, mu: [0.2, 0.22, 0.24]}
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -beta}}
+bodies: {block: {particle: A, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: A, mu: mu}
+instant: [v(block).along(-beta) = 1 m/s]
+find: {n: N(A)/(m*g), a: a(block).along(-beta)}
+"""
+
+
+def test_a_mistake_without_a_number_hinders_no_variant(tmp_path: Path) -> None:
+    # Without the weight N/(m g) has no value.
+    worked, made = ready(tmp_path, RATIO, 5)
+    assert made.taken == 5
+    assert tolerance_report(worked, Rules())[0]
 
 
 def of_each_value(path: Path, pick: slice) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from planar_cli.errors import Mark, PlanarError
 from planar_cli.homework.course import course_of
 from planar_cli.homework.given_letters import with_given
+from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.same_formula import formula_changes_sign
 from planar_cli.homework.variant_draws import Draw
@@ -139,7 +140,7 @@ def _wrong(problem: WorkedProblem) -> dict[tuple[str, str, str], tuple[float, ..
             run = Carried(problem, {}, model)
             for part, one in in_equations(problem):
                 found[name, model.model.feedback, one.name] = tuple(float(n[0]) for n in run.asked(part, one))
-        except (ArithmeticError, KeyError, np.linalg.LinAlgError):
+        except NOT_CARRIED_OUT:
             continue
     return found
 

@@ -14,6 +14,7 @@ import numpy as np
 from planar_cli.base_units import in_base
 from planar_cli.errors import PlanarError
 from planar_cli.homework.given_letters import GRAVITY, Given, given_numbers
+from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.paper import Expected, Mistaken, Place
 from planar_cli.homework.typed_formula import values_at
 from planar_cli.homework.unreadable import Unreadable
@@ -22,7 +23,6 @@ from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Node, Scalar
 from planar_cli.problem.variations import with_first_values
 from planar_cli.records import record
-from planar_cli.replay.opened import NotWritten
 from planar_cli.replay.solver import Numbers
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.units import PURE, Unit, parse_unit
@@ -233,7 +233,7 @@ def _asked(problem: WorkedProblem, columns: Mapping[str, Numbers], model: ModelO
             for numbers in [run.runs[part.solution.case].asked(one.name)]
             if len(numbers) == 1
         }
-    except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
+    except NOT_CARRIED_OUT:
         return {}
 
 

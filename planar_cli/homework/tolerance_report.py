@@ -13,6 +13,7 @@ import numpy as np
 import sympy as sp
 
 from planar_cli.base_units import in_base
+from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import relative, within
@@ -81,7 +82,7 @@ def _wrong(problem: WorkedProblem, part: Part, one: Found, values: Columns) -> I
     """What wrong models give, by their mistakes."""
     for name, model in models_of(problem):
         if model.case == part.solution.case:
-            with suppress(ArithmeticError, KeyError, np.linalg.LinAlgError):
+            with suppress(*NOT_CARRIED_OUT):
                 numbers = Carried(problem, values, model).asked(part, one)
                 yield name, tuple(float(n[0]) for n in numbers)
 

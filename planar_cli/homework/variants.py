@@ -34,6 +34,7 @@ from planar_cli.homework.fit_variants import (
     variant_solved,
 )
 from planar_cli.homework.given_letters import with_given
+from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.own_gravity import GRAVITY
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.same_formula import as_in_file
@@ -251,7 +252,7 @@ def _too_close(
     for name, model in models_of(problem):
         try:
             here, there = Carried(problem, {}, model), Carried(problem, values, model)
-        except (ArithmeticError, KeyError, np.linalg.LinAlgError):
+        except NOT_CARRIED_OUT:
             continue
         for part, one in problem.finds:
             if one.name not in numbers:

@@ -9,12 +9,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from planar_cli.errors import PlanarError
-from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT, Mistake
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.worked_problem import Carried, WorkedProblem, models_of
 from planar_cli.registry import members
-from planar_cli.replay.opened import NotWritten
 from planar_cli.replay.solver import Numbers
 
 NOTHING = 1e-6
@@ -51,8 +49,7 @@ def with_mistakes(
                 for k, mistaken, clearly in _wrong(numbers, [paper[i] for paper in papers]):
                     if changed[k]:
                         (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
-        except (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError):
-            # A model that cannot be carried out tells of no mistake.
+        except NOT_CARRIED_OUT:
             continue
     for name, kind in members("homework.mistakes").items():
         mistake: Mistake = kind()

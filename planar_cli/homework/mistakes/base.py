@@ -12,9 +12,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from typing import Any, ClassVar
 
+import numpy as np
 import sympy as sp
 
 from planar_cli.equation.parts_of_accelerations import is_mark
+from planar_cli.errors import PlanarError
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.expression import Binary, Name, Negate
@@ -22,11 +24,14 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
+from planar_cli.replay.opened import NotWritten
 
 GEOMETRY = frozenset({"relation", "given", "drawn", "link", "loop", "single"})
 """Kinds of equations in which no force stands."""
 COEFFICIENTS = ("mu", "mu_s", "mu_k", "friction")
 """Keys of coefficients of friction."""
+NOT_CARRIED_OUT = (ArithmeticError, PlanarError, NotWritten, KeyError, np.linalg.LinAlgError)
+"""What a model comes to that has no numbers, as m g/N where the normal force is left out: it tells of no mistake."""
 
 
 @record
