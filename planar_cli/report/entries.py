@@ -25,6 +25,6 @@ def entries(side: Line) -> Iterator[Line]:
         yield tuple(entry)
 
 
-def listed(found: Iterable[Line]) -> Line:
+def listed(found: Iterable[Iterable[Inline]]) -> Line:
     """A side of a diagram that has these."""
     return line(*(piece for i, entry in enumerate(found) for piece in (BETWEEN, *entry)[i == 0 :]))

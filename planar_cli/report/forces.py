@@ -24,7 +24,7 @@ from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.counted import clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
-from planar_cli.report.entries import ASSUMED
+from planar_cli.report.entries import ASSUMED, BETWEEN, listed
 from planar_cli.report.found_senses import acts_backward, is_drawn_as_found
 from planar_cli.report.grooves import normal_to
 from planar_cli.report.impending import impending
@@ -79,7 +79,7 @@ def force_rows(
         acting = _acting(instant, stage, body, phrases, nil)
         inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
-            acting, inertia = (*acting, Text(",  "), *inertia) if inertia else acting, ()
+            acting, inertia = (*acting, BETWEEN, *inertia) if inertia else acting, ()
         rows.append(Forces(body, acting or (Text("0"),), inertia or (Text("0"),), scene=instant.instant.scene))
     return rows
 
@@ -146,7 +146,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
             if rigid and (unplaced := open_line(instant.trial, push, body, used, instant.value)) is not None:
                 where, acting = NOT_NEEDED, replace(acting, point=unplaced.place(a))
             parts.append([*_push(push, expr, acting, phrases, where, certain), *there])
-    return tuple(piece for i, part in enumerate(parts) for piece in ([Text(",  ")] * bool(i) + part))
+    return listed(parts)
 
 
 def _is_nought(w: Wrench, scene: Scene, phrases: Phrases) -> bool:
@@ -316,13 +316,13 @@ def _inertia(
     else:
         for force, arrow in forces:
             told = _clean(force, stage, phrases, kinds[0])
-            parts += [Text(",  ")] * bool(parts) + [*told, arrow]
+            parts += [BETWEEN] * bool(parts) + [*told, arrow]
     alpha = _turns(instant, stage, body)
     if model.inertia != 0 and alpha != 0:
         back = clockwise_letter(alpha, instant) is not None
         told = _clean(model.inertia * (-alpha if back else alpha), stage, phrases, kinds[1])
         turning = " ↻" if reversed_sense != back else " ↺"
-        parts += [Text(",  ")] * bool(parts) + [*told, pointing(phrases, turning, model.center)]
+        parts += [BETWEEN] * bool(parts) + [*told, pointing(phrases, turning, model.center)]
     return tuple(parts)
 
 

@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Text, line
+from planar_cli.report.entries import BETWEEN, listed
 from planar_cli.report.raw_moments import MINUS, PLUS
 from planar_cli.report.words import Phrases
 
@@ -47,13 +48,12 @@ def _row(row: Forces, known: Known, phrases: Phrases) -> Forces:
             sum_, own = found[place]
             found[place] = (simplified(sum_ + _sense(own, arrow) * size), own)
     signed = (_positive(size, arrow) for size, arrow in found if size != 0)
-    told: list[list[Any]] = [[phrases.math(size), arrow] for size, arrow in signed]
-    return replace(row, right=tuple(p for i, part in enumerate(told) for p in ([Text(",  ")] * bool(i) + part)))
+    return replace(row, right=listed((phrases.math(size), arrow) for size, arrow in signed))
 
 
 def _entries(side: Line) -> list[tuple[sp.Expr, Text]] | None:
     """Sizes with their arrows; None: the row is told otherwise."""
-    pieces = [p for p in side if p != Text(",  ")]
+    pieces = [p for p in side if p != BETWEEN]
     pairs = zip(pieces[::2], pieces[1::2], strict=False)
     plain = [(size.expr, arrow) for size, arrow in pairs if isinstance(size, Math) and isinstance(arrow, Text)]
     return plain if 2 * len(plain) == len(pieces) else None

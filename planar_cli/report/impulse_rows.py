@@ -24,7 +24,6 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.solution import InstantSolution
 
-"""Stands between the impulses of a diagram."""
 OPPOSITE = str.maketrans("→←↑↓↗↙↖↘↺↻", "←→↓↑↙↗↘↖↻↺")
 IMPULSES = ("impulses", "momenta")
 """What stands over both sides of such diagrams."""

@@ -14,6 +14,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import simplified
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text
+from planar_cli.report.entries import BETWEEN
 from planar_cli.report.names import index_of
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
@@ -131,6 +132,6 @@ def _inertia(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSo
     parts: list[Any] = []
     for size, arrow in _components(block.body, places, instant, phrases):
         told = phrases.math(sp.Mul(mass, size, evaluate=False))
-        parts += [Text(",  ")] * bool(parts) + [told, Text(f" {arrow}{' at ' if at else ''}{at}")]
+        parts += [BETWEEN] * bool(parts) + [told, Text(f" {arrow}{' at ' if at else ''}{at}")]
     couple = next((i for i, p in enumerate(block.right) if isinstance(p, Text) and p.text in (" ↺", " ↻")), 0)
-    return tuple([*parts, Text(",  "), *block.right[couple - 1 :]] if couple and parts else parts)
+    return tuple([*parts, BETWEEN, *block.right[couple - 1 :]] if couple and parts else parts)

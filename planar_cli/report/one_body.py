@@ -22,7 +22,6 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
 
-"""Stands between two vectors of a list."""
 NOTHING = (Text("0"),)
 
 

@@ -42,9 +42,7 @@ TOLD = (Paragraph, Equation, Forces, Result, Table)
 NUMBERED, RUN = re.compile(r"\(\d+\)"), re.compile(r"\((\d+)\) to \((\d+)\)")
 CASE = "CASE"
 DEFINED = ("moment of inertia of", "terminal speed", "half disk, from", "sector, from")
-"""Begins the line of a moment of inertia, of what a drag makes, and of the mass centre of a sector; stands between the
-forces of a diagram.
-"""
+"""Begins the line of a moment of inertia, of what a drag makes, and of the mass centre of a sector."""
 
 
 def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
