@@ -11,8 +11,9 @@ from collections.abc import Sequence
 from html import escape
 from typing import ClassVar
 
+from planar_cli.formats._alike import answer_line, heading_words
 from planar_cli.formats.base import runs_of
-from planar_cli.formats.html import Html, heading_words, words
+from planar_cli.formats.html import Html, words
 from planar_cli.records import record
 from planar_cli.report.blocks import Answer, Block, Drawing, Heading, Title
 from planar_cli.report.names import printable
@@ -68,10 +69,11 @@ class CourseHtml(Html):
 
     def heading(self, heading: Heading) -> list[str]:
         aside = self.aside(heading)
-        return [self.headed(heading_words(heading), 2), *([f"<p>{aside}</p>"] if aside else [])]
+        return [self.headed(words(heading_words(heading)), 2), *([f"<p>{aside}</p>"] if aside else [])]
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        return [self.headed("Answer", 2), "<ul>" + "".join(f"<li>{self.answer(a)}</li>" for a in run) + "</ul>"]
+        listed = "".join(f"<li>{self.inline(answer_line(a))}</li>" for a in run)
+        return [self.headed("Answer", 2), f"<ul>{listed}</ul>"]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
         return []

@@ -2,20 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 from planar_cli.report import latex
 from planar_cli.report.blocks import Equation, Inline, Line, Math, Name, Relation, Text, Value
-from planar_cli.report.lettered import lettered
 from planar_cli.report.names import latex_name
 from planar_cli.report.numbers import significant
 from planar_cli.units import pretty_unit
-
-NAMING = ("CASE", "STATE", "MOTION")
-"""Labels behind which stands a name, no title."""
-DIAGRAMS = "free-body diagram = kinetic diagram"
-NOTHING = (Text("0"),)
-"""The right-hand side of a body in equilibrium."""
 
 
 def equation(told: Equation) -> str:
@@ -66,8 +57,3 @@ def _quantity(number: str, unit: str) -> str:
     if shown == "°":
         return latex.numeral(number + shown)
     return latex.numeral(number) + (rf"~\mathrm{{{latex.numeral(shown)}}}" if shown else "")
-
-
-def checked(part: Inline) -> Line:
-    """A piece of a check; where words have a formula in them, its letters are names."""
-    return lettered(part.text) if isinstance(part, Text) and re.search("[=√]|/2", part.text) else (part,)

@@ -12,8 +12,9 @@ from html import escape
 from typing import ClassVar, Protocol
 
 from planar_cli.formats import _svg
+from planar_cli.formats._alike import NAMING, answer_line, aside_of, check_line, heading_words, table_of
 from planar_cli.formats._formulas import joined
-from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
+from planar_cli.formats._latex import equation, formula
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.mathml import MathML
 from planar_cli.records import record
@@ -27,7 +28,6 @@ from planar_cli.report.blocks import (
     Forces,
     Heading,
     Line,
-    Name,
     Note,
     Paragraph,
     Result,
@@ -144,24 +144,24 @@ class Html(Pages):
         return [f"<p>⇒ {self.inline(r.line)}</p>" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
-        both = any(f.right and f.right != NOTHING for f in run)
-        heads = ("body", *(run[0].heads if both else run[0].heads[:1]))
-        sides = [(self.inline(f.left), *([self.inline(f.right)] if both else [])) for f in run]
-        rows = [(f"<strong>{words(f.body)}</strong>", *told) for f, told in zip(run, sides, strict=True)]
-        return [_table([words(h) for h in heads], rows, "forces")]
+        return [self._table(table_of(run), "forces")]
 
     def tables(self, run: Sequence[Table]) -> list[str]:
-        return [_table(self._cells(t.header), [self._cells(row) for row in t.rows]) for t in run]
+        return [self._table(t) for t in run]
 
-    def _cells(self, row: Sequence[Line]) -> list[str]:
-        return [self.inline(cell) for cell in row]
+    def _table(self, table: Table, kind: str = "") -> str:
+        head, *rows = ([self.inline(cell) for cell in row] for row in (table.header, *table.rows))
+        headed = "".join(f"<th>{cell}</th>" for cell in head)
+        body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+        named = f' class="{kind}"' if kind else ""
+        return f"<table{named}><thead><tr>{headed}</tr></thead><tbody>{body}</tbody></table>"
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        listed = "".join(f"<li>{self.answer(a)}</li>" for a in run)
+        listed = "".join(f"<li>{self.inline(answer_line(a))}</li>" for a in run)
         return [f'<section class="answer">{self.headed("Answer", 2)}<ul>{listed}</ul></section>']
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        told = " · ".join(self.inline(tuple(q for p in c.line for q in checked(p))) for c in run)
+        told = " · ".join(self.inline(check_line(c)) for c in run)
         return [f'<p class="foot"><strong>Check</strong> {told}</p>']
 
     def notes(self, run: Sequence[Note]) -> list[str]:
@@ -178,21 +178,16 @@ class Html(Pages):
 
     def heading(self, heading: Heading) -> list[str]:
         """A heading that folds what is below it, but for one over several steps, which fold each by itself."""
-        text, aside = heading_words(heading), self.aside(heading)
+        text, aside = words(heading_words(heading)), self.aside(heading)
         if heading.label in NAMING:
             return [self.headed(text, 2, "case" if heading.label == "CASE" else "part")]
         beside = f'<span class="aside">{aside}</span>' if aside else ""
         return [FOLD, f"<summary>{self.headed(text, 2)}{beside}</summary>"]
 
     def aside(self, heading: Heading) -> str:
-        """What stands beside a heading; "" where the table below has it at its head."""
-        told = words(heading.aside) if isinstance(heading.aside, str) else self.inline(heading.aside)
-        return "" if heading.aside == DIAGRAMS else told
-
-    def answer(self, answer: Answer) -> str:
-        """One answer with its name."""
-        relation = ": " if answer.relation == ":" else f" {answer.relation} "
-        return self.inline((Name(answer.name), Text(relation), *answer.line))
+        """What stands beside a heading."""
+        told = aside_of(heading)
+        return words(told) if isinstance(told, str) else self.inline(told)
 
     def inline(self, line: Line) -> str:
         """A line with its formulas."""
@@ -203,13 +198,6 @@ class Html(Pages):
 def words(text: str) -> str:
     """Words without any meaning for HTML, and none for the formulas among them."""
     return escape(printable(re.sub(r"\s", " ", text)), quote=True).translate(_ENTITIES)
-
-
-def heading_words(heading: Heading) -> str:
-    """The words of a heading with its label."""
-    label = heading.label.capitalize() if heading.label.isupper() else heading.label
-    between = ": " if heading.label in NAMING else ". "
-    return words(between.join(t for t in (label, heading.text) if t))
 
 
 def _code(row: str) -> str:
@@ -235,10 +223,3 @@ def _figure(figure: Figure, note: str) -> str:
 def _paragraph(told: str) -> str:
     """What ends with a colon stays on one sheet with what it announces."""
     return f'<p class="lead">{told}</p>' if told.endswith(":") else f"<p>{told}</p>"
-
-
-def _table(header: Sequence[str], rows: Sequence[Sequence[str]], kind: str = "") -> str:
-    head = "".join(f"<th>{cell}</th>" for cell in header)
-    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    named = f' class="{kind}"' if kind else ""
-    return f"<table{named}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"

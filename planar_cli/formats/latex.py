@@ -11,8 +11,8 @@ from itertools import chain
 from typing import ClassVar, final
 
 from planar_cli.formats import _latex
+from planar_cli.formats._alike import answer_line, aside_of, check_line, heading_words, table_of
 from planar_cli.formats._formulas import joined
-from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked
 from planar_cli.formats._tikz import COLOURS, tikz
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
@@ -28,7 +28,6 @@ from planar_cli.report.blocks import (
     Heading,
     Inline,
     Line,
-    Name,
     Note,
     Paragraph,
     Result,
@@ -117,22 +116,18 @@ class Latex(Pages):
         return [rf"$\Rightarrow$ {_inline(r.line)}" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
-        both = any(f.right and f.right != NOTHING for f in run)
-        heads = ("body", *(run[0].heads if both else run[0].heads[:1]))
-        sides = [(_inline(f.left), *([_inline(f.right)] if both else [])) for f in run]
-        rows = [(rf"\textbf{{{words(f.body)}}}", *told) for f, told in zip(run, sides, strict=True)]
-        return [_table([words(h) for h in heads], rows)]
+        return self.tables([table_of(run)])
 
     def tables(self, run: Sequence[Table]) -> list[str]:
         return [_table([_inline(c) for c in t.header], [tuple(map(_inline, row)) for row in t.rows]) for t in run]
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        listed = _listed(_answer(a) for a in run)
+        listed = _listed(_inline(answer_line(a)) for a in run)
         inside = rf"\textbf{{Answer}}\par{listed}"
         return [rf"\planaranswer{{{inside}}}"]
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        told = r" \textbullet{} ".join(_inline(tuple(q for p in c.line for q in checked(p))) for c in run)
+        told = r" \textbullet{} ".join(_inline(check_line(c)) for c in run)
         return [rf"{{\small\textbf{{Check}} {told}\par}}"]
 
     def notes(self, run: Sequence[Note]) -> list[str]:
@@ -154,12 +149,9 @@ class Latex(Pages):
         return rf"\planarhead{{{size}}}{{{text}}}{{{aside}}}"
 
     def _heading(self, heading: Heading) -> str:
-        label = heading.label.capitalize() if heading.label.isupper() else heading.label
-        between = ": " if heading.label in NAMING else ". "
-        aside = words(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
-        # The table below has it at its head.
-        aside = "" if heading.aside == DIAGRAMS else aside
-        return self._head(words(between.join(t for t in (label, heading.text) if t)), 2, aside)
+        beside = aside_of(heading)
+        aside = words(beside) if isinstance(beside, str) else _inline(beside)
+        return self._head(words(heading_words(heading)), 2, aside)
 
 
 def _formula(part: Inline) -> str:
@@ -174,11 +166,6 @@ def _inline(line: Line) -> str:
 def _marked(part: Text) -> str:
     command = {"strong": "textbf", "muted": "textit"}[part.style]
     return rf"\{command}{{{words(part.text)}}}"
-
-
-def _answer(answer: Answer) -> str:
-    relation = ": " if answer.relation == ":" else f" {answer.relation} "
-    return _inline((Name(answer.name), Text(relation), *answer.line))
 
 
 def _listed(entries: Iterator[str]) -> str:

@@ -10,8 +10,9 @@ import re
 from collections.abc import Sequence
 from typing import ClassVar, final
 
+from planar_cli.formats._alike import answer_line, aside_of, check_line, heading_words, table_of
 from planar_cli.formats._formulas import joined
-from planar_cli.formats._latex import DIAGRAMS, NAMING, NOTHING, checked, equation, formula
+from planar_cli.formats._latex import equation, formula
 from planar_cli.formats._svg import picture
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
@@ -25,7 +26,6 @@ from planar_cli.report.blocks import (
     Forces,
     Heading,
     Line,
-    Name,
     Note,
     Paragraph,
     Result,
@@ -67,12 +67,9 @@ class Markdown(Pages):
     def headings(self, run: Sequence[Heading]) -> list[str]:
         pieces = []
         for heading in run:
-            between = ": " if heading.label in NAMING else ". "
-            text = between.join(t for t in (_label(heading.label), heading.text) if t)
-            pieces.append(f"{self._level(2)} {escaped(text)}")
-            aside = escaped(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
-            # The table below has it at its head.
-            aside = "" if heading.aside == DIAGRAMS else aside
+            pieces.append(f"{self._level(2)} {escaped(heading_words(heading))}")
+            beside = aside_of(heading)
+            aside = escaped(beside) if isinstance(beside, str) else _inline(beside)
             pieces += [aside if aside.startswith("(") else f"({aside})"] if aside else []
         return pieces
 
@@ -89,22 +86,16 @@ class Markdown(Pages):
         return [f"⇒ {_inline(r.line)}" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
-        """A table; free-body diagram and kinetic diagram side by side where both are told."""
-        both = any(f.right and f.right != NOTHING for f in run)
-        header = ["body", *(run[0].heads if both else run[0].heads[:1])]
-        rows = [[f"**{escaped(f.body)}**", _inline(f.left), *([_inline(f.right)] if both else [])] for f in run]
-        lines = [header, ["---"] * len(header), *rows]
-        return ["\n".join("| " + " | ".join(cells) + " |" for cells in lines)]
+        return self.tables([table_of(run)])
 
     def tables(self, run: Sequence[Table]) -> list[str]:
         return ["\n".join([_row(t.header), "|" + " --- |" * len(t.header), *(_row(r) for r in t.rows)]) for t in run]
 
     def answers(self, run: Sequence[Answer]) -> list[str]:
-        return [f"{self._level(2)} Answer", "\n".join(f"- {_answer(a)}" for a in run)]
+        return [f"{self._level(2)} Answer", "\n".join(f"- {_inline(answer_line(a))}" for a in run)]
 
     def checks(self, run: Sequence[Check]) -> list[str]:
-        lines = (tuple(q for p in c.line for q in checked(p)) for c in run)
-        return ["**Check:** " + " · ".join(map(_inline, lines))]
+        return ["**Check:** " + " · ".join(_inline(check_line(c)) for c in run)]
 
     def notes(self, run: Sequence[Note]) -> list[str]:
         label = f"**{escaped(run[0].kind)}:**"
@@ -129,10 +120,6 @@ def escaped(text: str) -> str:
     return _PUNCTUATION.sub(r"\\\1", printable(re.sub(r"\s", " ", text)))
 
 
-def _label(label: str) -> str:
-    return label.capitalize() if label.isupper() else label
-
-
 def _paragraph(line: Line) -> str:
     return _OPENING.sub(r"\1\\\2", _inline(line))
 
@@ -151,8 +138,3 @@ def _marked(part: Text) -> str:
 
 def _row(cells: Sequence[Line]) -> str:
     return "| " + " | ".join(_inline(c) for c in cells) + " |"
-
-
-def _answer(answer: Answer) -> str:
-    relation = ": " if answer.relation == ":" else f" {answer.relation} "
-    return _inline((Name(answer.name), Text(relation), *answer.line))
