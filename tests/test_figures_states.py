@@ -148,6 +148,12 @@ def test_a_motion_that_is_followed_in_numbers_alone_has_its_scene() -> None:
         assert min(y for _, y in outline.places) == pytest.approx(0, abs=1e-6)
 
 
+def test_a_ball_that_only_strikes_the_floor_is_no_block_on_it() -> None:
+    solution = worked(ROOT / "problems" / "hard" / "ball-that-comes-to-rest.yaml")[0]
+    marks = dict(figures_of(illustrated(narrate(solution), solution)))["scene"].panels[0].marks
+    assert [m.kind for m in marks if isinstance(m, Symbol)] == ["particle", "point", "place"]
+
+
 def test_nothing_to_draw_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "pulse.yaml"
     text = (

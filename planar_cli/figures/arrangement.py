@@ -13,9 +13,10 @@ from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
-from planar_cli.figures.partners import partners, sketch_of, touching
+from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
+from planar_cli.figures.rings import way_of
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.springs import settled
@@ -129,7 +130,9 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 continue
             yield from belt_marks(drawn, surface, mark)
             if isinstance(mark, Hatched):
-                standing.update(_standing(drawn, problem, surface, mark))
+                along = way_of(mark.places[0], mark.places[-1])
+                on_it = [name for name in sliders(problem, surface) if name in masses]
+                standing |= {name: Symbol("block", masses[name], along) for name in on_it}
     sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
     aside = side_by_side(drawn, moving, joints, extent([*points.values(), *centers]))
     sketched = [
@@ -170,22 +173,6 @@ def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]
     if len(across) == 2 and all(math.hypot(*s) > 1e-9 for s in tagged.values()):
         yield Symbol("origin", (0.0, 0.0))
         yield Tag((0.0, 0.0), line("0"))
-
-
-def _standing(drawn: Drawn, problem: Problem, surface: Surface, mark: Hatched) -> dict[str, Symbol]:
-    """Particles on a fixed straight line are blocks that stand on it."""
-    if not isinstance(surface.shape, Line):
-        return {}
-    (a, b) = mark.places[0], mark.places[-1]
-    along = math.atan2(b[1] - a[1], b[0] - a[0])
-    found = {}
-    for joint in problem.joints:
-        between = getattr(joint, "between", ())
-        for name in between if surface.name in between else ():
-            body = drawn.scene.bodies.get(name)
-            if body is not None and isinstance(body.shape, Particle) and (spot := drawn.spot(body.center)) is not None:
-                found[name] = Symbol("block", spot, along)
-    return found
 
 
 def _is_rim(drawn: Drawn, surface: Surface) -> bool:

@@ -12,15 +12,16 @@ from planar_cli.figures.arrangement import ALONE, extent
 from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
-from planar_cli.figures.partners import partners, touching
+from planar_cli.figures.partners import partners, sliders, touching
 from planar_cli.figures.posed import Pose, Posed, carried, variables_of
+from planar_cli.figures.rings import way_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
 from planar_cli.motion.curves import Formula, formula_of
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Curve, Line, Particle, Round, Surface
+from planar_cli.problem.scene import Body, Curve, Round, Surface
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import Name, line
@@ -105,8 +106,10 @@ class _Stage:
                 marks = [w for m in marks for w in within(m, [*body_marks(first_pose, carrier)])]
             yield self._with_carrier(surface.body, marks)
             for mark in marks:
-                if isinstance(mark, Hatched) and isinstance(surface.shape, Line):
-                    standing |= {name: _block(mark) for name in self._standing(surface)}
+                if isinstance(mark, Hatched):
+                    along = way_of(mark.places[0], mark.places[-1])
+                    block = Symbol("block", mark.places[0], along)
+                    standing |= dict.fromkeys(sliders(self.problem, surface), block)
         entries = [(entry, self._sketched(entry)) for entry in (*self.problem.joints, *self.problem.loads)]
         first = [m for _, shots in entries for m in shots[0]]
         sliding = {m.at for m in first if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
@@ -118,14 +121,6 @@ class _Stage:
         for _, shots in entries:
             yield Thing(tuple(_with_even_turns(shots)))
         yield from self._points()
-
-    def _standing(self, surface: Surface) -> Iterator[str]:
-        """Particles that slide along a fixed straight line are blocks that stand on it."""
-        particles = {b.name for b in self.problem.bodies if isinstance(b.shape, Particle)}
-        for joint in self.problem.joints:
-            between = getattr(joint, "between", ())
-            if surface.name in between and not joint.strikes:
-                yield from (name for name in between if name in particles)
 
     # --- surfaces ----------------------------------------------------------------------------------------------------
 
@@ -237,11 +232,6 @@ def _center(pose: Posed, body: Body) -> Iterator[Spot]:
     spot = pose.spot(pose.model(body).center)
     if spot is not None:
         yield spot
-
-
-def _block(ground: Hatched) -> Symbol:
-    (x0, y0), (x1, y1) = ground.places[0], ground.places[-1]
-    return Symbol("block", ground.places[0], math.atan2(y1 - y0, x1 - x0))
 
 
 def _spoke(pose: Posed, body: Body, rim: Round | None) -> Iterator[Mark]:

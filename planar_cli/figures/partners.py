@@ -38,6 +38,15 @@ def partners(problem: Problem, surface: Surface, joints: Sequence[Joint] | None 
             )
 
 
+def sliders(problem: Problem, surface: Surface) -> list[str]:
+    """The particles that slide along a fixed straight line: blocks that stand on it, not balls that strike it."""
+    if surface.body is not None or not isinstance(surface.shape, Line):
+        return []
+    particles = {b.name for b in problem.bodies if isinstance(b.shape, Particle)}
+    joints = [j for j in problem.joints if surface.name in getattr(j, "between", ()) and not j.strikes]
+    return [name for j in joints for name in getattr(j, "between", ()) if name in particles]
+
+
 def between(joint: Joint) -> tuple[str, ...]:
     """What a joint is between, by name."""
     along = getattr(joint, "along", None)
