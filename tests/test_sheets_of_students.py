@@ -48,6 +48,17 @@ def test_a_sheet_as_csv_is_handed_in_as_it_is(path: Path, capfd: pytest.CaptureF
     assert "not in the list" not in told
 
 
+def test_of_a_student_who_left_neither_sheet_nor_key_stays(path: Path) -> None:
+    out = path.parent / "out"
+    for students in ("ann, bob", "ann, cid"):
+        path.write_text(path.read_text().replace("ann, bob", students))
+        assert run(["key", str(path), "-o", str(out)]) == 0
+    assert sorted(p.name for p in out.glob("*.md")) == [
+        *("key-1-ann.md", "key-2-cid.md", "key.md"),
+        *("sheet-1-ann.md", "sheet-2-cid.md"),
+    ]
+
+
 def test_worked_solutions_are_for_an_audience(path: Path) -> None:
     pages = {}
     for audience in ("exam", "lesson"):

@@ -14,7 +14,7 @@ from planar_cli.streams import echo
 
 MANIFEST = ".planar-key.json"
 """The names of the files that were written, with the digests of what stands in them."""
-OF_A_KEY = re.compile(r"(sheet(-[a-z0-9_-]+)?|key(-[0-9]+)*)\.(md|html|tex|pdf|json|csv|svg)")
+OF_A_KEY = re.compile(r"(sheet|key)(-[a-z0-9_-]+)?\.(md|html|tex|pdf|json|csv|svg)")
 MOST_BYTES = 8_000_000
 
 
