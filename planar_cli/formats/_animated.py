@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from xml.etree import ElementTree as ET
 
-from planar_cli.formats._graph import Ticked, ticked
+from planar_cli.formats._graph import Ticked, in_unit, ticked
 from planar_cli.formats._labels import with_labels
 from planar_cli.formats._on_paper import Scale, pieces_of
 from planar_cli.formats._paper import SIZE, Box, Disc, Paper, Placed, Run, Spot, Stroke, Words, along, box_of
@@ -314,8 +314,6 @@ class _Clock:
 
     def _told(self) -> tuple[Run, ...]:
         """t in s, and how much faster or slower than the motion it is shown."""
-        power = self.axis.power
-        unit = f" in 10^{power} s" if power else " in s"
         times = (self.film.times[-1] - self.film.times[0]) / self.film.seconds
         more = (
             f", {times:.3g} × as fast"
@@ -324,7 +322,7 @@ class _Clock:
             if times < 1 - EVEN
             else ""
         )
-        return Run("t", formula=True), Run(f"{unit}{more}")
+        return Run("t", formula=True), Run(in_unit("s", self.axis.power) + more)
 
     def hand(self, root: ET.Element) -> None:
         """What goes along the line."""

@@ -70,20 +70,20 @@ def _round(least: float) -> float:
 
 
 @record
-class _Field:
+class Field:
     """Where the field of a graph lies on paper."""
 
     across: Ticked
     up: Ticked
-    left: float
-    top: float
     width: float
     height: float
+    top: float = 0.0
 
     def spot(self, at: Spot) -> Spot:
+        """Where a place of the graph is, from the left and from above."""
         x = (at[0] - self.across.low) / (self.across.high - self.across.low)
         y = (at[1] - self.up.low) / (self.up.high - self.up.low)
-        return self.left + x * self.width, self.top + (1 - y) * self.height
+        return x * self.width, self.top + (1 - y) * self.height
 
 
 def graph_pieces(mark: Graph) -> Iterator[Piece]:
@@ -101,7 +101,7 @@ def graph_pieces(mark: Graph) -> Iterator[Piece]:
         yield Words(runs_of(dot.words), at, "name", (UP - 0.6, UP, UP + 0.6), 6.0)
 
 
-def _field(mark: Graph) -> _Field:
+def _field(mark: Graph) -> Field:
     width, height = mark.size
     across, up = _ticks(mark, width, height)
     if mark.equal:
@@ -112,7 +112,7 @@ def _field(mark: Graph) -> _Field:
             across, up = _ticks(mark, width, height)
         pixels = min(mark.size[0] / (across.high - across.low), mark.size[1] / (up.high - up.low))
         width, height = pixels * (across.high - across.low), pixels * (up.high - up.low)
-    return _Field(across, up, 0.0, mark.row * (mark.size[1] + PITCH), width, height)
+    return Field(across, up, width, height, mark.row * (mark.size[1] + PITCH))
 
 
 def _ticks(mark: Graph, width: float, height: float) -> tuple[Ticked, Ticked]:
@@ -124,8 +124,8 @@ def _ticks(mark: Graph, width: float, height: float) -> tuple[Ticked, Ticked]:
     )
 
 
-def _axes(mark: Graph, field: _Field) -> Iterator[Piece]:
-    left, top, right, bottom = field.left, field.top, field.left + field.width, field.top + field.height
+def _axes(mark: Graph, field: Field) -> Iterator[Piece]:
+    left, top, right, bottom = 0.0, field.top, field.width, field.top + field.height
     yield Stroke(((left, bottom), (right, bottom)), "measure")
     yield Stroke(((left, bottom), (left, top)), "measure")
     for tick in field.across.ticks:
@@ -148,12 +148,17 @@ def _number(text: str, at: Spot, angle: float) -> Words:
 
 
 def _measured(axis: Scaled, power: int) -> tuple[Run, ...]:
-    """v in m/s, F in 10⁶ N."""
-    unit = " ".join(p for p in (f"10{superscript(str(power))}" if power else "", axis.unit) if p)
-    return (*runs_of(axis.words), *((Run(f" in {unit}"),) if unit else ()))
+    told = in_unit(axis.unit, power)
+    return (*runs_of(axis.words), *((Run(told),) if told else ()))
 
 
-def _curve(curve: Curve, look: str, field: _Field, named: bool) -> Iterator[Piece]:
+def in_unit(unit: str, power: int) -> str:
+    """What stands behind v and F at an axis: ` in m/s`, ` in 10⁶ N`; "" behind a pure number."""
+    told = " ".join(p for p in (f"10{superscript(str(power))}" if power else "", unit) if p)
+    return f" in {told}" if told else ""
+
+
+def _curve(curve: Curve, look: str, field: Field, named: bool) -> Iterator[Piece]:
     kind = f"curve {look}" + (" dashed" if curve.faint else "")
     pieces = [tuple(map(field.spot, piece)) for piece in curve.pieces if piece]
     for before, after in pairwise(pieces):

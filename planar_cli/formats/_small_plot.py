@@ -5,12 +5,11 @@ from __future__ import annotations
 from itertools import pairwise
 
 from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
-from planar_cli.formats._graph import Ticked, ticked
+from planar_cli.formats._graph import Field, in_unit, ticked
 from planar_cli.formats._layout import settled, spans
 from planar_cli.plain_letters import letters
 from planar_cli.report.blocks import Line
 from planar_cli.report.graphs import Graph, Scaled
-from planar_cli.report.numbers import superscript
 
 WIDEST, FEWEST, ROWS = 66, 12, 8
 """Columns of the field at most and at least, and its rows."""
@@ -31,7 +30,8 @@ def small_plot(graph: Graph, width: int) -> list[str]:
     columns = max(min(WIDEST, width - INDENT - beside - 3 - len(behind)), FEWEST)
     across = ticked(graph.across.low, graph.across.high, max(1, columns // EACH), tight=True)
     canvas = Canvas(columns, ROWS)
-    spot = _Spots(across, up, columns)
+    field = Field(across, up, columns * ACROSS - 1, ROWS * DOWN - 1)
+    spot = field.spot
     for curve in graph.curves:
         for piece in curve.pieces:
             for start, end in pairwise((piece[0], *piece)):
@@ -48,20 +48,7 @@ def small_plot(graph: Graph, width: int) -> list[str]:
     for row, cells in enumerate(canvas.lines()):
         axis = "┤" if row in marks else "│"
         lines.append(" " * INDENT + marks.get(row, "").rjust(beside) + letters(f" {axis}") + cells)
-    return [*lines, *_axis(graph.across, across, spot, width, INDENT + beside + 1)]
-
-
-class _Spots:
-    """Where numbers are on a canvas, in dots."""
-
-    def __init__(self, across: Ticked, up: Ticked, columns: int) -> None:
-        self.across, self.up = across, up
-        self.width, self.height = columns * ACROSS - 1, ROWS * DOWN - 1
-
-    def __call__(self, at: tuple[float, float]) -> tuple[float, float]:
-        x = (at[0] - self.across.low) / (self.across.high - self.across.low)
-        y = (at[1] - self.up.low) / (self.up.high - self.up.low)
-        return x * self.width, (1 - y) * self.height
+    return [*lines, *_axis(graph.across, field, columns, width, INDENT + beside + 1)]
 
 
 def _label(canvas: Canvas, at: tuple[float, float], text: str) -> None:
@@ -75,10 +62,10 @@ def _label(canvas: Canvas, at: tuple[float, float], text: str) -> None:
             return
 
 
-def _axis(scaled: Scaled, across: Ticked, spot: _Spots, width: int, start: int) -> list[str]:
+def _axis(scaled: Scaled, field: Field, columns: int, width: int, start: int) -> list[str]:
     """The line of the axis, and its numbers below."""
-    columns = (spot.width + 1) // ACROSS
-    places = {round(spot((t, spot.up.low))[0]) // ACROSS: t for t in across.ticks}
+    across = field.across
+    places = {round(field.spot((t, field.up.low))[0]) // ACROSS: t for t in across.ticks}
     line = "".join("┬" if k in places else "─" for k in range(columns))
     below = [" "] * (columns + EACH)
     for column, t in places.items():
@@ -95,8 +82,7 @@ def _axis(scaled: Scaled, across: Ticked, spot: _Spots, width: int, start: int) 
 
 
 def _measured(axis: Scaled, power: int) -> str:
-    unit = " ".join(p for p in (f"10{superscript(str(power))}" if power else "", axis.unit) if p)
-    return _text(axis.words) + letters(f" in {unit}" if unit else "")
+    return _text(axis.words) + letters(in_unit(axis.unit, power))
 
 
 def _text(words: Line) -> str:
