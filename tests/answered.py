@@ -108,6 +108,23 @@ states:
   2: [t = 2 s]
 """
 
+GUN = """
+title: A ball from a tube
+plane: vertical
+given: {m: 0.2 kg, s: 120 mm, k: 1.6 kN/m, beta: 55 deg, h: 3 m, l_0: 300 mm}
+points:
+  O: {from: Q, distance: l_0, angle: beta + 180 deg}
+  Q: [0, 0]
+  P: {from: Q, distance: s, angle: beta + 180 deg}
+bodies: {ball: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: beta, during: 1->2}
+loads:
+  - spring: {between: [O, P], stiffness: k, natural_length: l_0, during: 1->2}
+states: {1: [at rest], 2: [y(ball) = 0], 3: [y(ball) = h]}
+find: {v_0: v(ball).mag @ 2, t_f: t @ 3 - t @ 2, x_f: x(ball) @ 3}
+"""
+
 
 def solve(text: str) -> Answers:
     """All finds of a file, by name; what keeps it from being solved is raised."""

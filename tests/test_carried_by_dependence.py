@@ -5,25 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from homework_made import SLOPE, homework_of, set_of
 
 from planar_cli.homework.dependence import behind_each, in_turn
 from planar_cli.homework.grading_made import grading_of
-from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Submission
-from planar_cli.homework.set_file import read_set
 from planar_cli.homework.worked_problem import read_and_solve
 
-SLOPE = """
-plane: vertical
-given: {m: 2 kg, beta: 30 deg, mu: 0.2}
-points: {A: [0, 0]}
-surfaces: {slope: {through: A, angle: -beta}}
-bodies: {block: {particle: A, mass: m}}
-joints:
-  - contact: {between: [block, slope], at: A, mu: mu}
-instant: [at rest]
-find: {FINDS}
-"""
+ACCELERATION = "{a: a(block).mag}"
 NORMAL_LAST, NORMAL_FIRST = "{a: a(block).mag, N: N(A)}", "{N: N(A), a: a(block).mag}"
 CRANK = """
 given: {r: 120 mm, l: 400 mm, n: 120 rpm, phi: 60 deg}
@@ -56,10 +45,8 @@ cases:
 
 
 def verdicts(folder: Path, text: str, answers: dict[str, str]) -> dict[str, tuple[str, tuple[str, ...]]]:
-    (folder / "p.yaml").write_text(text)
-    (folder / "set.yaml").write_text("problems: [p.yaml]")
-    homework_set = read_set(str(folder / "set.yaml"))
-    homework = assembled(homework_set, [prepared(homework_set.problems[0], 0, 1)])
+    homework_set = set_of(folder, p=text)
+    homework = homework_of(homework_set)
     handed = Submission("ann", 0, tuple(("p", find, typed) for find, typed in answers.items()))
     graded = grading_of(homework_set, homework)()(handed).graded
     return {one.find: (one.told, one.carried) for one in graded}
@@ -68,7 +55,7 @@ def verdicts(folder: Path, text: str, answers: dict[str, str]) -> dict[str, tupl
 @pytest.mark.parametrize("finds", [NORMAL_LAST, NORMAL_FIRST])
 def test_the_order_of_the_finds_does_not_matter(finds: str, tmp_path: Path) -> None:
     """N = m g sin β is wrong, and a = g sin β - μ N/m follows from it."""
-    found = verdicts(tmp_path, SLOPE.replace("{FINDS}", finds), {"N": "9.81 N", "a": "3.924 m/s^2"})
+    found = verdicts(tmp_path, SLOPE.replace(ACCELERATION, finds), {"N": "9.81 N", "a": "3.924 m/s^2"})
     assert found == {"N": ("wrong", ()), "a": ("carried", ("N",))}
 
 

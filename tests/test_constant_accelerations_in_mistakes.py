@@ -6,11 +6,9 @@ import math
 from pathlib import Path
 
 import pytest
+from homework_made import with_known_mistakes
 
-from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import columns
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import base_expected, read_and_solve
+from planar_cli.homework.worked_problem import read_and_solve
 
 PROBLEM = Path(__file__).parents[1] / "problems" / "motion" / "body-block-sent-up-a-slope.yaml"
 G, MU, V = 9.81, 0.25, 6.0
@@ -18,8 +16,7 @@ SIN, COS = math.sin(math.radians(30)), math.cos(math.radians(30))
 
 
 def mistakes() -> dict[str, dict[str, float]]:
-    problem = read_and_solve(str(PROBLEM), "p")
-    row = with_mistakes(problem, [base_expected(problem)], columns(problem, [Draw(())]))[0]
+    row = with_known_mistakes(read_and_solve(str(PROBLEM), "p"))
     return {e.find: {m.name: m.values[0] for m in reversed(e.mistakes)} for e in row}
 
 

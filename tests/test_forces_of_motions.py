@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import sympy as sp
 from conftest import ROOT
+from homework_made import with_known_mistakes
 
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve
+from planar_cli.homework.worked_problem import WorkedProblem, read_and_solve
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 
@@ -19,7 +19,7 @@ PROBLEMS = ROOT / "problems"
 
 def mistakes(worked: WorkedProblem) -> dict[str, dict[str, float]]:
     """Of each find what the models of mistakes give, by their names."""
-    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    row = with_known_mistakes(worked)
     return {e.find: {m.name: m.values[0] for m in e.mistakes} for e in row}
 
 
@@ -66,7 +66,7 @@ def test_steps_that_need_each_other_are_solved_together() -> None:
 def test_one_body_in_equilibrium_and_one_equation_without_the_weight() -> None:
     # A motor lifts 80 lb by a cord: T = W, and T = W a/g.
     worked = read_and_solve(str(ROOT / "tests" / "homework" / "hoist.yaml"), "p")
-    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    row = with_known_mistakes(worked)
     told = {m.feedback: m.values[0] for m in row[1].mistakes}
     assert told["load is taken to be in equilibrium: m a is missing"] == pytest.approx(80)
     a = worked.parts[0].solution.found[0].values

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from homework_made import BALL_ON_ROD, set_of
 
 from planar_cli.commands._handed_out import page
 from planar_cli.commands._told_formulas import told_formulas
@@ -10,35 +11,20 @@ from planar_cli.homework.homework import prepared
 from planar_cli.homework.paper import Paper
 from planar_cli.homework.ready import Homework, Prepared
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 from planar_cli.homework.sheets import Handed
 from planar_cli.report.handed_out import key, sheet
 
-HIT = """
+HIT = f"""
 plane: vertical
-symbols: {v_0: m/s}
-given: {M: 6 kg, m: 1 kg, l: 1.2 m, b: 0.9 m, e: 0.6}
-points: {A: [0, 0], B: [0, -l], P: [0, -b]}
-bodies:
-  rod: {rod: [A, B], mass: M}
-  ball: {particle: P, mass: m}
-joints:
-  - pin: {at: A, between: [ground, rod]}
-  - impact: {between: [ball, rod], restitution: e, normal: 0 deg, during: 1->2}
-states:
-  1: [rod at rest, v(ball).x = v_0, v(ball).y = 0]
-  2: [just after 1]
-find: {J: impulse(A).x @ 1->2, v: v(ball).x @ 2}
-variants: {b: [0.9 m, 0.6 m, 1.2 m]}
+symbols: {{v_0: m/s}}
+given: {{M: 6 kg, m: 1 kg, l: 1.2 m, b: 0.9 m, e: 0.6}}{BALL_ON_ROD}find: {{J: impulse(A).x @ 1->2, v: v(ball).x @ 2}}
+variants: {{b: [0.9 m, 0.6 m, 1.2 m]}}
 """
 
 
 @pytest.fixture(scope="module")
 def hit(tmp_path_factory: pytest.TempPathFactory) -> Prepared:
-    folder = tmp_path_factory.mktemp("hit")
-    (folder / "hit.yaml").write_text(HIT)
-    (folder / "set.yaml").write_text("problems: [hit.yaml]\nvariants: {number: 3}")
-    (problem,) = read_set(str(folder / "set.yaml")).problems
+    (problem,) = set_of(tmp_path_factory.mktemp("hit"), "variants: {number: 3}", hit=HIT).problems
     return prepared(problem, 3, 1, told_formulas)
 
 

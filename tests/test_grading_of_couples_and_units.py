@@ -5,13 +5,9 @@ rests.
 from __future__ import annotations
 
 import pytest
+from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 ARM = """
 title: Collar on a driven arm
@@ -33,16 +29,7 @@ find: {M: M, a_rel: a(collar/arm).along(arm)}
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    folder = tmp_path_factory.mktemp("arm")
-    (folder / "arm.yaml").write_text(ARM)
-    (folder / "set.yaml").write_text("problems: [arm.yaml]\n")
-    homework_set = read_set(str(folder / "set.yaml"))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
-
-
-def graded(homework: Homework, find: str, typed: str) -> Graded:
-    result = grade(Submission("ann", 0, (("arm", find, typed),)), homework.papers, Rules())
-    return next(g for g in result.graded if g.find == find)
+    return homework_of(set_of(tmp_path_factory.mktemp("arm"), arm=ARM))
 
 
 @pytest.mark.parametrize(
@@ -54,22 +41,22 @@ def graded(homework: Homework, find: str, typed: str) -> Graded:
     ],
 )
 def test_a_couple_that_is_sought_has_a_sense(homework: Homework, typed: str, verdict: str, sign: str) -> None:
-    found = graded(homework, "M", typed)
+    found = graded(homework, "arm.M", typed)
     assert (found.verdict, found.sign) == (verdict, sign)
     assert found.expected.endswith("counterclockwise")
 
 
 def test_the_right_number_with_another_unit(homework: Homework) -> None:
-    found = graded(homework, "M", "10.14 lbf*ft")
+    found = graded(homework, "arm.M", "10.14 lbf*ft")
     assert (found.value, found.unit) == ("right", "wrong")
     assert "it is not lbf·ft" in found.message
 
 
 def test_degrees_that_were_not_written_are_told(homework: Homework) -> None:
-    found = graded(homework, "a_rel", "16*0.4*sin(30) m/s^2")
+    found = graded(homework, "arm.a_rel", "16*0.4*sin(30) m/s^2")
     assert found.verdict == "ungradable"
     assert "write sin(30 deg)" in found.message
-    assert graded(homework, "a_rel", "16*0.4*sin(0.6) m/s^2").verdict == "wrong"
+    assert graded(homework, "arm.a_rel", "16*0.4*sin(0.6) m/s^2").verdict == "wrong"
 
 
 def test_an_angle_on_which_nothing_rests_is_no_mistake(homework: Homework) -> None:

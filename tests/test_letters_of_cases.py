@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from homework_made import homework_of, set_of
 
 from planar_cli.homework.carried_errors import Carrier, unpickled
 from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 SLOPE = """
 plane: vertical
@@ -38,11 +37,7 @@ cases:
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path = tmp_path_factory.mktemp("cases") / "set.yaml"
-    (path.parent / "slope.yaml").write_text(SLOPE)
-    path.write_text("problems: [slope.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    return homework_of(set_of(tmp_path_factory.mktemp("cases"), slope=SLOPE))
 
 
 def graded(homework: Homework, **typed: str) -> dict[str, Graded]:

@@ -5,13 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from homework_made import mistakes_of
 
 from planar_cli.homework.literal_angles import with_names
-from planar_cli.homework.paper import Expected
-from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import columns
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import base_expected, read_and_solve
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_text
 
 SLOPE = """
@@ -32,15 +28,12 @@ NAMED = (
 )
 
 
-def mistakes(path: Path, text: str) -> dict[str, list[tuple[str, str, tuple[float, ...]]]]:
-    path.write_text(text)
-    problem = read_and_solve(str(path), "p")
-    row: tuple[Expected, ...] = with_mistakes(problem, [base_expected(problem)], columns(problem, [Draw(())]))[0]
-    return {e.find: sorted((m.name, m.feedback, m.values) for m in e.mistakes) for e in row}
+def mistakes(folder: Path, text: str) -> dict[str, list[tuple[str, str, tuple[float, ...]]]]:
+    return {e.find: sorted((m.name, m.feedback, m.values) for m in e.mistakes) for e in mistakes_of(folder, text)}
 
 
 def test_mistakes_with_numbers_are_those_with_letters(tmp_path: Path) -> None:
-    written, named = mistakes(tmp_path / "w.yaml", SLOPE), mistakes(tmp_path / "n.yaml", NAMED)
+    written, named = mistakes(tmp_path, SLOPE), mistakes(tmp_path, NAMED)
     for find, expected in named.items():
         told = [(n, f.replace("β", "30°").replace("δ", "15°")) for n, f, _ in expected]
         assert sorted((n, f) for n, f, _ in written[find]) == sorted(told)

@@ -5,14 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from homework_made import GATE, graded, homework_of, set_of
 
 from planar_cli.homework.answers import compare
-from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 
@@ -39,40 +35,12 @@ instant: [at rest]
 find: {a: a(crate).along(beta), T_1: tension(rope1)}
 """
 # By hand: a = (m_B g - m g sin β - μ m g cos β)/(m + m_B + M/2) = 3.703 m/s², T_1 = m (a + g sin β) + μ m g cos β.
-GATE = """
-plane: vertical
-given: {W: 14 lbf, l: 3.5 ft, W_D: 8 lbf, D: 20 in, beta: 30 deg, g: 32.2 ft/s^2}
-points:
-  A: [0, 0]
-  B: {from: A, distance: l, angle: beta}
-bodies:
-  arm: {rod: [A, B], weight: W}
-  disk: {disk: B, radius: D/2, weight: W_D}
-joints:
-  - pin: {at: A, between: [ground, arm]}
-  - weld: {at: B, between: [arm, disk]}
-states:
-  1: [at rest]
-  2: [theta(arm) = -90 deg]
-find: {omega: omega(arm) @ 2, A: reaction(A) @ 2}
-"""
-# By hand: ω = 5.667 rad/s, A = W + W_D + (W/2 + W_D) l ω²/g.
+# Of the gate by hand: ω = 5.667 rad/s.
 
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path: Path = tmp_path_factory.mktemp("one") / "set.yaml"
-    (path.parent / "haul.yaml").write_text(HAUL)
-    (path.parent / "gate.yaml").write_text(GATE)
-    path.write_text("problems: [haul.yaml, gate.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
-
-
-def graded(homework: Homework, place: str, typed: str) -> Graded:
-    problem, find = place.split(".")
-    result = grade(Submission("ann", 0, ((problem, find, typed),)), homework.papers, Rules())
-    return next(g for g in result.graded if (g.problem, g.find) == (problem, find))
+    return homework_of(set_of(tmp_path_factory.mktemp("one"), haul=HAUL, gate=GATE))
 
 
 CRATE = "the equation of crate along the contact at C"
@@ -138,10 +106,7 @@ find: {N: N(P), a: a(sled).mag}
     ],
 )
 def test_a_pull_that_is_forgotten_in_the_normal_force(typed: str, said: str, tmp_path: Path) -> None:
-    (tmp_path / "sled.yaml").write_text(PULLED)
-    (tmp_path / "set.yaml").write_text("tolerance: 0.005\nproblems: [sled.yaml]\n")
-    homework_set = read_set(str(tmp_path / "set.yaml"))
-    made = assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    made = homework_of(set_of(tmp_path, "tolerance: 0.005", sled=PULLED))
     one = graded(made, "sled.N", typed)
     assert one.mistakes == ("normal-force-is-weight",)
     assert said in one.feedback

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+from homework_made import homework_of, set_of
 
 from planar_cli.homework.carried_errors import Carrier, unpickled
 from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 CRANK = """
 given: {r: 80 mm, l: 220 mm, e: 40 mm, n: 150 rpm, phi: 50 deg}
@@ -33,11 +30,7 @@ find: {v_A: v(A), omega_AB: omega(rod), v_B: v(B).y, alpha_AB: alpha(rod), a_B: 
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path: Path = tmp_path_factory.mktemp("crank") / "set.yaml"
-    (path.parent / "crank.yaml").write_text(CRANK)
-    path.write_text("problems: [crank.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    return homework_of(set_of(tmp_path_factory.mktemp("crank"), crank=CRANK))
 
 
 def graded(homework: Homework, **typed: str) -> dict[str, Graded]:

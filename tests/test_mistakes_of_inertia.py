@@ -5,11 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
-from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import columns
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import base_expected, read_and_solve
+from homework_made import mistakes_of
 
 ROD = """
 plane: vertical
@@ -22,22 +18,20 @@ AT_REST = f"{ROD}instant: [at rest]\nfind: {{alpha: alpha(rod)}}\n"
 SWINGS = f"{ROD}states: {{1: [at rest], 2: [theta(rod) = -90 deg]}}\nfind: {{omega: omega(rod) @ 2}}\n"
 
 
-def ratios(path: Path, text: str) -> dict[str, float]:
+def ratios(folder: Path, text: str) -> dict[str, float]:
     """By mistake, its result by the right one."""
-    path.write_text(text)
-    problem = read_and_solve(str(path), "p")
-    (row,) = with_mistakes(problem, [base_expected(problem)], columns(problem, [Draw(())]))
-    return {m.name: m.values[0] / row[0].values[0] for m in row[0].mistakes}
+    (one,) = mistakes_of(folder, text)
+    return {m.name: m.values[0] / one.values[0] for m in one.mistakes}
 
 
 def test_of_i_o_one_part_is_missing(tmp_path: Path) -> None:
     """α = M/I_O: I_O = m l²/3 is four times I_G, and 4/3 of m d²."""
-    found = ratios(tmp_path / "rod.yaml", AT_REST)
+    found = ratios(tmp_path, AT_REST)
     assert found["parallel-axis-left-out"] == pytest.approx(4)
     assert found["rotational-inertia-left-out"] == pytest.approx(4 / 3)
 
 
 def test_of_an_energy_one_part_is_missing(tmp_path: Path) -> None:
-    found = ratios(tmp_path / "rod.yaml", SWINGS)
+    found = ratios(tmp_path, SWINGS)
     assert found["parallel-axis-left-out"] == pytest.approx(2)
     assert found["rotational-inertia-left-out"] == pytest.approx((4 / 3) ** 0.5)

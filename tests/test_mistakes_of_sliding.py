@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Submission
 from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 ARM = """
 plane: horizontal
@@ -37,11 +31,7 @@ CORIOLIS, NORMAL, TANGENTIAL = "coriolis-left-out", "centripetal-left-out", "tan
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path: Path = tmp_path_factory.mktemp("arm") / "set.yaml"
-    (path.parent / "arm.yaml").write_text(ARM)
-    path.write_text("problems: [arm.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    return homework_of(set_of(tmp_path_factory.mktemp("arm"), arm=ARM))
 
 
 @pytest.mark.parametrize(
@@ -56,6 +46,5 @@ def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     ],
 )
 def test_a_part_is_missing(homework: Homework, find: str, typed: str, mistake: str) -> None:
-    result = grade(Submission("ann", 0, (("arm", find, typed),)), homework.papers, Rules())
-    one = next(g for g in result.graded if g.find == find)
+    one = graded(homework, f"arm.{find}", typed)
     assert (one.verdict, one.mistakes) == ("wrong", (mistake,))

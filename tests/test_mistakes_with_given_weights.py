@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 HOIST = """
 plane: vertical
@@ -33,16 +27,7 @@ find: {T_A: tension(cord_A), alpha: alpha(drum)}
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path: Path = tmp_path_factory.mktemp("hoist") / "set.yaml"
-    (path.parent / "hoist.yaml").write_text(HOIST)
-    path.write_text("problems: [hoist.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
-
-
-def graded(homework: Homework, find: str, typed: str) -> Graded:
-    result = grade(Submission("ann", 0, (("hoist", find, typed),)), homework.papers, Rules())
-    return next(g for g in result.graded if g.find == find)
+    return homework_of(set_of(tmp_path_factory.mktemp("hoist"), hoist=HOIST))
 
 
 @pytest.mark.parametrize(
@@ -55,7 +40,7 @@ def graded(homework: Homework, find: str, typed: str) -> Graded:
     ],
 )
 def test_the_acceleration_has_the_wrong_sign(homework: Homework, find: str, typed: str) -> None:
-    one = graded(homework, find, typed)
+    one = graded(homework, f"hoist.{find}", typed)
     assert one.mistakes == ("acceleration-reversed",)
     assert one.feedback == "the acceleration has the wrong sign in the equation of A along y"
 
@@ -70,6 +55,6 @@ def test_the_acceleration_has_the_wrong_sign(homework: Homework, find: str, type
     ],
 )
 def test_the_weight_for_the_mass(homework: Homework, typed: str) -> None:
-    one = graded(homework, "alpha", typed)
+    one = graded(homework, "hoist.alpha", typed)
     assert one.mistakes == ("mass-for-weight",)
     assert one.feedback == "the weight stands where the mass W/g belongs"

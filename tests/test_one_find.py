@@ -5,10 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from worked import page_of_text
 
 SLED = """
 title: A sled that is pulled
@@ -28,13 +25,11 @@ LAW, SUM, TIME = "F cos β - μ N_P = m a", "F sin β + N_P - m g = 0", "v_2 = a
 
 
 @pytest.mark.parametrize(("why", "told", "untold"), [
-    ("t_d", ["Principle   Newton's second law. Constant acceleration.", LAW, SUM, TIME], []),
+    ("t_d", ["Principle Newton's second law. Constant acceleration.", LAW, SUM, TIME], []),
     ("v", [LAW, SUM], [TIME]),
     ("N", [SUM.replace("N_P", "N")], [LAW, TIME, "Constant acceleration"]),
 ])  # fmt: skip
 def test_what_an_answer_rests_on(why: str, told: list[str], untold: list[str], tmp_path: Path) -> None:
-    path = tmp_path / "sled.yaml"
-    path.write_text(SLED, encoding="utf-8")
-    page = Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0], why=why))
+    page = page_of_text(tmp_path, SLED, why)
     assert not [words for words in told if words not in page]
     assert not [words for words in untold if words in page]

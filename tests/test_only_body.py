@@ -5,11 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from worked import page_of_file
-
-from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from answered import GUN
+from worked import page_of_file, page_of_text
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
@@ -30,28 +27,8 @@ def test_letters(stem: str, lines: list[str]) -> None:
     assert not [line for line in lines if line not in page]
 
 
-GUN = """
-title: A ball from a tube
-plane: vertical
-given: {m: 0.2 kg, s: 120 mm, k: 1.6 kN/m, beta: 55 deg, h: 3 m, l_0: 300 mm}
-points:
-  O: {from: Q, distance: l_0, angle: beta + 180 deg}
-  Q: [0, 0]
-  P: {from: Q, distance: s, angle: beta + 180 deg}
-bodies: {ball: {particle: P, mass: m}}
-joints:
-  - guide: {point: P, along: beta, during: 1->2}
-loads:
-  - spring: {between: [O, P], stiffness: k, natural_length: l_0, during: 1->2}
-states: {1: [at rest], 2: [y(ball) = 0], 3: [y(ball) = h]}
-find: {v_0: v(ball).mag @ 2, t_f: t @ 3 - t @ 2, x_f: x(ball) @ 3}
-"""
-
-
 def test_a_speed_and_its_component_keep_two_names(tmp_path: Path) -> None:
     """Where the derivation of one answer has only the component along y beside the speed."""
-    path = tmp_path / "gun.yaml"
-    path.write_text(GUN, encoding="utf-8")
-    page = Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0], why="t_f"))
+    page = page_of_text(tmp_path, GUN, why="t_f")
     assert "v_y,2 = v_2 sin β" in page
     assert "v_2 = v_2" not in page

@@ -5,30 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from homework_made import SLOPE, set_of
 
 from planar_cli.commands._tolerances import tolerances_of_set
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.set_file import HomeworkSet, read_set
+from planar_cli.homework.set_file import HomeworkSet
 
-SLOPE = """
-plane: vertical
-given: {m: 2 kg, beta: 10 deg, mu_k: 0.1}
-points: {A: [0, 0]}
-surfaces: {slope: {through: A, angle: -beta}}
-bodies: {block: {particle: A, mass: m}}
-joints:
-  - contact: {between: [block, slope], at: A, mu: mu_k}
-instant: [at rest]
-find: {a: a(block).mag}
-variants: {beta: [10 deg, 60 deg, 12 deg]}
+SHALLOW = f"""{SLOPE.replace("beta: 30 deg, mu_k: 0.2", "beta: 10 deg, mu_k: 0.1")}
+variants: {{beta: [10 deg, 60 deg, 12 deg]}}
 """
 
 
 def made(folder: Path, more: str) -> HomeworkSet:
-    (folder / "slope.yaml").write_text(SLOPE)
-    path = folder / "set.yaml"
-    path.write_text(f"problems: [slope.yaml]\n{more}\n")
-    return read_set(str(path))
+    return set_of(folder, more, slope=SHALLOW)
 
 
 def warnings(homework_set: HomeworkSet) -> list[str]:

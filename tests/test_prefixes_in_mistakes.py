@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
+from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.grading import grade
-from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Submission
 from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 
 GUN = """
 plane: horizontal
@@ -32,11 +26,7 @@ find: {v: v(ball).mag @ 2}
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    path: Path = tmp_path_factory.mktemp("gun") / "set.yaml"
-    (path.parent / "gun.yaml").write_text(GUN)
-    path.write_text("problems: [gun.yaml]\n")
-    homework_set = read_set(str(path))
-    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
+    return homework_of(set_of(tmp_path_factory.mktemp("gun"), gun=GUN))
 
 
 @pytest.mark.parametrize(
@@ -48,6 +38,6 @@ def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     ],
 )
 def test_a_prefix_is_lost(homework: Homework, typed: str, said: str) -> None:
-    (one,) = grade(Submission("ann", 0, (("gun", "v", typed),)), homework.papers, Rules()).graded
+    one = graded(homework, "gun.v", typed)
     assert (one.verdict, one.mistakes) == ("wrong", ("power-of-ten",))
     assert said in one.feedback

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 from conftest import ROOT
+from homework_made import with_known_mistakes
 
 from planar_cli.homework.variants import variants_of
-from planar_cli.homework.what_mistakes_give import with_mistakes
 from planar_cli.homework.worked_problem import base_expected, models_of, read_and_solve, with_numbers
 from planar_cli.replay.numbers import Replay
 
@@ -46,7 +46,7 @@ def test_variants_are_those_of_the_file_with_other_data(path: object) -> None:
 def test_mistakes_come_to_what_a_hand_computes() -> None:
     """tan-free numbers of the slope: a = g (sin β ∓ μ cos β)."""
     worked = read_and_solve(str(SET / "slope.yaml"), "p")
-    (expected,) = with_mistakes(worked, [base_expected(worked)], {})
+    expected = with_known_mistakes(worked)
     # The first of each kind is that of all equations.
     a = {m.name: m.values[0] for m in reversed(expected[0].mistakes)}
     assert a["friction-left-out"] == pytest.approx(4.905)
@@ -58,7 +58,7 @@ def test_mistakes_come_to_what_a_hand_computes() -> None:
 def test_parts_of_an_acceleration_can_be_left_out() -> None:
     """a = [-ω² d, 2 ω u] on a turning arm."""
     worked = read_and_solve(str(SET / "slot.yaml"), "p")
-    (expected,) = with_mistakes(worked, [base_expected(worked)], {})
+    expected = with_known_mistakes(worked)
     a = {m.name: m.values for m in expected[1].mistakes}
     assert a["coriolis-left-out"] == pytest.approx((-4.5, 0), abs=1e-12)
     assert a["centripetal-left-out"] == pytest.approx((0, 4.8), abs=1e-12)
@@ -83,8 +83,7 @@ def test_every_mistake_of_the_shelf_is_made_somewhere() -> None:
     for path in FILES:
         worked = read_and_solve(str(path), "p")
         made |= {name for name, _ in models_of(worked)}
-        for one in with_mistakes(worked, [base_expected(worked)], {}):
-            made |= {m.name for e in one for m in e.mistakes}
+        made |= {m.name for e in with_known_mistakes(worked) for m in e.mistakes}
     rare = {
         "given-not-converted",
         "static-for-kinetic",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from answered import GUN
+
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._on_paper import Scale, in_rows
 from planar_cli.homework.checking import read, solve_and_compare
@@ -23,22 +25,6 @@ loads:
   - force: {body: A, magnitude: F, angle: 0 deg}
 instant: [v(A).x = v_A]
 find: {a: a(A).x}
-"""
-GUN = """
-title: A ball from a tube
-plane: vertical
-given: {m: 0.2 kg, s: 120 mm, k: 1.6 kN/m, beta: 55 deg, h: 3 m, l_0: 300 mm}
-points:
-  O: {from: Q, distance: l_0, angle: beta + 180 deg}
-  Q: [0, 0]
-  P: {from: Q, distance: s, angle: beta + 180 deg}
-bodies: {ball: {particle: P, mass: m}}
-joints:
-  - guide: {point: P, along: beta, during: 1->2}
-loads:
-  - spring: {between: [O, P], stiffness: k, natural_length: l_0, during: 1->2}
-states: {1: [at rest], 2: [y(ball) = 0], 3: [y(ball) = h]}
-find: {v_0: v(ball).mag @ 2}
 """
 LADDER = """
 title: A rod on a wheel that slides down a wall

@@ -5,27 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from homework_made import SLOPE, set_of
 
 from planar_cli.cli import run
-
-SLOPE = """
-plane: vertical
-given: {m: 2 kg, beta: 30 deg, mu_k: 0.2}
-points: {A: [0, 0]}
-surfaces: {slope: {through: A, angle: -beta}}
-bodies: {block: {particle: A, mass: m}}
-joints:
-  - contact: {between: [block, slope], at: A, mu: mu_k}
-instant: [at rest]
-find: {a: a(block).mag}
-variants: {beta: [30 deg, 33 deg, 35 deg]}
-"""
 
 
 @pytest.fixture
 def path(tmp_path: Path) -> Path:
-    (tmp_path / "slope.yaml").write_text(SLOPE)
-    (tmp_path / "set.yaml").write_text("problems: [slope.yaml]\nstudents: [ann, bob]\nvariants: {seed: 7}\n")
+    varied = f"{SLOPE}variants: {{beta: [30 deg, 33 deg, 35 deg]}}\n"
+    set_of(tmp_path, "students: [ann, bob]\nvariants: {seed: 7}", slope=varied)
     return tmp_path / "set.yaml"
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from conftest import ROOT
+from homework_made import set_of, with_known_mistakes
 
 from planar_cli.homework.carried_errors import Carrier
 from planar_cli.homework.course import course_of
@@ -18,12 +19,10 @@ from planar_cli.homework.fit_variants import in_equations
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.ready import Prepared
 from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
 from planar_cli.homework.solved_anew import to_check
 from planar_cli.homework.tolerance_report import tolerance_report
 from planar_cli.homework.variant_draws import Draw
 from planar_cli.homework.variants import columns, variations
-from planar_cli.homework.what_mistakes_give import with_mistakes
 from planar_cli.homework.worked_problem import (
     Carried,
     WorkedProblem,
@@ -39,9 +38,7 @@ from planar_cli.replay.single import NoNumber, Single
 
 def ready(folder: Path, text: str, number: int) -> tuple[WorkedProblem, Prepared]:
     """A problem and its variants."""
-    (folder / "p.yaml").write_text(text)
-    (folder / "set.yaml").write_text(f"problems: [p.yaml]\nvariants: {{number: {number}, seed: 5}}\n")
-    (problem,) = read_set(str(folder / "set.yaml")).problems
+    (problem,) = set_of(folder, f"variants: {{number: {number}, seed: 5}}", p=text).problems
     return read_and_solve(problem.path, "p"), prepared(problem, number, 5)
 
 
@@ -183,7 +180,7 @@ def test_wrong_equations_make_no_mistakes_and_carry_nothing(tmp_path: Path) -> N
     )
     broken = replace(part, replay=Replay(folded))
     worked.parts = (broken, *worked.parts[1:])
-    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    row = with_known_mistakes(worked)
     models = {name for name, _ in models_of(worked)}
     assert not models.intersection(m.name for m in row[0].mistakes)
     assert models.intersection(m.name for m in row[-1].mistakes)
@@ -296,7 +293,7 @@ def of_each_value(path: Path, pick: slice) -> None:
                 here = [float(n[k]) for n in numbers.asked(part, find)]
                 assert here == pytest.approx(due[find.name], rel=1e-7, abs=1e-12), (one.values, find.name)
     right = {e.find: e.values for e in base_expected(worked)}
-    (row,) = with_mistakes(worked, [base_expected(worked)], {})
+    row = with_known_mistakes(worked)
     for one in row:
         assert all(m.values != pytest.approx(right[one.find], rel=1e-6) for m in (*one.mistakes, *one.nearly))
 

@@ -6,29 +6,18 @@ import math
 from pathlib import Path
 
 import pytest
+from homework_made import SLOPE, set_of
 
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.set_file import HomeworkSet, read_set
+from planar_cli.homework.set_file import HomeworkSet
 
-SLOPE = """
-plane: vertical
-given: {m: 2 kg, beta: 30 deg, mu_k: 0.2}
-points: {A: [0, 0]}
-surfaces: {slope: {through: A, angle: -beta}}
-bodies: {block: {particle: A, mass: m}}
-joints:
-  - contact: {between: [block, slope], at: A, mu: mu_k}
-instant: [at rest]
-find: {a: a(block).mag}
-variants: {beta: [30 deg, 5 deg, 35 deg], m: [2 kg, 3 kg]}
+VARIED = f"""{SLOPE}
+variants: {{beta: [30 deg, 5 deg, 35 deg], m: [2 kg, 3 kg]}}
 """
 
 
 def made(folder: Path, more: str) -> HomeworkSet:
-    (folder / "slope.yaml").write_text(SLOPE)
-    path = folder / "set.yaml"
-    path.write_text(f"problems: [slope.yaml]\n{more}\n")
-    return read_set(str(path))
+    return set_of(folder, more, slope=VARIED)
 
 
 @pytest.mark.parametrize(
@@ -78,7 +67,7 @@ def test_what_rounding_leaves_of_a_zero_has_no_sign(tmp_path: Path) -> None:
 
 def test_a_component_has_the_heading_of_its_own_variant(tmp_path: Path) -> None:
     """Along the slope of the variant, not of the file."""
-    down = SLOPE.replace("a(block).mag", "a(block).along(-beta)").replace("5 deg, 35", "33 deg, 35")
+    down = VARIED.replace("a(block).mag", "a(block).along(-beta)").replace("5 deg, 35", "33 deg, 35")
     (problem,) = made(tmp_path, "variants: {number: 6}").problems
     Path(problem.path).write_text(down)
     ready = prepared(problem, 6, 1)
@@ -92,7 +81,7 @@ def test_a_component_has_the_heading_of_its_own_variant(tmp_path: Path) -> None:
 def test_variants_differ_in_their_answers_where_they_can(tmp_path: Path) -> None:
     """The mass is of no matter to a = g (sin β - μ cos β)."""
     (problem,) = made(tmp_path, "variants: {number: 3}").problems
-    Path(problem.path).write_text(SLOPE.replace("5 deg, 35 deg]", "33 deg, 35 deg]"))
+    Path(problem.path).write_text(VARIED.replace("5 deg, 35 deg]", "33 deg, 35 deg]"))
     for seed in (1, 2, 3):
         assert len({task.expected[0].text for task in prepared(problem, 3, seed).tasks[1:]}) == 3
     ready = prepared(problem, 5, 1)

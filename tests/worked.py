@@ -61,11 +61,11 @@ def page_of_file(stem: str) -> str:
     return re.sub(r"\s+", " ", Terminal(200).render(narrate(worked(path)[0])))
 
 
-def page_of_text(folder: Path, text: str) -> str:
-    """The printed solution of a file with this text, in one line."""
+def page_of_text(folder: Path, text: str, why: str | None = None) -> str:
+    """The printed solution of a file with this text, in one line; `why`: of one find alone."""
     path = folder / "problem.yaml"
     path.write_text(text, encoding="utf-8")
-    return re.sub(r"\s+", " ", Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0])))
+    return re.sub(r"\s+", " ", Terminal(200).render(narrate(solve_and_compare(read(str(path)))[0], why=why)))
 
 
 def name_of(path: Path) -> str:
