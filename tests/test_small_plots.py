@@ -12,7 +12,10 @@ from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._canvas import Canvas
 from planar_cli.formats._drawn_small import small_drawing
 from planar_cli.formats._layout import settled, spans
+from planar_cli.formats._small_plot import small_plot
 from planar_cli.plain_letters import in_plain
+from planar_cli.report.blocks import Name, line
+from planar_cli.report.graphs import Curve, Graph, Scaled
 from planar_cli.report.marks import Arrow, Tag
 from planar_cli.simulate.columns import in_width, wrapped
 
@@ -35,6 +38,18 @@ def test_a_wide_table_goes_on_below() -> None:
 
 def test_a_long_line_goes_on_to_the_right() -> None:
     assert list(wrapped(["  one two three", "", "short"], 10)) == ["  one two", "    three", "", "short"]
+
+
+@pytest.mark.parametrize("width", range(40, 90, 7))
+@pytest.mark.parametrize("plain", [False, True])
+@pytest.mark.parametrize("end", [1e-4, 0.1, 2.5])
+def test_a_plot_has_room_for_what_stands_at_its_axes(width: int, plain: bool, end: float) -> None:
+    """Also for a power of ten, and for the last number."""
+    across, up = Scaled(line(Name("t")), "s", 0.0, end), Scaled(line(Name("v")), "m/s", 0.0, 3.0)
+    with in_plain(plain):
+        told = small_plot(Graph(across, up, (Curve((((0.0, 0.0), (end, 3.0)),)),)), width)
+    assert max(map(len, told)) <= width
+    assert ("in 10" in "".join(told)) == (end < 1e-3)
 
 
 @pytest.mark.parametrize("width", [80, 40])

@@ -26,9 +26,12 @@ def small_plot(graph: Graph, width: int) -> list[str]:
     up = ticked(graph.up.low, graph.up.high, ROWS // 2)
     told = {k: letters(up.told(t).replace("−", "-")) for k, t in enumerate(up.ticks)}
     beside = max(map(len, told.values()))
-    behind = f" {_measured(graph.across, 0)}" if width >= NARROW else ""
-    columns = max(min(WIDEST, width - INDENT - beside - 3 - len(behind)), FEWEST)
-    across = ticked(graph.across.low, graph.across.high, max(1, columns // EACH), tight=True)
+    low, high = graph.across.low, graph.across.high
+    # The power of ten is the same with any number of ticks.
+    words = _measured(graph.across, ticked(low, high, 1, tight=True).power)
+    behind = len(words) + 1 if width >= NARROW else 0
+    columns = max(min(WIDEST, width - INDENT - beside - 3 - behind), FEWEST)
+    across = ticked(low, high, max(1, columns // EACH), tight=True)
     canvas = Canvas(columns, ROWS)
     field = Field(across, up, columns * ACROSS - 1, ROWS * DOWN - 1)
     spot = field.spot
@@ -48,7 +51,7 @@ def small_plot(graph: Graph, width: int) -> list[str]:
     for row, cells in enumerate(canvas.lines()):
         axis = "┤" if row in marks else "│"
         lines.append(" " * INDENT + marks.get(row, "").rjust(beside) + letters(f" {axis}") + cells)
-    return [*lines, *_axis(graph.across, field, columns, width, INDENT + beside + 1)]
+    return [*lines, *_axis(words, field, columns, width, INDENT + beside + 1)]
 
 
 def _label(canvas: Canvas, at: tuple[float, float], text: str) -> None:
@@ -62,18 +65,17 @@ def _label(canvas: Canvas, at: tuple[float, float], text: str) -> None:
             return
 
 
-def _axis(scaled: Scaled, field: Field, columns: int, width: int, start: int) -> list[str]:
-    """The line of the axis, and its numbers below."""
+def _axis(words: str, field: Field, columns: int, width: int, start: int) -> list[str]:
+    """The line of the axis, its numbers below, and the words for what is measured along it."""
     across = field.across
     places = {round(field.spot((t, field.up.low))[0]) // ACROSS: t for t in across.ticks}
     line = "".join("┬" if k in places else "─" for k in range(columns))
     below = [" "] * (columns + EACH)
     for column, t in places.items():
         text = letters(across.told(t).replace("−", "-"))
-        begin = max(column - (len(text) - 1) // 2, 0)
+        begin = max(min(column - (len(text) - 1) // 2, width - start - 1 - len(text)), 0)
         if all(c == " " for c in below[max(begin - 1, 0) : begin + len(text) + 1]):
             below[begin : begin + len(text)] = text
-    words = _measured(scaled, across.power)
     whole = " " * start + letters("└" + line)
     last = " " * (start + 1) + "".join(below).rstrip()
     if width >= NARROW:
