@@ -126,6 +126,7 @@ def test_bodies_that_meet_are_side_by_side() -> None:
         ("simple-pendulum", "theta", -math.pi / 2, 1),
         ("bob-on-a-cart", "phi", -math.pi / 2, 1),
         ("rod-in-a-carriage", "beta", -math.pi / 2, -1),
+        ("burn-into-a-round-orbit", "gamma", math.pi / 2, -1),
     ],
 )
 def test_an_angle_is_drawn_from_its_zero(stem: str, letter: str, start: float, sense: int) -> None:

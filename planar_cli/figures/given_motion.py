@@ -9,13 +9,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from planar_cli.equation.motion import Motion
+from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Angle, Arrow, Mark, Spot, Style, Turn
+from planar_cli.report.blocks import Name, line
+from planar_cli.report.marks import Arrow, Mark, Spot, Style, Turn
 
 VECTORS: Mapping[str, Style] = {"v": "velocity", "a": "acceleration"}
 ROTATIONS: Mapping[str, Style] = {"omega": "velocity", "alpha": "acceleration"}
@@ -112,7 +113,8 @@ def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, 
             return
         words = words_of(parts[MAG]) if MAG in parts else ()
         yield Arrow(at, math.atan2(whole[1], whole[0]), VECTORS[word], words or line(Name(f"{word}_{name}")))
-        yield from _angle(moving.drawn, at, parts)
+        if ANGLE in parts:
+            yield from angle_from_its_zero(moving.drawn, at, parts[ANGLE])
         return
     for axis, part in enumerate("xy"):
         size = moving.drawn.length(parts[part]) if part in parts else None
@@ -121,13 +123,3 @@ def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, 
         words = size_of(parts[part]) if part in parts else ()
         if size is not None and abs(size) > NEAR and words:
             yield Arrow(at, axis * UPRIGHT + (math.pi if size < 0 else 0.0), VECTORS[word], words)
-
-
-def _angle(drawn: Drawn, at: Spot, parts: Mapping[str, Side]) -> Iterator[Mark]:
-    size = drawn.length(parts[ANGLE]) if ANGLE in parts else None
-    if size is None:
-        return
-    turned = math.remainder(size, 2 * math.pi)
-    words: Line = size_of(parts[ANGLE])
-    if abs(math.remainder(turned, UPRIGHT)) > NEAR and words:
-        yield Angle(at, 0.0, turned, words)
