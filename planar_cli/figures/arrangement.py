@@ -16,7 +16,7 @@ from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
-from planar_cli.figures.rings import way_of
+from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.springs import settled
@@ -74,7 +74,7 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     led = systems.get(id(drawn.scene), system).motion
     moving = Moving(drawn, led) if led is not None else None
     joints = motion.problem.joints
-    size = extent([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
+    size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
     places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
     marks = tuple(_marks(drawn, moving, joints, places[1:]))
     return _panel((*marks, *position_marks(places, motion, run, marks), *state_measures(places, problem)))
@@ -91,7 +91,7 @@ def followed_arrangement(run: Run) -> Panel | None:
     if drawn is None:
         return None
     joints = run.problem.joints
-    size = extent([s for m in _marks(drawn, None, joints) for s in spots_of(m)])
+    size = extent_of([s for m in _marks(drawn, None, joints) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
     marks = tuple(_marks(drawn, None, joints, places[1:]))
     return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem)))
@@ -99,7 +99,7 @@ def followed_arrangement(run: Run) -> Panel | None:
 
 def _panel(marks: tuple[Mark, ...]) -> Panel:
     """Bodies that meet, and nothing else, are at one point although they are drawn side by side."""
-    placed = extent([s for m in marks for s in spots_of(m)])
+    placed = extent_of([s for m in marks for s in spots_of(m)])
     signs = all(isinstance(m, Symbol | Arrow | Turn | Tag | Angle | Axes) for m in marks)
     return Panel(tuple(settled(marks)), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
 
@@ -110,7 +110,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
     masses = {n: s for n, b in scene.bodies.items() if (s := drawn.spot(b.center)) is not None}
     centers, named = list(masses.values()), {**masses, **points}
-    size = extent([*points.values(), *centers]) or ALONE
+    size = extent_of([*points.values(), *centers]) or ALONE
     spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
     standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
     inner: list[Mark] = []
@@ -134,7 +134,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
     sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
-    aside = side_by_side(drawn, moving, joints, extent([*points.values(), *centers]))
+    aside = side_by_side(drawn, moving, joints, extent_of([*points.values(), *centers]))
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
         for entry, found in sketches
@@ -211,11 +211,3 @@ def _bodies_named(drawn: Drawn, problem: Problem, tagged: dict[str, Spot]) -> It
         pointed = isinstance(body.shape, Particle) and spot in tagged.values()
         if spot is not None and not by_points and not pointed and body.name not in problem.hidden:
             yield Tag(spot, line(body.name.replace("_", " ")))
-
-
-def extent(spots: list[Spot]) -> float:
-    """The larger side of the box round some places, m."""
-    if not spots:
-        return 0.0
-    xs, ys = [x for x, _ in spots], [y for _, y in spots]
-    return max(max(xs) - min(xs), max(ys) - min(ys))

@@ -11,12 +11,12 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from planar_cli.equation.centres import centre_of
-from planar_cli.figures.arrangement import extent
 from planar_cli.figures.diagrams import slim
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.given_motion import Moving
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.partners import sketch_of
+from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
@@ -130,10 +130,10 @@ def _figure(moving: Moving, body: str, names: Sequence[str]) -> Figure | None:
         return None
     drawn = moving.drawn
     around = list(_around(drawn))
-    size = extent([*(s for m in around for s in spots_of(m)), *(p for _, _, p, _ in centre.points)])
+    size = extent_of([*(s for m in around for s in spots_of(m)), *(p for _, _, p, _ in centre.points)])
     if any(math.dist(centre.at, p) > FARTHEST * size for _, _, p, _ in centre.points):
         return None
-    size = extent([centre.at, *(s for m in around for s in spots_of(m))])
+    size = extent_of([centre.at, *(s for m in around for s in spots_of(m))])
     words = f"instantaneous centre of {body.replace('_', ' ')}"
     return Figure((Panel((*around, *_marks(centre, size)), line(f"{words}: I")),), words, name=f"centre of {body}")
 

@@ -94,7 +94,6 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 
 
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
-    assert drawn.scene is not None
     (body, *others) = (drawn.scene.bodies[name] for name in row.body.split(", "))
     marks: list[Mark] = [slim(m) for b in (body, *others) for m in body_marks(drawn, b)]
     center = drawn.spot(body.center)

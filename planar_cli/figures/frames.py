@@ -8,13 +8,13 @@ from dataclasses import replace
 from typing import Any, cast
 
 from planar_cli.errors import PlanarError
-from planar_cli.figures.arrangement import ALONE, extent
+from planar_cli.figures.arrangement import ALONE
 from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sliders, touching
 from planar_cli.figures.posed import Pose, Posed, carried, variables_of
-from planar_cli.figures.rings import way_of
+from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
@@ -83,7 +83,7 @@ class _Stage:
         every = max(1, len(times) // STROBED)
         self.strobed = self.poses[::every]
         centers = [s for p in self.strobed for s in self._centers(p)]
-        self.size = extent(centers) or extent([s for p in self.poses[:1] for s in self._spots(p)]) or ALONE
+        self.size = extent_of(centers) or extent_of([s for p in self.poses[:1] for s in self._spots(p)]) or ALONE
 
     def _centers(self, pose: Posed) -> Iterator[Spot]:
         yield from (s for b in self.problem.bodies if (s := pose.spot(pose.model(b).center)) is not None)

@@ -16,6 +16,7 @@ from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
 from planar_cli.figures.partners import between
 from planar_cli.figures.paths import followed_path, path_of
+from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Line, Round
@@ -82,7 +83,7 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
     all_ = [_later((), drawn), *(_later((state,), there) for state, there in told)]
     spots = [s for p in all_ if p is not None for s in p.spots.values()]
-    near = NEAR * max(_extent(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
+    near = NEAR * max(extent_of(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
     for new in all_:
         if new is None:
             continue
@@ -281,11 +282,7 @@ def shifted(mark: Mark, by: Spot) -> Mark:
 
 def _own(drawn: Drawn, name: str) -> float:
     """The size of a body, m."""
-    return _extent([s for m in body_marks(drawn, drawn.scene.bodies[name]) for s in spots_of(m)])
-
-
-def _extent(spots: Sequence[Spot]) -> float:
-    return max((max(axis) - min(axis) for axis in zip(*spots, strict=True)), default=0.0) if spots else 0.0
+    return extent_of([s for m in body_marks(drawn, drawn.scene.bodies[name]) for s in spots_of(m)])
 
 
 def _reach(p: Later, first: Later) -> float:

@@ -94,6 +94,7 @@ def ends_of(values: Iterable[float]) -> tuple[float, float]:
 
 
 def extent_of(spots: Sequence[Spot]) -> float:
+    """The larger side of the box round some places, m."""
     if not spots:
         return 0.0
     (left, right), (low, high) = ends_of(x for x, _ in spots), ends_of(y for _, y in spots)

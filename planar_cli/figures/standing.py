@@ -41,9 +41,7 @@ def standing(known: Known) -> list[Ring]:
     """What lies under the faces of a body down to what it stands on; each wall on it has an outline of its own."""
     m, faces = known.margin, known.faces
     decks = [f for f in faces if abs(math.sin(f.angle)) < math.sin(LEVEL)]
-    walls = [
-        f for f in faces if f not in decks and any(f.by & d.by or f.at[1] > _top([d], f.at) + m / 9 for d in decks)
-    ]
+    walls = [f for f in faces if f not in decks and any(_is_wall(f, d, m) for d in decks)]
     edges = [f for f in faces if f not in walls]
     low = _lowest(known)
     places: Ring = [*known.own, *_round_centre(known, low)]
