@@ -13,9 +13,8 @@ from planar_cli.homework.mistakes._one_equation import FORCES, told
 from planar_cli.homework.mistakes.base import Mistake, Model, with_step_changed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
-from planar_cli.units import parse_unit
+from planar_cli.units import ACCELERATION, RATE_OF_RATE
 
-LINEAR, ANGULAR = parse_unit("m/s^2").dimension, parse_unit("rad/s^2").dimension
 GRAVITY = "g"
 
 
@@ -55,7 +54,7 @@ def _inertial(equations: Equations, residual: sp.Expr) -> Iterator[sp.Expr]:
         unit = equations.units.get(symbol)
         if symbol.name in (CORIOLIS, NORMAL, TANGENTIAL):
             return True
-        return unit is not None and symbol != g and unit.dimension in (LINEAR, ANGULAR)
+        return unit is not None and symbol != g and unit.dimension in (ACCELERATION, RATE_OF_RATE)
 
     yield from (t for t in sp.Add.make_args(sp.expand(residual)) if any(map(accelerates, t.free_symbols)))
 

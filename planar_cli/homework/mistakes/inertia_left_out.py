@@ -11,9 +11,7 @@ from planar_cli.homework.mistakes.base import Mistake, Model, terms_without, wit
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
-from planar_cli.units import parse_unit
-
-ACCELERATION = parse_unit("m/s^2").dimension
+from planar_cli.units import ACCELERATION
 
 
 @final

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.homework.mistakes.base import Mistake, Model, has_forces, with_put_in
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
+from planar_cli.units import MASS
 
 
 @final
@@ -59,4 +60,4 @@ def _with_right_weights(equations: Equations, masses: Mapping[sp.Symbol, sp.Expr
 
 def _is_mass(equations: Equations, symbol: sp.Symbol) -> bool:
     unit = equations.units.get(symbol)
-    return unit is not None and unit.dimension.mass == 1 and unit.dimension.length == unit.dimension.time == 0
+    return unit is not None and unit.dimension == MASS

@@ -15,7 +15,7 @@ from planar_cli.homework.mistakes.rotational_inertia_left_out import inertias
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations, Step
-from planar_cli.units import ANGULAR_MOMENTUM, PURE, Dimension
+from planar_cli.units import ANGULAR_MOMENTUM, MASS, PURE, RATE_OF_RATE, Dimension
 
 MISSING = "the term m d² of the parallel-axis theorem is missing"
 
@@ -59,9 +59,9 @@ def _about_points(equations: Equations) -> Equations | None:
 
 
 def _in_moments(equations: Equations) -> Equations | None:
-    masses = {s for s, u in equations.units.items() if u.dimension.mass == 1 and u.dimension.length == 0}
+    masses = {s for s, u in equations.units.items() if u.dimension == MASS}
     named = {s for s, _ in inertias(equations)}
-    turning = {s for s in equations.unknowns if equations.turns(s)}
+    turning = {s for s, u in equations.units.items() if u.angle and u.dimension == RATE_OF_RATE}
 
     def is_transport(term: sp.Expr) -> bool:
         """m d² α in an equation of moments: a mass, an angular acceleration, and no moment of inertia."""
