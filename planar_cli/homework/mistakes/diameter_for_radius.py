@@ -8,6 +8,7 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_at
+from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 
@@ -27,7 +28,7 @@ class DiameterForRadius(Mistake):
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         radii = set(inputs_at(equations, problem, *KEYS, alone=True))
         for name, symbol in inputs_at(equations, problem, *KEYS).items():
-            twice, half = _told(name, name in radii)
+            twice, half = _told(printed(name), name in radii)
             yield Model(twice, equations, {symbol: 2 * symbol})
             yield Model(half, equations, {symbol: symbol * sp.Rational(1, 2)})
 

@@ -30,7 +30,8 @@ class RotationalInertiaLeftOut(Mistake):
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
         for symbol, title in inertias(equations):
             changed = replace(equations, defined={**equations.defined, symbol: sp.S.Zero})
-            yield Model(f"this is the result without the {title}", changed)
+            # Behind a comma stands how it was found.
+            yield Model(f"this is the result without the {title.partition(', ')[0]}", changed)
         finds = equations.rests_on(e for a in equations.asked.values() for e in a.parts)
         for name, symbol in equations.inputs.items():
             if name.startswith(SPIN) and symbol in finds:

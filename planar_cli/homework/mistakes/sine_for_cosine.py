@@ -37,7 +37,7 @@ class SineForCosine(Mistake):
 
     In the equations
         A given angle is 90° less itself, so that its sine and cosine change places: everywhere, or in one term of one
-        equation, or of a formula by which something is told; one at a time.
+        equation, or of a formula by which something is told; one at a time, where there are thirty such terms at most.
     """
 
     kind: ClassVar[str] = "sine-for-cosine"
