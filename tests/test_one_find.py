@@ -33,3 +33,10 @@ def test_what_an_answer_rests_on(why: str, told: list[str], untold: list[str], t
     page = page_of_text(tmp_path, SLED, why)
     assert not [words for words in told if words not in page]
     assert not [words for words in untold if words in page]
+
+
+def test_of_several_cases_one_is_told(tmp_path: Path) -> None:
+    """Of the others it has no principle either."""
+    harder = "cases: {harder: {given: {F: 300 N}, instant: [v(sled).x = 1 m/s], find: {b: a(sled).x}}}\n"
+    page = page_of_text(tmp_path, SLED + harder, "b")
+    assert "Principle Newton's second law. CASE harder" in page

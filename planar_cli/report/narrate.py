@@ -121,7 +121,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         # Of a case in which nothing is asked there is nothing to tell.
-        if not any(why in (None, f.name) for f in part.found) and (why is not None or part.case):
+        if part.case and not part.found:
             continue
         own = with_equals_together(with_bars(list(with_tangents(part_blocks(part, voice, why, told))), part.found))
         if part.motion is not None and why is None:

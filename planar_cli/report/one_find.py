@@ -22,7 +22,8 @@ def for_one_find(solution: Solution, why: str | None) -> Solution:
     """`why`: the name of the find; None: everything stays."""
     if why is None:
         return solution
-    return replace(solution, parts=tuple(_part(part, why) for part in solution.parts))
+    own = (part for part in solution.parts if any(f.name == why for f in part.found))
+    return replace(solution, parts=tuple(_part(part, why) for part in own))
 
 
 def _part(part: PartSolution, why: str) -> PartSolution:

@@ -20,7 +20,7 @@ def needed_of(part: PartSolution, instant: InstantSolution, why: str | None) -> 
 
 def letters_asked(part: PartSolution, why: str | None) -> frozenset[str] | None:
     """The names of the symbols that the wanted find rests on directly; None: everything."""
-    found = next((f for f in part.found if f.name == why), None)
-    if found is None:
+    if why is None:
         return None
+    found = next(f for f in part.found if f.name == why)
     return frozenset(s.name for e in found.asked for s in e.free_symbols)
