@@ -95,6 +95,13 @@ def test_the_ledger_of_energy_adds_up(tmp_path: Path) -> None:
         assert off(accounts) < 1e-7
 
 
+def test_a_spring_that_is_free_stores_nothing() -> None:
+    """A block of 2 kg at 3 m/s that runs into a buffer gives it all its 9 J, and has them again."""
+    accounts = energies(follow(read(str(path_of("block-runs-into-a-spring"))), Settings()), 200)
+    assert {a.name: round(a.largest, 3) for a in accounts} == {"kinetic": 9.0, "spring": 9.0, "sum": 9.0}
+    assert accounts[1].pieces[0][0] == (0.0, 0.0)
+
+
 def test_a_motion_without_an_effect_is_dashed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "scene.yaml"
     path.write_text(CRATE, encoding="utf-8")

@@ -8,10 +8,11 @@ kinetic friction act through their pushes: the friction F = μ_k N goes with its
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 from planar_cli.integrators.base import OUTSIDE
+from planar_cli.loads.base import Load
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.guards import LENGTH, Guard, Measured
 from planar_cli.motion.held import Held, add
@@ -51,6 +52,8 @@ class Parts:
     """That of the loads without a potential."""
     potential: Term
     """Of all loads that have one, J."""
+    stored: Mapping[Load, Term]
+    """That of each of them."""
     measured: tuple[Measured, ...]
     """The conditions under which the regime holds."""
     independent: Independent

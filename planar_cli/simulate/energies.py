@@ -75,7 +75,7 @@ class _Ledger:
         regime = segment.regime
         assert isinstance(regime, Regime)
         self._enter(segment.t0)
-        stored = regime.routine([self._springs(), regime.parts.potential], ())
+        stored = regime.routine([self._springs(regime), regime.parts.potential], ())
         before: float | None = None
         for t in moments_of_segment(self.run.trajectory, segment, count):
             if before is not None and not regime.conservative:
@@ -86,14 +86,10 @@ class _Ledger:
             springs, potential = stored(t, y)
             yield t, regime.energy(t, y) - potential, potential - springs, springs, self.dissipated, self.supplied
 
-    def _springs(self) -> Term:
-        """The potential of all springs."""
-        scene = self.run.model.scene
-        found = scene.graph.number(0.0)
-        for load in scene.loads():
-            part = load.potential(scene) if load.kind == SPRING else None
-            found = found if part is None else found + part
-        return found
+    def _springs(self, regime: Regime) -> Term:
+        """The potential of all springs that act: one that is free for now stores nothing."""
+        springs = [part for load, part in regime.parts.stored.items() if load.kind == SPRING]
+        return sum(springs, self.run.model.scene.graph.number(0.0))
 
     def _enter(self, t0: float) -> None:
         """What impacts took until a segment begins."""
