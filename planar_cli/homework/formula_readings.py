@@ -17,6 +17,7 @@ from planar_cli.homework.typed_formula import dimension, letters_in
 from planar_cli.homework.typed_letters import readings
 from planar_cli.homework.typed_units import atom_of, unit_of
 from planar_cli.homework.unreadable import Unreadable
+from planar_cli.problem.reading import listed
 from planar_cli.records import record
 from planar_cli.units import Dimension, Unit
 
@@ -170,7 +171,8 @@ def _check_letters(text: str, names: Collection[str]) -> None:
     if sum(len(w) > 2 for w in unknown) > 1 and not re.search(r"[0-9(/^+]", text) and len(words) > 1:
         raise Unreadable("this is not an answer that can be read: a formula is asked")
     there = sorted(names)
-    listed = " and ".join(filter(None, (", ".join(there[:-1]), there[-1])))
     same = [n for n in there if n.lower() == unknown[0].lower()]
     hint = f"; did you mean '{same[0]}'?" if len(same) == 1 else ""
-    raise Unreadable(f"'{unknown[0][:40]}' is none of the letters of the problem, which are {listed}{hint}")
+    raise Unreadable(
+        f"'{unknown[0][:40]}' is none of the letters of the problem, which are {listed(there, 'and')}{hint}"
+    )

@@ -25,6 +25,7 @@ from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.opened import NotWritten
+from planar_cli.units import Unit
 
 GEOMETRY = frozenset({"relation", "given", "drawn", "link", "loop", "single"})
 """Kinds of equations in which no force stands."""
@@ -124,6 +125,16 @@ def named_in(problem: Problem, *keys: str, alone: bool = False) -> Iterator[str]
 def inputs_at(equations: Equations, problem: Problem, *keys: str, alone: bool = False) -> dict[str, sp.Symbol]:
     """The inputs that stand at some keys; `alone`: not as a part of a formula."""
     return {n: equations.inputs[n] for n in named_in(problem, *keys, alone=alone) if n in equations.inputs}
+
+
+def inputs_by_unit(equations: Equations, is_meant: Callable[[Unit], bool]) -> Iterator[tuple[Unit, list[sp.Symbol]]]:
+    """Each unit that is meant, with the inputs that are given in it."""
+    found: dict[str, list[sp.Symbol]] = {}
+    for symbol in equations.inputs.values():
+        unit = equations.units.get(symbol)
+        if unit is not None and is_meant(unit):
+            found.setdefault(unit.text, []).append(symbol)
+    yield from ((equations.units[symbols[0]], symbols) for symbols in found.values())
 
 
 def terms_without(expr: sp.Expr, drops: Callable[[sp.Expr], bool]) -> sp.Expr:

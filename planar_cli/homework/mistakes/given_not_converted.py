@@ -9,8 +9,9 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.base_units import factor_to_base, in_base
-from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.mistakes.base import Mistake, Model, inputs_by_unit
 from planar_cli.homework.printed_names import printed
+from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import PURE, RATE, Unit, pretty_unit
@@ -28,20 +29,14 @@ class GivenNotConverted(Mistake):
     kind: ClassVar[str] = "given-not-converted"
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        found: dict[str, dict[str, sp.Symbol]] = {}
-        for name, symbol in equations.inputs.items():
-            unit = equations.units.get(symbol)
-            if unit is not None and not _is_base(unit, problem.us):
-                found.setdefault(unit.text, {})[name] = symbol
-        for names in found.values():
-            unit = equations.units[next(iter(names.values()))]
-            told = " and ".join(filter(None, (", ".join(map(printed, [*names][:-1])), printed([*names][-1]))))
-            verb = "was" if len(names) == 1 else "were"
+        for unit, symbols in inputs_by_unit(equations, lambda unit: not _is_base(unit, problem.us)):
+            told = listed([printed(s.name) for s in symbols], "and")
+            verb = "was" if len(symbols) == 1 else "were"
             feedback = f"{told} {verb} put in with the number of {pretty_unit(unit.text)}, without conversion"
-            yield Model(feedback, equations, {s: s / in_base(unit, problem.us) for s in names.values()})
+            yield Model(feedback, equations, {s: s / in_base(unit, problem.us) for s in symbols})
             if unit.dimension == RATE and unit.angle and unit.pi_power == 1:
                 feedback = f"of {told} 2π is missing: a revolution is 2π rad"
-                yield Model(feedback, equations, {s: s / (2 * sp.pi) for s in names.values()})
+                yield Model(feedback, equations, {s: s / (2 * sp.pi) for s in symbols})
 
 
 def _is_base(unit: Unit, us: bool) -> bool:

@@ -6,10 +6,8 @@ import re
 from collections.abc import Iterable
 from typing import ClassVar, final
 
-import sympy as sp
-
 from planar_cli.base_units import factor_to_base, in_base
-from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.mistakes.base import Mistake, Model, inputs_by_unit
 from planar_cli.homework.named_mistakes import OFF_BY_TEN, POWER_OF_TEN, POWERS
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.printed_names import printed
@@ -30,19 +28,14 @@ class PowerOfTen(Mistake):
     kind: ClassVar[str] = POWER_OF_TEN
 
     def models(self, equations: Equations, problem: Problem) -> Iterable[Model]:
-        found: dict[str, dict[str, sp.Symbol]] = {}
-        for name, symbol in equations.inputs.items():
-            unit = equations.units.get(symbol)
-            if unit is not None and _has_prefix(unit, problem.us):
-                found.setdefault(unit.text, {})[name] = symbol
-        for text, names in found.items():
-            factor = in_base(equations.units[next(iter(names.values()))], problem.us)
-            for name, symbol in names.items():
-                said = f"{printed(name)} was put in with the number of {pretty_unit(text)}, without its power of ten"
+        for unit, symbols in inputs_by_unit(equations, lambda unit: _has_prefix(unit, problem.us)):
+            factor, told = in_base(unit, problem.us), pretty_unit(unit.text)
+            for symbol in symbols:
+                said = f"{printed(symbol.name)} was put in with the number of {told}, without its power of ten"
                 yield Model(said, equations, {symbol: symbol / factor})
-            if len(names) > 1:
-                said = f"what is given in {pretty_unit(text)} was put in with its numbers, without the power of ten"
-                yield Model(said, equations, {s: s / factor for s in names.values()})
+            if len(symbols) > 1:
+                said = f"what is given in {told} was put in with its numbers, without the power of ten"
+                yield Model(said, equations, {s: s / factor for s in symbols})
 
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
         for power in POWERS:
