@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import Mark
+from planar_cli.homework.followed_mistakes import MOST, left_out
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.set_file import SetProblem
+from planar_cli.homework.worked_problem import read_and_solve
 
 # A wind that rises and falls with the place: there is no closed form over time.
 SLED = """
@@ -44,6 +46,15 @@ def test_a_spring_left_out_is_known(tmp_path: Path) -> None:
         return x
 
     assert found["x_2"]["spring-left-out"] == pytest.approx(without(0.5), rel=1e-4)
+
+
+def test_mistakes_that_are_not_looked_for_are_told(tmp_path: Path) -> None:
+    path = tmp_path / "sled.yaml"
+    path.write_text(SLED)
+    problem = read_and_solve(str(path), "sled")
+    assert not [*left_out(problem, MOST)]
+    (told,) = left_out(problem, MOST + 1)
+    assert told.startswith("x_2 and v_2 are found by following a motion in numbers; in 30 variants or more mistakes")
 
 
 BALL = """

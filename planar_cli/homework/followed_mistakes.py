@@ -15,6 +15,7 @@ from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.what_mistakes_give import is_clearly_wrong
 from planar_cli.homework.worked_problem import Part, WorkedProblem
+from planar_cli.problem.reading import listed
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import problem_of
 from planar_cli.problem.variations import with_first_values, with_values
@@ -25,7 +26,7 @@ from planar_cli.solve.solution import Found
 
 ONCE = Settings(estimate=False, balanced=False, check=False)
 MOST = 30
-"""Of so many variants at most data are changed: each mistake is a motion to be followed."""
+"""Of so many, the file and its variants, data are changed at most: each mistake is a motion to be followed."""
 SAME = 1e-3
 """Relative: what is followed gives what was found, if not, its mistakes say nothing."""
 Numbers = dict[str, tuple[float, ...]]
@@ -35,8 +36,8 @@ def with_followed(
     problem: WorkedProblem, rows: Sequence[tuple[Expected, ...]], values: Sequence[Mapping[str, str]]
 ) -> list[tuple[Expected, ...]]:
     """The finds of each variant; those that no written equations give, with what the motion gives without friction,
-    without the weight, without its springs, and with data as they are often got wrong. `values`: of the variants, as a
-    file writes them; of many variants data are not changed.
+    without the weight, without its springs, and with data as they are often got wrong. `values`: of the file and of
+    the variants, as a file writes them; of more than `MOST` data are not changed, which `left_out` tells.
     """
     parts = [(part, finds) for part in problem.parts if (finds := _followed_finds(part))]
     made = list(rows)
@@ -45,11 +46,21 @@ def with_followed(
             continue
         for k, own in enumerate(values):
             own_problem = _problem(problem, part, own)
-            wrong = [] if own_problem is None else list(_without_effects(own_problem, finds))
-            if own_problem is not None and len(values) <= MOST:
-                wrong += _with_other_data(problem, part, own, finds)
+            if own_problem is None:
+                continue
+            wrong = list(_without_effects(own_problem, finds))
+            if len(values) <= MOST:
+                wrong += _with_other_data(problem, part, own_problem, own, finds)
             made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
     return made
+
+
+def left_out(problem: WorkedProblem, count: int) -> Iterator[str]:
+    """What is to be said of mistakes that are not looked for in so many variants, that of the file among them."""
+    names = [f.name for part in problem.parts for f in _followed_finds(part)] if count > MOST else []
+    if names:
+        told = f"{listed(names, 'and')} {'is' if len(names) == 1 else 'are'} found by following a motion in numbers"
+        yield f"{told}; in {MOST} variants or more mistakes in its data, as sine for cosine, are not told there"
 
 
 def _followed_finds(part: Part) -> list[Found]:
@@ -92,11 +103,12 @@ def _without_effects(problem: Problem, finds: Sequence[Found]) -> Iterator[tuple
 
 
 def _with_other_data(
-    problem: WorkedProblem, part: Part, values: Mapping[str, str], finds: Sequence[Found]
+    problem: WorkedProblem, part: Part, own: Problem, values: Mapping[str, str], finds: Sequence[Found]
 ) -> Iterator[tuple[str, str, Numbers]]:
-    """By mistake: its name, what it says, and what comes out with its data."""
-    own = _problem(problem, part, values)
-    for name, said, data in changed_data(own) if own is not None else ():
+    """By mistake: its name, what it says, and what comes out with its data. `own`: the part with the numbers of a
+    variant, which are `values`.
+    """
+    for name, said, data in changed_data(own):
         changed = _problem(problem, part, {**values, **data})
         if changed is not None:
             yield name, said, _numbers(changed, finds)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.dependence import behind_each
-from planar_cli.homework.followed_mistakes import with_followed
+from planar_cli.homework.followed_mistakes import left_out, with_followed
 from planar_cli.homework.given_letters import gravity_told, with_given
 from planar_cli.homework.numbered import numbered, with_wrong_values
 from planar_cli.homework.pages_of_variants import Press, with_pages
@@ -69,7 +69,7 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
         problem.name,
         tuple(made[place] for place in spread),
         pickle.dumps(carriable(solved, values, alone) if same is None else carriable(same.problem, values)),
-        tuple(_warnings(problem, drawn, variants)),
+        (*_warnings(problem, drawn, variants), *(f"{problem.name}: {said}" for said in left_out(solved, len(draws)))),
         drawn.tried,
         len(drawn.taken),
         tuple(sorted(drawn.rejected.items())),
