@@ -128,6 +128,8 @@ def test_an_integral_rests_on_the_law() -> None:
 def test_a_particle_is_its_point() -> None:
     blocks = [line_of("v_B", "c"), line_of("v_rel", "v_collar - d"), Answer("v_rel", (Text("2"),))]
     assert rests_on(blocks, {"collar": "B"}) == frozenset({0, 1})
+    assert rests_on(blocks, {"collar": "B", "puck": "P"}) == frozenset({0, 1})
+    assert rests_on(blocks, {"col": "B", "lar": "P"}) == frozenset({1})
 
 
 def test_which_root_it_is_stays() -> None:

@@ -24,6 +24,8 @@ ENERGIES = re.compile(r"(T|E_k)(__\w+)?|U")
 NUMBERED = re.compile(r"\((\d+)\)")
 PLACEHOLDER = "#"
 """So begins what stands for a number in a formula."""
+END = r"(?=[xytnr]?(?:[^A-Za-z0-9]|$))"
+"""What may stand behind the name of a body in that of a letter: its component, its state."""
 SECOND_RATE = "ddot"
 OTHERWISE = ", that is "
 """Behind it an answer is told once more, in another form."""
@@ -78,8 +80,9 @@ def rests_on(blocks: Sequence[Block], places: Mapping[str, str] | None = None) -
 def _of_points(rows: Sequence[Row], places: Mapping[str, str]) -> list[Row]:
     """The same, where a line that has a letter of a particle which none gives uses that of its point: v_B, v_collar."""
     given = frozenset[str]().union(*(r.gives for r in rows))
-    names = {x: x.replace(f"_{body}", f"_{p}") for r in rows for x in r.uses - given for body, p in places.items()}
-    return [replace(r, uses=r.uses | {names[x] for x in r.uses & names.keys() if names[x] in given}) for r in rows]
+    forms = [(re.compile(f"_{re.escape(body)}{END}"), f"_{point}") for body, point in places.items()]
+    names = {x: {form.sub(own, x) for form, own in forms} & given for r in rows for x in r.uses - given}
+    return [replace(r, uses=r.uses.union(*(names[x] for x in r.uses - given))) for r in rows]
 
 
 def _solved_for(rows: Sequence[Row]) -> list[Row]:
