@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from planar_cli.figures.belts import belt_marks, frame_marks
+from planar_cli.figures.carried import shifted
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Moving, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
@@ -15,7 +16,7 @@ from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
-from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, shifted
+from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side

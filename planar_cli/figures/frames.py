@@ -10,10 +10,11 @@ from typing import Any, cast
 from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import ALONE
 from planar_cli.figures.belts import belt_marks
+from planar_cli.figures.carried import Pose, carried
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.partners import partners, sliders, touching
-from planar_cli.figures.posed import Pose, Posed, carried, variables_of
+from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.carried import Pose
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.shapes import moved
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.scene import GROUND, Body
-from planar_cli.records import record
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
 
 class Posed(Drawn):
@@ -89,43 +86,6 @@ def _value(term: Term, known: dict[Term, float]) -> float:
         return term.graph.function(term.op)(*args)
     except (*OUTSIDE, TypeError):
         return math.nan
-
-
-@record
-class Pose:
-    """A place and an angle, as of a body."""
-
-    at: Spot
-    turn: float
-
-    def seen(self, spot: Spot) -> Spot:
-        """A place in axes that go with it."""
-        return moved((0.0, 0.0), -self.turn, spot[0] - self.at[0], spot[1] - self.at[1])
-
-    def there(self, seen: Spot) -> Spot:
-        """The place that is seen so from it."""
-        return moved(self.at, self.turn, *seen)
-
-
-def carried(marks: Iterable[Mark], before: Pose, after: Pose) -> list[Mark]:
-    """Marks that go with something from one pose to another."""
-    turn = after.turn - before.turn
-
-    def to(spot: Spot) -> Spot:
-        return after.there(before.seen(spot))
-
-    found: list[Mark] = []
-    for mark in marks:
-        match mark:
-            case Polyline(places=places):
-                found.append(replace(mark, places=tuple(map(to, places))))
-            case Arc(center=center, start=start):
-                found.append(replace(mark, center=to(center), start=start + turn))
-            case Symbol(at=at, angle=angle):
-                found.append(replace(mark, at=to(at), angle=angle + turn))
-            case _:
-                found.append(mark)
-    return found
 
 
 def variables_of(run_layout: Any, t: float, y: Sequence[float]) -> dict[Term, float]:

@@ -12,12 +12,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
+from planar_cli.figures.carried import Pose, carried, shifted
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
 from planar_cli.figures.partners import between
 from planar_cli.figures.paths import followed_path, path_of
 from planar_cli.figures.rings import extent_of
-from planar_cli.figures.shapes import body_marks, moved
+from planar_cli.figures.shapes import body_marks
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Line, Round
 from planar_cli.records import record
@@ -61,10 +62,10 @@ class Later:
         body = self.there.scene.bodies.get(name)
         if body is None:
             return [Symbol("place", self.at(name))]
-        shapes = [m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline)]
+        shapes: list[Mark] = [m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline)]
         if self.first is not None:
             turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0) if body.rigid else 0.0
-            shapes = [_carried(m, self.first.spots[name], self.spots[name], turn) for m in shapes]
+            shapes = carried(shapes, Pose(self.first.spots[name], 0.0), Pose(self.spots[name], turn))
         return [shifted(m, self.shift) for m in shapes] or [Symbol("place", self.at(name))]
 
     def is_round(self, name: str) -> bool:
@@ -122,17 +123,6 @@ def _asked(run: Run, word: str, name: str, moment: Moment) -> tuple[float, ...]:
         return run.measures.at(Quantity(word, (name,), None, (), None, run.problem.states[0].mark), moment)
     except (PlanarError, ArithmeticError):
         return ()
-
-
-def _carried(mark: Arc | Polyline, start: Spot, end: Spot, turn: float) -> Arc | Polyline:
-    """A mark of a body moved from one place of its mass centre to another, and turned."""
-
-    def place(spot: Spot) -> Spot:
-        return moved(end, turn, spot[0] - start[0], spot[1] - start[1])
-
-    if isinstance(mark, Arc):
-        return replace(mark, center=place(mark.center), start=mark.start + turn)
-    return replace(mark, places=tuple(map(place, mark.places)))
 
 
 def _later(states: tuple[str, ...], there: Drawn) -> Later | None:
@@ -267,17 +257,6 @@ def _broken(start: Spot, end: Spot) -> Iterator[Mark]:
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
     yield Polyline((start, end), "way")
     yield Symbol("break", middle, math.atan2(end[1] - start[1], end[0] - start[0]))
-
-
-def shifted(mark: Mark, by: Spot) -> Mark:
-    """A mark somewhere else."""
-    if isinstance(mark, Polyline):
-        return replace(mark, places=tuple((x + by[0], y + by[1]) for x, y in mark.places))
-    if isinstance(mark, Arc):
-        return replace(mark, center=(mark.center[0] + by[0], mark.center[1] + by[1]))
-    if isinstance(mark, Symbol):
-        return replace(mark, at=(mark.at[0] + by[0], mark.at[1] + by[1]))
-    return mark
 
 
 def _own(drawn: Drawn, name: str) -> float:
