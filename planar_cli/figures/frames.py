@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, cast
 
 from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import ALONE
@@ -13,9 +12,9 @@ from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.carried import Pose, carried
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
-from planar_cli.figures.partners import partners, sliders, touching
+from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.posed import Posed, variables_of
-from planar_cli.figures.rings import extent_of, way_of
+from planar_cli.figures.rings import extent_of, side_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
@@ -24,7 +23,6 @@ from planar_cli.problem.entry import Entry
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Curve, Round, Surface
 from planar_cli.problem.shapes import rim_of
-from planar_cli.problem.sketches import Sketch
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.film import Film, Thing
 from planar_cli.report.marks import Coil, Hatched, Mark, Polyline, Spot, Symbol, Tag, spots_of
@@ -171,7 +169,7 @@ class _Stage:
             return []
         if surface.body is not None:
             return [Polyline(tuple(places), "body")]
-        above = sum(_left_of(places, body) for body in bodies) >= 0
+        above = side_of(places, bodies) >= 0
         return [Hatched(tuple(places if above else places[::-1]))]
 
     def _origin(self, surface: Surface) -> Pose:
@@ -196,11 +194,7 @@ class _Stage:
 
     def _sketched(self, entry: Entry) -> list[tuple[Mark, ...]]:
         """What a joint or load looks like at each moment; nothing while it does not act."""
-        try:
-            sketches: tuple[Sketch, ...] = entry.sketch(cast(Any, self.run.model.scene))
-        except PlanarError:
-            return [() for _ in self.poses]
-        name = line(entry.name)
+        sketches, name = sketch_of(self.poses[0], entry), line(entry.name)
         shots = [
             tuple(m for s in sketches for m in sketch_marks(pose, s, name)) if self._acts(entry, t) else ()
             for t, pose in zip(self.times, self.poses, strict=True)
@@ -261,7 +255,7 @@ def _with_still_floors(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark
 
 
 def _with_even_turns(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark, ...]]:
-    """Springs with the same number of turns all the time: as many as fit where they are shortest."""
+    """Springs with the same number of turns all the time: as many as at their middle length."""
     lengths = [math.dist(m.start, m.end) for marks in shots for m in marks if isinstance(m, Coil)]
     middle = sorted(lengths)[len(lengths) // 2] if lengths else 0.0
     for marks in shots:
@@ -283,10 +277,3 @@ def _turned(formula: Formula, x: float, y: float) -> float:
     return angle + 2 * math.pi * min(
         range(-TURNS, TURNS + 1), key=lambda n: (round(off(n) / (reach or 1.0), 6), abs(n))
     )
-
-
-def _left_of(places: Sequence[Spot], at: Spot) -> float:
-    """Positive: a place lies to the left of the way along these places."""
-    i = min(range(len(places) - 1), key=lambda k: math.dist(places[k], at) + math.dist(places[k + 1], at))
-    (x0, y0), (x1, y1) = places[i], places[i + 1]
-    return (x1 - x0) * (at[1] - y0) - (y1 - y0) * (at[0] - x0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 from planar_cli.report.marks import Spot
 
@@ -77,6 +78,15 @@ def off(at: Spot, angle: float, place: Spot) -> float:
 def across(at: Spot, angle: float, place: Spot) -> float:
     """How far a place is to the left of a line."""
     return turn(at, (at[0] + math.cos(angle), at[1] + math.sin(angle)), place)
+
+
+def side_of(way: Sequence[Spot], places: Sequence[Spot]) -> float:
+    """Positive: places lie to the left of a way, seen from its stroke that is nearest to each."""
+    total = 0.0
+    for place in places:
+        a, b = min(pairwise(way), key=lambda ends: math.dist(ends[0], place) + math.dist(ends[1], place))
+        total += turn(a, b, place) / max(math.dist(a, b), 1e-300)
+    return total
 
 
 def moved_by(place: Spot, by: Spot) -> Spot:

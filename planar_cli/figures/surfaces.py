@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.curves import carrier_pose, curve_place
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.rings import side_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Circle, Curve, Line, Surface
@@ -52,7 +53,7 @@ def surface_marks(
     if surface.body is not None:
         yield Polyline(tuple(places), "body")
         return
-    free = _side(places, bodies)
+    free = side_of(places, bodies)
     if abs(free) < NEAR * size:
         # What stands on it as a point is on its upper side.
         free = places[-1][0] - places[0][0]
@@ -183,14 +184,3 @@ def _at(drawn: Drawn, place: Vec, x: sp.Symbol, at: float) -> Spot | None:
 
 def _seen(p: Spot, origin: Spot, turn: float) -> Spot:
     return moved((0.0, 0.0), -turn, p[0] - origin[0], p[1] - origin[1])
-
-
-def _side(places: Sequence[Spot], bodies: Sequence[Spot]) -> float:
-    """Positive: bodies lie to the left of the way along these places, which is then the free side."""
-    total = 0.0
-    for body in bodies:
-        i = min(range(len(places) - 1), key=lambda k: math.dist(places[k], body) + math.dist(places[k + 1], body))
-        a, b = places[i], places[i + 1]
-        cross = (b[0] - a[0]) * (body[1] - a[1]) - (b[1] - a[1]) * (body[0] - a[0])
-        total += cross / max(math.dist(a, b), 1e-300)
-    return total
