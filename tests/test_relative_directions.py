@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import sympy as sp
-from worked import page_of_file
+from worked import page_of_file, page_of_text
 
 from planar_cli.report.origins import components_of, without_number
 
@@ -29,3 +31,20 @@ def test_the_page_of_a_wind() -> None:
     assert "(3) v_cyclist,x,fast + w_y = w_x (3): w_y = w_x - v_cyclist,x,fast" in page
     assert "direction = arctan(-1) = -45° as w_x > 0" in page
     assert "direction = -45°, that is 45° below +x" in page
+
+
+AT_THE_FAR_END = """
+title: Crank pin at the far end of its slot
+points: {C: [0, 0], O: [0.4 m, 0.3 m], P: [0.56 m, 0.42 m]}
+bodies: {crank: {rod: [O, P]}, arm: {rod: [C, P]}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: C, between: [ground, arm]}
+  - guide: {point: P, along: arm}
+motion: [omega(crank) = 4 rad/s]
+find: {alpha: alpha(arm)}
+"""
+
+
+def test_what_products_cancel_to_is_zero_once(tmp_path: Path) -> None:
+    assert "along e: v_rel = v_P · e = 0 m/s" in page_of_text(tmp_path, AT_THE_FAR_END)

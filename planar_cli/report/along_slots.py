@@ -153,7 +153,9 @@ def relative_along(told: Told, slot: Slot, level: str) -> tuple[tuple[Line, ...]
     left = component(told, slot, v)
     if not parts:
         return (left,), value
-    return (left, line(*terms), line(sum_of_products(parts, phrases.figures))), value
+    put = sum_of_products(parts, phrases.figures)
+    # Products that cancel come to a zero that its unit follows at once.
+    return (left, line(*terms), *([line(put)] if put.expr != 0 else [])), value
 
 
 def unit_told(told: Told, slot: Slot, by_arm: bool = False) -> Line:
