@@ -189,3 +189,26 @@ states: {1: [t = 0, v(a).y = 1 m/s], 2: [t = 0.2 s]}
 find: {y: y(a) @ 2}
 """
     assert any("without swaying of a, b" in note for note in simulated(text).run.trajectory.notes)
+
+
+BUFFER = """
+title: Block that runs into a buffer
+plane: vertical
+points: {P: [0, 0], W: [1.7 m, 0]}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints: [guide: {point: P, along: 0 deg}]
+loads: [spring: {between: [P, W], stiffness: 800 N/m, natural_length: 0.5 m, acts: push, name: buffer}]
+states:
+  0: [t = 0, v(P).x = 3 m/s]
+  meets: [x(P) = 1.2 m]
+  deepest: [v(P).x = 0]
+find: {E: PE(buffer) @ 0, E_all: PE(all) @ 0, E_meets: PE(buffer) @ meets, E_deepest: PE(buffer) @ deepest}
+"""
+
+
+def test_a_spring_that_is_free_has_no_energy() -> None:
+    """The page said 0, the motion that was followed 576 J."""
+    truth = {"E": 0.0, "E_all": 0.0, "E_meets": 0.0, "E_deepest": 9.0}
+    assert {name: one.values[0] for name, one in answers(BUFFER).items()} == pytest.approx(truth, abs=1e-6)
+    for name, found in solve(BUFFER).items():
+        assert_close(found, truth[name])

@@ -213,14 +213,14 @@ class Model:
         idle = {key for name, i in indices.items() for key in self.modes[name][i].facts.idle}
         # A weight is called by its body, as a load of the file may be.
         acting = [x for x in self.loads if x not in self.ways or mode_key(x.name) not in idle]
-        potential, stored = self.graph.number(0.0), dict[Load, Term]()
+        potential, stored = self.graph.number(0.0), []
         for load in acting:
             # The weight m g of what grows as it rises is no slope of m g y.
             grows = any(w.body in self.scene.placed for w in self.wrenches[load])
             part = None if grows else load.potential(self.scene)
             if part is not None:
                 potential = potential + part
-                stored[load] = part
+                stored.append(load)
         growing = self.scene.growing()
         wasting = [*(w for x in acting if x not in stored for w in self.wrenches[x]), *growing]
         wrenches = (*(w for x in acting for w in self.wrenches[x]), *growing)
@@ -236,7 +236,7 @@ class Model:
                 loads=self.layout.of_actions(wrenches),
                 wasting=self.layout.of_actions(wasting),
                 potential=potential,
-                stored=stored,
+                acting=tuple(acting),
                 measured=self._measured(indices),
                 independent=self._rank(held),
             )

@@ -8,7 +8,7 @@ kinetic friction act through their pushes: the friction F = μ_k N goes with its
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from planar_cli.integrators.base import OUTSIDE
@@ -52,8 +52,8 @@ class Parts:
     """That of the loads without a potential."""
     potential: Term
     """Of all loads that have one, J."""
-    stored: Mapping[Load, Term]
-    """That of each of them."""
+    acting: tuple[Load, ...]
+    """The loads: not a spring that acts one way only and is free for now."""
     measured: tuple[Measured, ...]
     """The conditions under which the regime holds."""
     independent: Independent

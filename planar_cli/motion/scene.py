@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from itertools import pairwise
@@ -266,10 +266,10 @@ class MovingScene(Carried):
         """The weight of every body, then the loads of the file."""
         return acting_loads(self.problem)
 
-    def stored_energy(self, name: str = "") -> Term:
-        """The potential energy of the loads of a name, of all without one, J."""
+    def stored_energy(self, name: str = "", loads: Sequence[Load] | None = None) -> Term:
+        """The potential energy of the loads of a name, of all without one, J. `loads`: those that act; None: all."""
         found = self.graph.number(0.0)
-        for load in (x for x in self.loads() if name in ("", x.name)):
+        for load in (x for x in (self.loads() if loads is None else loads) if name in ("", x.name)):
             part = load.potential(self)
             found = found if part is None else found + part
         return found

@@ -88,8 +88,8 @@ class _Ledger:
 
     def _springs(self, regime: Regime) -> Term:
         """The potential of all springs that act: one that is free for now stores nothing."""
-        springs = [part for load, part in regime.parts.stored.items() if load.kind == SPRING]
-        return sum(springs, self.run.model.scene.graph.number(0.0))
+        springs = [load for load in regime.parts.acting if load.kind == SPRING]
+        return self.run.model.scene.stored_energy("", springs)
 
     def _enter(self, t0: float) -> None:
         """What impacts took until a segment begins."""

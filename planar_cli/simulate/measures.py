@@ -10,6 +10,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
+from functools import partial
 from itertools import islice
 from typing import TypeVar
 
@@ -231,7 +232,8 @@ class Measures:
             parts = [graph.number(v) for v in self.elsewhere(state, side)]
             return Vec(*parts) if len(parts) > 1 else parts[0]
 
-        return Quantities(scene, scene.stored_energy, accelerations, reactions, numbers)
+        stored = scene.stored_energy if regime is None else partial(scene.stored_energy, loads=regime.parts.acting)
+        return Quantities(scene, stored, accelerations, reactions, numbers)
 
     def _push(self, name: str) -> Term:
         if name not in self._pushes:
@@ -290,7 +292,9 @@ def moments_of(
         elif isinstance(segment.regime, Regime):
             after = segment.regime, segment.start if segment.t0 == moment.t else moment.y
         regime = moment.regime if after is None else after[0]
-        found[name] = replace(moment, modes=modes_of(regime), after=after)
+        # Nothing arrives at the beginning: what acts there is what the motion begins with.
+        arriving = regime if segment is not None and moment.t == trajectory.t0 else moment.regime
+        found[name] = replace(moment, regime=arriving, modes=modes_of(regime), after=after)
     return found
 
 
