@@ -22,7 +22,7 @@ from planar_cli.homework.rules import Rules
 from planar_cli.homework.solved_anew import to_check
 from planar_cli.homework.tolerance_report import tolerance_report
 from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import columns, variations
+from planar_cli.homework.variants import Variant, columns, variations
 from planar_cli.homework.worked_problem import (
     Carried,
     WorkedProblem,
@@ -256,6 +256,32 @@ def test_what_is_of_no_second_degree_is_followed() -> None:
 
 
 SET = sorted(p for p in (ROOT / "tests" / "homework").glob("*.yaml") if "problems:" not in p.read_text())
+
+
+LINKED = (
+    HARDER
+    + """
+  first:
+    find: {a_1: a(crate).x}
+  linked:
+    given: {Q: 2*first.a_1}
+    find: {F: m*Q}
+"""
+)
+
+
+def test_tolerances_of_variants_are_by_their_own_numbers(tmp_path: Path) -> None:
+    """In a case with numbers of its own, behind a find of another case, and of a variant that was solved by itself."""
+    worked, _ = ready(tmp_path, LINKED.replace("given: {m:", "given: {Q: 1 m/s^2, m:", 1), 1)
+    drawn = [Draw((("m", f"{m} kg"), ("P", f"{p} N"))) for m, p in ((45, 100), (60, 300))]
+    alone = [with_numbers(worked, dict(d.values)) for d in drawn]
+    pairs = list(zip(drawn, alone, strict=True))
+    variants = [Variant(d, base_expected(own)) for d, own in pairs]
+    variants += [Variant(d, base_expected(own), own) for d, own in pairs]
+    found, left = tolerance_report(worked, Rules(), variants)
+    assert not left
+    assert [row[0].find for row in found] == ["a", "a_strong", "a_1", "F"]
+    assert all(danger.honest < 0.006 for row in found for danger in row)
 
 
 RATIO = """

@@ -6,7 +6,7 @@ wrong model gives a result within it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 import numpy as np
@@ -53,59 +53,69 @@ class Danger:
         return self.honest > self.tolerance
 
 
-Columns = Mapping[str, Numbers]
-"""The numbers of given names, one for each variant."""
+@record
+class _Own:
+    """The file, or a variant of it: a problem whose equations are its own, the finds, and the equations carried out."""
+
+    problem: WorkedProblem
+    expected: tuple[Expected, ...]
+    run: Carried
+
+    def tells(self, place: int) -> bool:
+        """Do the equations tell the find at a place?"""
+        part, one = self.problem.finds[place]
+        return part.replay is not None and one.name in part.replay.equations.asked
 
 
 def tolerance_report(
     problem: WorkedProblem, rules: Rules, variants: Sequence[Variant] = ()
 ) -> tuple[list[tuple[Danger, ...]], list[str]]:
     """For each number that is asked its danger in the file itself and in each variant, and why others have none."""
-    rows = [base_expected(problem), *(v.expected for v in variants)]
-    draws = [Draw(()), *(v.draw for v in variants)]
-    values = [columns(problem, [draw]) for draw in draws]
+    rows = [_own(problem, base_expected(problem), Draw(()))]
+    rows += [_own(problem, v.expected, v.draw) if v.alone is None else _alone(v.alone, v.expected) for v in variants]
     found: list[tuple[Danger, ...]] = []
     left: list[str] = []
     for place, (part, one) in enumerate(problem.finds):
         if part.replay is None:
             left.append(f"{one.name}: {part.why}")
-        elif one.name in part.replay.equations.asked and any(rows[0][place].values):
-            expected = [row[place] for row in rows]
-            wrong = [list(_wrong(problem, part, one, own)) for own in values]
-            found.append(
-                tuple(_danger(problem, part, one, *row, rules) for row in zip(expected, values, wrong, strict=True))
-            )
+        elif rows[0].tells(place) and any(rows[0].expected[place].values):
+            untold = next((k for k, own in enumerate(rows) if not own.tells(place)), 0)
+            if untold:
+                left.append(f"{one.name}: the equations of variant {untold} do not tell it")
+            else:
+                found.append(tuple(_danger(own, place, rules) for own in rows))
     return found, left
 
 
-def _wrong(problem: WorkedProblem, part: Part, one: Found, values: Columns) -> Iterator[tuple[str, tuple[float, ...]]]:
+def _own(problem: WorkedProblem, expected: tuple[Expected, ...], draw: Draw) -> _Own:
+    return _Own(problem, expected, Carried(problem, columns(problem, [draw])))
+
+
+def _alone(problem: WorkedProblem, expected: tuple[Expected, ...]) -> _Own:
+    """Of a variant that was solved by itself."""
+    return _Own(problem, expected, Carried(problem, {}))
+
+
+def _wrong(own: _Own, part: Part, one: Found) -> Iterator[tuple[str, tuple[float, ...]]]:
     """What wrong models give, by their mistakes."""
-    for name, model in models_of(problem):
+    for name, model in models_of(own.problem):
         if model.case == part.solution.case:
             with suppress(*NOT_CARRIED_OUT):
-                numbers = Carried(problem, values, model).asked(part, one)
+                numbers = Carried(own.problem, own.run.values, model).asked(part, one)
                 yield name, tuple(float(n[0]) for n in numbers)
 
 
-def _danger(
-    problem: WorkedProblem,
-    part: Part,
-    one: Found,
-    expected: Expected,
-    values: Columns,
-    wrong: Sequence[tuple[str, tuple[float, ...]]],
-    rules: Rules,
-) -> Danger:
+def _danger(own: _Own, place: int, rules: Rules) -> Danger:
+    (part, one), expected = own.problem.finds[place], own.expected[place]
     assert part.replay is not None
-    factor = in_base(one.unit, problem.problem.us)
+    factor = in_base(one.unit, own.problem.problem.us)
     due = np.array(expected.values)
-    inputs = part.replay.equations.inputs
-    own = {inputs[n]: np.full(DRAWS, v[0]) for n, v in values.items() if n in inputs}
-    run = part.replay.run({**_inputs(part), **own}, rounding=_rounding(), exact=_places(part))
+    known = {s: np.full(DRAWS, n[0]) for s, n in own.run.known(part, part.replay).items()}
+    run = part.replay.run({**_inputs(part), **known}, rounding=_rounding(), exact=_places(part))
     honest = float(np.nanmax(_off([n / factor for n in run.asked(one.name)], due)))
     nearest, mistake = None, ""
     passes: dict[str, None] = {}
-    for name, numbers in wrong:
+    for name, numbers in _wrong(own, part, one):
         off = float(_off([np.array([n]) for n in numbers], due)[0])
         if np.isfinite(off) and off > DIFFERENT:
             passes |= {name: None} if within(expected, numbers, rules) else {}

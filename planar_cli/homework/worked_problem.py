@@ -167,26 +167,26 @@ def _base_number(text: str, us: bool) -> float | None:
 class Carried:
     """All parts of a problem carried out for many variants. `values`: numbers of given names, one for each variant."""
 
-    def __init__(
-        self, worked_problem: WorkedProblem, values: Mapping[str, Numbers], model: ModelOf | None = None
-    ) -> None:
-        self.problem, self.model = worked_problem, model
+    def __init__(self, problem: WorkedProblem, values: Mapping[str, Numbers], model: ModelOf | None = None) -> None:
+        self.problem, self.values, self.model = problem, values, model
         self.count = max(map(np.size, values.values()), default=1)
         self.runs: dict[str, Run] = {}
         self._earlier: dict[str, Numbers] = {}
-        for part in worked_problem.parts:
+        for part in problem.parts:
             if part.replay is not None:
-                self.runs[part.solution.case] = self._run(part, part.replay, values)
-                for found in part.solution.found:
-                    if found.name not in part.replay.equations.asked:
-                        continue
-                    name = f"{part.solution.case}.{found.name}"
-                    self._earlier[name] = self.runs[part.solution.case].asked(found.name)[0]
+                case = part.solution.case
+                self.runs[case] = self._run(part, part.replay)
+                for find in part.replay.equations.asked:
+                    self._earlier[f"{case}.{find}"] = self.runs[case].asked(find)[0]
 
-    def _run(self, part: Part, replay: Replay, values: Mapping[str, Numbers]) -> Run:
+    def known(self, part: Part, replay: Replay) -> dict[sp.Symbol, Numbers]:
+        """The inputs of a part that are others than in the file."""
         inputs = replay.equations.inputs
-        varied = {n: v for n, v in values.items() if n not in part.own}
-        known = {inputs[n]: v for n, v in {**varied, **self._earlier}.items() if n in inputs}
+        varied = {n: v for n, v in self.values.items() if n not in part.own}
+        return {inputs[n]: v for n, v in {**varied, **self._earlier}.items() if n in inputs}
+
+    def _run(self, part: Part, replay: Replay) -> Run:
+        known = self.known(part, replay)
         if self.model is None or self.model.case != part.solution.case:
             return replay.run(known)
         return self.model.run(known)
