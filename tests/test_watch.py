@@ -50,6 +50,14 @@ def test_the_last_good_page_is_kept(
     assert told.count("is as before") == 2
 
 
+def test_pages_of_each_format_are_watched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file, page = tmp_path / "p.yaml", tmp_path / "p.tex"
+    file.write_text(GOOD)
+    monkeypatch.setattr(watch.time, "sleep", after([]))
+    assert cli.run(["watch", str(file), "-o", str(page), "--format", "latex"]) == cli.INTERRUPTED
+    assert "\\begin{document}" in page.read_text()
+
+
 def test_a_file_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["watch", str(tmp_path / "none.yaml")]) == cli.BAD
     assert "there is no such file" in capsys.readouterr().err

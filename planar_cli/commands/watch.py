@@ -15,17 +15,22 @@ import click
 from planar_cli import cli
 from planar_cli.commands._last_good import InBrowser, InFile, OnScreen
 from planar_cli.errors import PlanarError
+from planar_cli.registry import modules
 from planar_cli.streams import echo
 
 EVERY = 0.2
 """The file is looked at so often, s."""
-FORMS = ("terminal", "markdown", "html", "pdf", "json")
 Stamp = tuple[int, int]
 
 
 @click.command(help=__doc__)
 @click.argument("file")
-@click.option("--format", "form", type=click.Choice(FORMS), help="How to print.  [default: terminal; with -o: html]")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice([*modules("formats"), "pdf"]),
+    help="How to print.  [default: terminal; with -o: html]",
+)
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 @click.option("--audience", type=click.Choice(["exam", "student", "lesson"]), default="student", help="As in solve.")
 def command(file: str, form: str | None, output: str | None, audience: str) -> int:
