@@ -15,10 +15,10 @@ from planar_cli.formats._graph import Ticked, in_unit, ticked
 from planar_cli.formats._labels import with_labels
 from planar_cli.formats._on_paper import Scale, pieces_of
 from planar_cli.formats._paper import SIZE, Box, Disc, Paper, Placed, Run, Spot, Stroke, Words, along, box_of
-from planar_cli.formats._svg import MARGIN, PRINT, SPACE, STYLE, Look, fill, path_of, px, start_of, write
+from planar_cli.formats._svg import MARGIN, Look, begun, ended, fill, path_of, px, start_of, write
 from planar_cli.formats.html import Html
 from planar_cli.records import record
-from planar_cli.report.blocks import Document
+from planar_cli.report.blocks import Title
 from planar_cli.report.film import Film, Thing
 from planar_cli.report.marks import spots_of
 
@@ -74,10 +74,7 @@ def animated(film: Film, look: Look = "own") -> str:
             box = placed.box
             field = field.around(Box(box.left + dx, box.top + dy, box.right + dx, box.bottom + dy))
     clock = _Clock(film, (field.left, field.bottom + BELOW), max(field.right - field.left, LEAST_LINE))
-    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": film.title})
-    ET.SubElement(root, "title").text = film.title
-    if look != "page":
-        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+    root = begun(film.title, look)
     for track in tracks:
         _draw(root, track, film)
     for placed, label in zip(texts, labels, strict=True):
@@ -89,26 +86,13 @@ def animated(film: Film, look: Look = "own") -> str:
     whole = field.around(below) if below is not None else field
     for placed in paper.placed:
         whole = whole.around(placed.box)
-    _frame(root, whole)
-    return ET.tostring(root, encoding="unicode")
+    return ended(root, whole.grown(MARGIN))
 
 
 def page(film: Film) -> str:
     """A film as one HTML page, which plays without script and without network."""
-    html = Html().render(Document(film.title, ()))
-    return html.replace("</body>", f"<figure>{animated(film, 'page')}</figure>\n</body>")
-
-
-def _frame(root: ET.Element, whole: Box) -> None:
-    left, top = whole.left - MARGIN, whole.top - MARGIN
-    width, height = whole.right - whole.left + 2 * MARGIN, whole.bottom - whole.top + 2 * MARGIN
-    root.set("viewBox", f"{px(left)} {px(top)} {px(width)} {px(height)}")
-    root.set("width", px(width))
-    root.set("height", px(height))
-    for element in root.iter():
-        # A line feed between letters would be a space.
-        if element.tag != "tspan":
-            element.tail = "\n"
+    html = Html()
+    return html.whole(film.title, [html.part([Title(film.title)]), f"<figure>{animated(film, 'page')}</figure>"])
 
 
 def _scale(film: Film) -> Scale:

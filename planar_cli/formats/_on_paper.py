@@ -323,8 +323,12 @@ def _ticked(ends: tuple[Spot, Spot], angle: float, both: bool, gap: float = 0.0)
     else:
         yield Stroke(ends, "measure")
     for tip, way in ((ends[1], angle), *(((ends[0], angle + math.pi),) if both else ())):
-        head = (tip, moved(tip, way, -6.5, 2.2), moved(tip, way, -6.5, -2.2))
-        yield Stroke(head, "measure head", True)
+        yield _head(tip, way)
+
+
+def _head(tip: Spot, way: float) -> Stroke:
+    """The small head of a dimension."""
+    return Stroke((tip, moved(tip, way, -6.5, 2.2), moved(tip, way, -6.5, -2.2)), "measure head", True)
 
 
 @_drawn.register
@@ -333,11 +337,8 @@ def _angle(mark: Angle, scale: Scale) -> Iterator[Piece]:
     yield Stroke((at, moved(at, mark.start, VERTEX * 1.35)), "measure dashed")
     yield Stroke(arc(at, VERTEX, mark.start, mark.sweep), "measure")
     middle = mark.start + mark.sweep / 2
-    tip, way = (
-        moved(at, mark.start + mark.sweep, VERTEX),
-        mark.start + mark.sweep + math.copysign(math.pi / 2, mark.sweep),
-    )
-    yield Stroke((tip, moved(tip, way, -6.5, 2.2), moved(tip, way, -6.5, -2.2)), "measure head", True)
+    end = mark.start + mark.sweep
+    yield _head(moved(at, end, VERTEX), end + math.copysign(math.pi / 2, mark.sweep))
     yield Words(runs_of(mark.words), moved(at, middle, VERTEX), "measure", (middle,), 4.0)
 
 

@@ -119,7 +119,7 @@ def laid_out(figure: Figure) -> list[Laid]:
     """The panels of a figure with all words at their places."""
     papers = papers_of(figure)
     heads = [runs_of(p.head) for p in figure.panels]
-    boxes = [_box(p, sum(r.width for r in head)) for p, head in zip(papers, heads, strict=True)]
+    boxes = [_box(p, width_of(head)) for p, head in zip(papers, heads, strict=True)]
     top, bottom = min(b.top for b in boxes), max(b.bottom for b in boxes)
     return [
         Laid(paper, Box(box.left, top, box.right, bottom), head)
@@ -133,10 +133,7 @@ def _element(
     """Panels side by side. `headed`: there is room for a head, though none of these may have one; `note`: what stands
     under them.
     """
-    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
-    ET.SubElement(root, "title").text = words
-    if look != "page":
-        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+    root = begun(words, look)
     over = HEADED if headed or any(one.head for one in laid) else 0.0
     height, left = laid[0].box.bottom - laid[0].box.top, 0.0
     for place, one in enumerate(laid):
@@ -147,20 +144,33 @@ def _element(
         group = ET.SubElement(root, "g", {"transform": f"translate({px(left - box.left)} {px(-box.top)})"})
         fill(group, one.paper)
         if one.head:
-            middle = (box.left + box.right - sum(r.width for r in one.head)) / 2
+            middle = (box.left + box.right - width_of(one.head)) / 2
             write(group, one.head, (middle, box.top - HEADED / 3), "head-line")
         left += box.right - box.left + BETWEEN
     width, long = left - BETWEEN, width_of(note)
     if note:
-        below = ET.SubElement(
-            root, "g", {"transform": f"translate({px((width - long) / 2)} {px(height + NOTED * 0.7)})"}
-        )
-        write(below, note, (0.0, 0.0), "note")
+        under = f"translate({px((width - long) / 2)} {px(height + NOTED * 0.7)})"
+        write(ET.SubElement(root, "g", {"transform": under}), note, (0.0, 0.0), "note")
     beyond = MARGIN + max(long - width, 0.0) / 2
-    wide, high = width + 2 * beyond, height + over + 2 * MARGIN + (NOTED if note else 0.0)
-    root.set("viewBox", f"{px(-beyond)} {px(-MARGIN - over)} {px(wide)} {px(high)}")
-    root.set("width", px(wide))
-    root.set("height", px(high))
+    below = MARGIN + (NOTED if note else 0.0)
+    return ended(root, Box(-beyond, -MARGIN - over, width + beyond, height + below))
+
+
+def begun(words: str, look: Look) -> ET.Element:
+    """An SVG element with what it shows in words, and with its style unless the page has that."""
+    root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
+    ET.SubElement(root, "title").text = words
+    if look != "page":
+        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+    return root
+
+
+def ended(root: ET.Element, whole: Box) -> str:
+    """The text of an SVG element that shows what is in a box."""
+    wide, high = px(whole.right - whole.left), px(whole.bottom - whole.top)
+    root.set("viewBox", f"{px(whole.left)} {px(whole.top)} {wide} {high}")
+    root.set("width", wide)
+    root.set("height", high)
     for element in root.iter():
         # A line feed between letters would be a space.
         if element.tag != "tspan":
