@@ -86,7 +86,7 @@ def test_a_point_over_which_a_rope_runs_is_a_wheel_that_hangs_from_above() -> No
 
 def test_an_arrow_along_a_bar_lies_on_a_light_bar() -> None:
     figure = drawings("textbook/ex-4-06")["rod"]
-    assert all(m.style == "slim" for p in figure.panels for m in p.marks if isinstance(m, Polyline))
+    assert {m.style for p in figure.panels for m in p.marks if isinstance(m, Polyline)} == {"slim"}
 
 
 def test_each_dimension_line_has_its_words_within_it() -> None:

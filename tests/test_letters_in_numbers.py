@@ -18,4 +18,5 @@ def test_blows_in_letters_have_numbers(name: str) -> None:
     found = numbered(problem)
     assert found is not None
     assert all(part.replay is not None for part in found.problem.parts)
+    assert found.places
     assert all(0 < place["e"] < 1 for place in found.places)
