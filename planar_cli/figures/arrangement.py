@@ -60,30 +60,28 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     `run`: the motion as it was followed, which tells ways that no formula tells.
     """
     drawn = Drawn.as_in_the_file(instant)
-    problem, system = drawn.scene.problem, instant.trial.system
-    if motion is None or not problem.states:
+    problem, states = drawn.scene.problem, [s.name for s in drawn.scene.problem.states]
+    if motion is not None:
         # The one instant of a motion in time is a state without a name.
-        drawn = (Drawn.in_state(motion, motion.states[0]) if motion is not None else None) or drawn
-        moving = Moving(drawn, system.motion) if system.motion is not None else None
+        drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
+    regimes = motion.regimes if motion is not None else ()
+    moving = Moving.of(drawn, (*(r.solution for r in regimes), instant))
+    if motion is None or not states:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
         curves = [curve_of(drawn, name) or course_of(drawn, name) for name in particles]
         ways = (Polyline(curve, "way") for curve in curves if len(curve) > 1)
         return _panel((*_marks(drawn, moving, problem.joints), *ways))
-    drawn = Drawn.in_state(motion, problem.states[0].name) or drawn
-    systems = {id(r.solution.instant.scene): r.solution.trial.system for r in motion.regimes}
-    led = systems.get(id(drawn.scene), system).motion
-    moving = Moving(drawn, led) if led is not None else None
     joints = motion.problem.joints
     size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
-    places = brought_near(positions(drawn, motion, [s.name for s in problem.states]), size)
+    places = brought_near(positions(drawn, motion, states), size)
     marks = tuple(_marks(drawn, moving, joints, places[1:]))
     return _panel((*marks, *position_marks(places, motion, run, marks), *state_measures(places, problem)))
 
 
-def arranged(drawn: Drawn, moving: Moving | None = None) -> Panel:
+def arranged(drawn: Drawn) -> Panel:
     """A scene in one position."""
-    return _panel(tuple(_marks(drawn, moving, drawn.scene.problem.joints)))
+    return _panel(tuple(_marks(drawn, None, drawn.scene.problem.joints)))
 
 
 def followed_arrangement(run: Run) -> Panel | None:

@@ -110,18 +110,13 @@ class Centres:
 
 
 def _moving(instant: InstantSolution | None) -> Moving | None:
-    motion = instant.trial.system.motion if instant is not None else None
-    return Moving(Drawn.as_in_the_file(instant), motion) if instant is not None and motion is not None else None
+    return Moving.of(Drawn.as_in_the_file(instant), (instant,)) if instant is not None else None
 
 
 def _moving_in(motion: MotionTrace, state: str) -> Moving | None:
     """A motion in one of its states; None: nothing tells where its bodies are then."""
     drawn = Drawn.in_state(motion, state)
-    if drawn is None:
-        return None
-    systems = {id(r.solution.instant.scene): r.solution.trial.system for r in motion.regimes}
-    led = systems[id(drawn.scene)].motion
-    return Moving(drawn, led) if led is not None else None
+    return Moving.of(drawn, (r.solution for r in motion.regimes)) if drawn is not None else None
 
 
 def _figure(moving: Moving, body: str, names: Sequence[str]) -> Figure | None:

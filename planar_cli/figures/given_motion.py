@@ -17,6 +17,7 @@ from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import Arrow, Mark, Spot, Style, Turn
+from planar_cli.solve.solution import InstantSolution
 
 VECTORS: Mapping[str, Style] = {"v": "velocity", "a": "acceleration"}
 ROTATIONS: Mapping[str, Style] = {"omega": "velocity", "alpha": "acceleration"}
@@ -33,6 +34,12 @@ class Moving:
 
     drawn: Drawn
     motion: Motion
+
+    @classmethod
+    def of(cls, drawn: Drawn, solutions: Iterable[InstantSolution]) -> Moving | None:
+        """The motion of the scene that is drawn, by the solution of that scene; None: none was worked out."""
+        led = next((s.trial.system.motion for s in solutions if s.instant.scene is drawn.scene), None)
+        return cls(drawn, led) if led is not None else None
 
     def vector(self, word: str, name: str) -> Spot | None:
         """The velocity or acceleration of a point or mass centre."""
