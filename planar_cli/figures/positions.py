@@ -86,13 +86,8 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     spots = [s for p in all_ if p is not None for s in p.spots.values()]
     near = NEAR * max(extent_of(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
     for new in all_:
-        if new is None:
-            continue
-        same = next((i for i, old in enumerate(found) if _same(old, new, near)), None)
-        if same is None:
-            found.append(new)
-        else:
-            found[same] = replace(found[same], states=(*found[same].states, *new.states))
+        if new is not None:
+            _put(found, new, near)
     return found
 
 
@@ -108,13 +103,17 @@ def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
         if not state or spots.keys() != first.spots.keys():
             continue
         new = Later((state,), drawn, {n: (x, y) for n, (x, y) in spots.items()}, {**first.angles, **turns}, first=first)
-        near = NEAR * max(size, _reach(new, first))
-        same = next((i for i, old in enumerate(found) if _same(old, new, near)), None)
-        if same is None:
-            found.append(new)
-        else:
-            found[same] = replace(found[same], states=(*found[same].states, state))
+        _put(found, new, NEAR * max(size, _reach(new, first)))
     return found
+
+
+def _put(found: list[Later], new: Later, near: float) -> None:
+    """One more position; of one that is there already, the names of its states."""
+    for i, old in enumerate(found):
+        if _same(old, new, near):
+            found[i] = replace(old, states=(*old.states, *new.states))
+            return
+    found.append(new)
 
 
 def _asked(run: Run, word: str, name: str, moment: Moment) -> tuple[float, ...]:
