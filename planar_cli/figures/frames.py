@@ -12,6 +12,7 @@ from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.carried import Pose, carried
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
+from planar_cli.figures.over_time import reached
 from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, side_of, way_of
@@ -52,9 +53,10 @@ def film(run: Run, speed: float | None = None) -> Film:
     seconds = duration / speed if speed else duration if SHORTEST <= duration <= LONGEST else USUAL
     times = _times(run, min(MOST, max(FEWEST, math.ceil(seconds * EACH_SECOND))))
     stage = _Stage(run, times)
-    states = tuple((s.name, m.t) for s in run.problem.states if (m := run.measures.moments.get(s.name)) is not None)
     title = run.problem.title or run.problem.file
-    return Film(tuple(times), tuple(stage.things()), states, seconds, title, run.problem.plane == "vertical")
+    return Film(
+        tuple(times), tuple(stage.things()), tuple(reached(run)), seconds, title, run.problem.plane == "vertical"
+    )
 
 
 def _times(run: Run, count: int) -> list[float]:

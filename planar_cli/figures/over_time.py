@@ -19,7 +19,7 @@ from planar_cli.simulate.run import Run
 from planar_cli.simulate.sampled import Sampled, sampled
 from planar_cli.simulate.table import Column
 from planar_cli.simulate.timetable import Timetable
-from planar_cli.units import pretty_unit
+from planar_cli.units import Unit, pretty_unit
 
 MOMENTS = 360
 """A curve has so many places at least."""
@@ -96,8 +96,12 @@ def _up(quantity: Plotted) -> Scaled:
     if high - low <= noise:
         # What is only rounding is drawn as what it is.
         low = high = 0.0 if abs(low) <= noise else low
-    words = words_of(quantity.column)
-    return Scaled(words, pretty_unit(quantity.column.unit.text) if quantity.column.unit.text != "1" else "", low, high)
+    return Scaled(words_of(quantity.column), unit_words(quantity.column.unit), low, high)
+
+
+def unit_words(unit: Unit) -> str:
+    """A unit behind an axis; nothing for a number."""
+    return "" if unit.text == "1" else pretty_unit(unit.text)
 
 
 def _curves(quantity: Plotted) -> Iterator[Curve]:
@@ -110,12 +114,23 @@ def _curves(quantity: Plotted) -> Iterator[Curve]:
 
 def _dots(run: Run, quantity: Plotted) -> Iterator[Dot]:
     """The states of the file, in order; several that are reached at nearly one moment share a dot."""
-    states = [(s.name, m.t) for s in run.problem.states if (m := run.measures.moments.get(s.name)) is not None]
     later = isinstance(quantity.column.side, Quantity) and quantity.column.side.word in LATER
     near = NEAR * (run.trajectory.t1 - run.trajectory.t0)
-    spots = [(name, s) for name, t in sorted(states, key=lambda s: s[1]) if (s := _at(quantity, t, later)) is not None]
+    spots = [
+        (name, s) for name, t in sorted(reached(run), key=lambda s: s[1]) if (s := _at(quantity, t, later)) is not None
+    ]
     for (t, y), together in _together(spots, near):
         yield Dot((t, y), line(", ".join(name.replace("_", " ") for name in together)))
+
+
+def reached(run: Run) -> list[tuple[str, float]]:
+    """The states of the file to which a motion comes, with their times [s]."""
+    return [(s.name, m.t) for s in run.problem.states if (m := run.measures.moments.get(s.name)) is not None]
+
+
+def is_at(moment: float, t: float) -> bool:
+    """Is a time that of a state, but for rounding?"""
+    return abs(t - moment) <= 1e-12 * max(abs(moment), 1.0)
 
 
 def _together(spots: Sequence[tuple[str, Spot]], near: float) -> Iterator[tuple[Spot, list[str]]]:
@@ -130,7 +145,7 @@ def _together(spots: Sequence[tuple[str, Spot]], near: float) -> Iterator[tuple[
 
 def _at(quantity: Plotted, t: float, later: bool) -> Spot | None:
     """The place of its first curve at a moment; `later`: where it jumps, just after."""
-    found = [s for piece in quantity.pieces[0] for s in piece if abs(s[0] - t) <= 1e-12 * max(abs(t), 1.0)]
+    found = [s for piece in quantity.pieces[0] for s in piece if is_at(t, s[0])]
     return None if not found else found[-1] if later else found[0]
 
 

@@ -10,7 +10,7 @@ from itertools import zip_longest
 from types import MappingProxyType
 
 from planar_cli.errors import FileProblem, PlanarError
-from planar_cli.figures.over_time import MOMENTS, Plotted, over_time, plotted, words_of
+from planar_cli.figures.over_time import MOMENTS, Plotted, is_at, over_time, plotted, reached, unit_words, words_of
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Part, Quantity, Side
 from planar_cli.problem.scope import Scope
@@ -22,7 +22,7 @@ from planar_cli.simulate.energies import energies
 from planar_cli.simulate.report import Motion
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.table import HERE, Column, columns_of, places_of
-from planar_cli.units import Unit, parse_unit, pretty_unit
+from planar_cli.units import parse_unit
 
 HIGH = 300.0
 """A portrait, a way and a ledger are so high."""
@@ -90,11 +90,13 @@ def _both(one: Scaled, other: Scaled) -> Scaled:
 
 def _path(motion: Motion) -> tuple[Graph, ...]:
     """The ways of points in one graph with equal axes."""
-    wanted = _places_asked(motion) or list(_places(motion.run))
+    asked = _places_asked(motion)
+    wanted = plotted(motion.run, asked) if asked else tuple(_places(motion.run))
     graph = _ways(motion.run, wanted)
     if graph is None:
         return ()
-    other = _ways(motion.other, wanted) if motion.other is not None else None
+    columns = [q.column for q in wanted]
+    other = _ways(motion.other, plotted(motion.other, columns)) if motion.other is not None else None
     return (graph,) if other is None else (_with(graph, other),)
 
 
@@ -106,26 +108,25 @@ def _is_place(side: Side) -> bool:
     return isinstance(side, Quantity) and side.word == "r" and not side.parts
 
 
-def _places(run: Run) -> Iterator[Column]:
+def _places(run: Run) -> Iterator[Plotted]:
     """The mass centres of all bodies, then the points of the file."""
     problem = run.problem
     metre = usual_unit(_place("O"), Kinds(Scope(problem, ())), problem.us)
     for name in (*(b.name for b in problem.bodies), *(p.name for p in problem.points if not p.unnamed)):
         try:
-            plotted(run, [Column(name, metre, _place(name))])
+            yield from plotted(run, [Column(name, metre, _place(name))])
         except (FileProblem, KeyError):
             # A point that belongs to no body, or to several, has no way of its own.
             continue
-        yield Column(name, metre, _place(name))
 
 
 def _place(name: str) -> Quantity:
     return Quantity("r", (name,), None, (), None, HERE)
 
 
-def _ways(run: Run, columns: Sequence[Column]) -> Graph | None:
+def _ways(run: Run, places: Sequence[Plotted]) -> Graph | None:
     found: list[tuple[Line, Plotted]] = []
-    for q in plotted(run, columns):
+    for q in places:
         if len(q.pieces) == 2 and not q.constant and not any(_alike(q, old) for _, old in found):
             side = q.column.side
             assert isinstance(side, Quantity)
@@ -136,7 +137,7 @@ def _ways(run: Run, columns: Sequence[Column]) -> Graph | None:
     spots = [s for c in curves for piece in c.pieces for s in piece]
     xs, ys = zip(*spots, strict=True)
     least = THIN * max(max(xs) - min(xs), max(ys) - min(ys))
-    unit = pretty_unit(found[0][1].column.unit.text)
+    unit = unit_words(found[0][1].column.unit)
     across, up = (Scaled(line(Name(n)), unit, *_widened(v, least)) for n, v in (("x", xs), ("y", ys)))
     dots = tuple(d for _, q in found for d in _passed(run, q))
     return Graph(across, up, tuple(curves), dots, equal=True, size=(380.0, HIGH))
@@ -170,13 +171,10 @@ def _passed(run: Run, quantity: Plotted) -> Iterator[Dot]:
     """Where a point is in each state of the file."""
     xs, ys = ([s for piece in pieces for s in piece] for pieces in quantity.pieces)
     seen: dict[Spot, list[str]] = {}
-    for state in run.problem.states:
-        moment = run.measures.moments.get(state.name)
-        near = [
-            (x, y) for (t, x), (_, y) in zip(xs, ys, strict=True) if moment is not None and abs(t - moment.t) < 1e-12
-        ]
+    for state, moment in reached(run):
+        near = [(x, y) for (t, x), (_, y) in zip(xs, ys, strict=True) if is_at(moment, t)]
         for spot in near[:1]:
-            seen.setdefault(spot, []).append(state.name.replace("_", " "))
+            seen.setdefault(spot, []).append(state.replace("_", " "))
     yield from (Dot(spot, line(", ".join(names))) for spot, names in seen.items())
 
 
@@ -233,11 +231,7 @@ def _portraits(run: Run, columns: Sequence[Column]) -> Iterator[Graph]:
 
 def _scaled(column: Column, quantity: Plotted) -> Scaled:
     values = [v for piece in quantity.pieces[0] for _, v in piece]
-    return Scaled(words_of(column), _unit(column.unit), min(values), max(values))
-
-
-def _unit(unit: Unit) -> str:
-    return "" if unit.text == "1" else pretty_unit(unit.text)
+    return Scaled(words_of(column), unit_words(column.unit), min(values), max(values))
 
 
 def _rate(side: Side) -> Side:
@@ -265,7 +259,7 @@ def _energy(motion: Motion) -> tuple[Graph, ...]:
     return (
         Graph(
             across,
-            Scaled(line("energy"), pretty_unit(joule.text), min(values), max(values)),
+            Scaled(line("energy"), unit_words(joule), min(values), max(values)),
             curves,
             size=(380.0, HIGH),
         ),
