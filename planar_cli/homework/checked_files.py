@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import json
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import fields, replace
 from decimal import Decimal
@@ -17,7 +16,7 @@ from planar_cli import __version__
 from planar_cli.errors import PlanarError
 from planar_cli.homework.checking import AGREES, DISAGREES, FAULT, UNDECIDED, Checked, check_file
 from planar_cli.homework.interrupts import number_of, terminated
-from planar_cli.homework.results import VERSION, Line, ResultsFile, lines_of
+from planar_cli.homework.results import Line, ResultsFile, line_with, lines_of
 from planar_cli.homework.supervisor import Heard, Supervisor
 from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.nodes import regular_bytes
@@ -132,17 +131,7 @@ def _line(one: Checked, digest: str) -> Line:
         "message": one.message,
         "seconds": round(one.seconds, 3),
     }
-    data = {
-        "schema_version": VERSION,
-        "file": one.path,
-        "part": 0,
-        "parts": 1,
-        "content": digest,
-        "key": KEY,
-        "result": found,
-    }
-    text = json.dumps(data, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
-    return Line(one.path, 0, 1, digest, KEY, "ok", "", text)
+    return line_with({"result": found}, one.path, (0, 1), (digest, KEY))
 
 
 def _as_data(verdict: Verdict) -> dict[str, Any]:

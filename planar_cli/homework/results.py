@@ -43,20 +43,25 @@ class Line:
 
 def line_of(result: Result, place: tuple[int, int], digests: tuple[str, str], ended: str, why: str) -> Line:
     """The line of a result; `place`: part and parts, `digests`: of the file and of the key."""
-    data = {
-        "schema_version": VERSION,
-        "file": result.source,
-        "part": place[0],
-        "parts": place[1],
-        "content": digests[0],
-        "key": digests[1],
-        "ended": ended,
-        "why": why,
-        "result": as_data(result),
-    }
+    more = {"ended": ended, "why": why, "result": as_data(result)}
+    return line_with(more, result.source, place, digests, ended, result.student)
+
+
+def line_with(
+    more: Mapping[str, Any],
+    file: str,
+    place: tuple[int, int],
+    digests: tuple[str, str],
+    ended: str = "ok",
+    student: str = "",
+) -> Line:
+    """A line with `more` behind what tells its place."""
+    head = dict(zip(("file", "part", "parts", "content", "key"), (file, *place, *digests), strict=True))
     # Only ASCII: no name of a file and nothing typed can break a line or a terminal.
-    text = json.dumps(data, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
-    return Line(result.source, *place, *digests, ended, result.student, text)
+    text = json.dumps(
+        {"schema_version": VERSION, **head, **more}, ensure_ascii=True, allow_nan=False, separators=(",", ":")
+    )
+    return Line(file, *place, *digests, ended, student, text)
 
 
 def as_data(result: Result) -> dict[str, Any]:
