@@ -20,6 +20,7 @@ from planar_cli.formats._labels import clashes
 from planar_cli.formats._svg import papers_of
 from planar_cli.formats.html import Html
 from planar_cli.homework.checking import read
+from planar_cli.problem.structure import load_text
 from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import Figure
 from planar_cli.simulate.energies import energies, off
@@ -100,6 +101,20 @@ def test_a_spring_that_is_free_stores_nothing() -> None:
     accounts = energies(follow(read(str(path_of("block-runs-into-a-spring"))), Settings()), 200)
     assert {a.name: round(a.largest, 3) for a in accounts} == {"kinetic": 9.0, "spring": 9.0, "sum": 9.0}
     assert accounts[1].pieces[0][0] == (0.0, 0.0)
+
+
+def test_friction_and_the_force_that_pulls_are_told_apart() -> None:
+    """10 N over 2 s on 2 kg, μ = 0.3: x = (5 - 0.3 g) · 2, of the work 10 x friction takes 0.3 · 2 g x."""
+    problem, wrong = load_text(
+        "{plane: vertical, points: {P: [0, 0]}, bodies: {crate: {particle: P, mass: 2 kg}}, "
+        "joints: [guide: {point: P, along: 0 deg, mu: 0.3}], loads: [force: {at: P, magnitude: 10 N, angle: 0 deg}], "
+        "states: {0: [t = 0, at rest], 1: [t = 2 s]}, find: {x: x(P) @ 1}}"
+    )
+    assert problem is not None, wrong
+    largest = {a.name: a.largest for a in energies(follow(problem, Settings()), 50)}
+    x = (5 - 0.3 * 9.81) * 2
+    expected = {"kinetic": (10 - 0.6 * 9.81) * x, "dissipated": 0.6 * 9.81 * x, "supplied": 10 * x, "sum": 0.0}
+    assert largest == pytest.approx(expected, abs=1e-7)
 
 
 def test_a_motion_without_an_effect_is_dashed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

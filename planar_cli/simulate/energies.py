@@ -2,8 +2,8 @@
 
     kinetic + potential + stored in springs + dissipated - supplied = constant
 
-Power is integrated by Gauss's rule from moment to moment; what impacts take is told by them. That the sum stays the
-same is a check, as the motion follows from accelerations alone.
+Powers are integrated by Gauss's rule from moment to moment: that which becomes heat, and what the rest does; what
+impacts take is told by them. That the sum stays the same is a check, as the motion follows from accelerations alone.
 """
 
 from __future__ import annotations
@@ -16,11 +16,17 @@ from planar_cli.motion.balance import nodes
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.terms import Term
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import ALL
 from planar_cli.records import changing, record
+from planar_cli.simulate.heat import heat_of
+from planar_cli.simulate.measures import Asked
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.sampled import moments_of_segment
+from planar_cli.simulate.table import HERE
 
 SPRING = "spring"
+HEAT = Quantity("heat", (ALL,), None, (), None, HERE)
 NOTHING = 1e-9
 """An account that stays below this part of the largest one is left out."""
 
@@ -99,10 +105,23 @@ class _Ledger:
             self.entered += 1
 
     def _work(self, segment: Segment, regime: Regime, start: float, end: float) -> None:
+        """What friction takes while a force pulls is not told as part of what the force does."""
+        heat = self.run.measures.routine("heat", HEAT, regime, self._heat)
+        lost = fed = 0.0
         try:
-            self._take(-sum(weight * regime.power(t, segment.at(t)) for t, weight in nodes(start, end)))
+            for t, weight in nodes(start, end):
+                y = segment.at(t)
+                (power,) = heat(t, y)
+                lost += weight * power
+                fed += weight * (regime.power(t, y) + power)
+            self._take(lost)
+            # A force that works against the motion takes back of what was supplied; that is no heat.
+            self.supplied += fed
         except OUTSIDE as outside:
             raise Undecided(f"a power has no value between t = {start:.6g} s and t = {end:.6g} s") from outside
+
+    def _heat(self, what: Asked, regime: Regime) -> list[Term]:
+        return [heat_of(ALL, self.run.measures.quantities(regime), regime, self.run.model.scene)]
 
     def _take(self, energy: float) -> None:
         if energy > 0:
