@@ -26,7 +26,6 @@ from planar_cli.typeset import _Tree, pdf
 
 EVERY = 12
 """Of so many problem files one is drawn in each run, all of them in the slow studies."""
-SPACE = "{http://www.w3.org/2000/svg}"
 
 
 def illustrated_page(path: Path) -> Document:

@@ -55,6 +55,7 @@ def test_a_motion_that_was_integrated_has_its_graph(stem: str) -> None:
     page = illustrated_page(path_of(stem))
     figure = dict(figures_of(page))["motion"]
     states = [s.name for s in worked(path_of(stem))[0].problem.states]
+    assert graphs_of(figure)
     for graph in graphs_of(figure):
         told = ", ".join("".join(str(getattr(p, "text", "")) for p in dot.words) for dot in graph.dots)
         assert told.split(", ") == states
@@ -84,7 +85,7 @@ def test_ways_and_portraits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert all(name in words for name in ("upper", "lower", "ω", "θ", "x in m", "y in m"))
 
 
-def test_the_ledger_of_energy_adds_up(tmp_path: Path) -> None:
+def test_the_ledger_of_energy_adds_up() -> None:
     """A ball that bounces loses all it had; friction on a belt takes what the belt supplies and the spring does not."""
     for stem, names in (
         ("ball-that-comes-to-rest", ["kinetic", "potential", "dissipated", "sum"]),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from itertools import combinations
 
 import pytest
 from conftest import PROBLEMS
@@ -77,9 +78,21 @@ def test_polygons_close(stem: str) -> None:
 def test_no_vector_lies_on_another(stem: str) -> None:
     for figure in figures(stem):
         spans = [m for m in figure.panels[0].marks if isinstance(m, Span)]
-        placed = {(s.start, s.end) for s in spans}
-        assert len(placed) == len(spans)
-        assert len({(s.start, s.end, s.aside) for s in spans}) == len(spans)
+        assert len({(s.start, s.end) for s in spans}) == len(spans)
+        for one, other in combinations(spans, 2):
+            if along_one_line(one, other):
+                same_way = sum(a * b for a, b in zip(way(one), way(other), strict=True)) > 0
+                assert one.aside != (other.aside if same_way else -other.aside), (one, other)
+
+
+def along_one_line(one: Span, other: Span) -> bool:
+    """Would a part of one lie on the other?"""
+    along, length = way(one), math.hypot(*way(one))
+    ends = [(x - one.start[0], y - one.start[1]) for x, y in (other.start, other.end)]
+    off = [abs(x * along[1] - y * along[0]) / length for x, y in ends]
+    ahead = [(x * along[0] + y * along[1]) / length for x, y in ends]
+    least = 1e-6 * length
+    return max(off) < least and min(max(ahead), length) - max(min(ahead), 0.0) > least
 
 
 def test_vectors_along_one_line_are_beside_each_other() -> None:
