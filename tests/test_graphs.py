@@ -15,15 +15,15 @@ from worked import worked
 
 from planar_cli import cli
 from planar_cli.figures.illustrated import figures_of
-from planar_cli.formats._graph import ticked
+from planar_cli.formats._graph import COLOURS, ticked
 from planar_cli.formats._labels import clashes
-from planar_cli.formats._svg import papers_of
+from planar_cli.formats._svg import PRINT, papers_of
 from planar_cli.formats.html import Html
 from planar_cli.homework.checking import read
 from planar_cli.problem.structure import load_text
 from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import Figure
-from planar_cli.simulate.energies import energies, off
+from planar_cli.simulate.energies import NAMES, energies, off
 from planar_cli.simulate.run import Settings, follow
 
 
@@ -116,6 +116,12 @@ def test_friction_and_the_force_that_pulls_are_told_apart() -> None:
     x = (5 - 0.3 * 9.81) * 2
     expected = {"kinetic": (10 - 0.6 * 9.81) * x, "dissipated": 0.6 * 9.81 * x, "supplied": 10 * x, "sum": 0.0}
     assert largest == pytest.approx(expected, abs=1e-7)
+
+
+def test_each_account_of_energy_has_a_colour_of_its_own() -> None:
+    found = re.findall(r"\.c(\d)\{stroke:(.*?)\}", PRINT)
+    assert [int(number) for number, _ in found] == list(range(COLOURS))
+    assert len({colour for _, colour in found}) == COLOURS >= len(NAMES)
 
 
 def test_a_motion_without_an_effect_is_dashed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

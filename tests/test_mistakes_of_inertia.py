@@ -43,7 +43,7 @@ def test_of_i_o_one_part_is_missing(tmp_path: Path) -> None:
 
 def test_at_an_unknown_angle_the_weight_stays(tmp_path: Path) -> None:
     """cos β = 2 I_O |α|/(m g l)."""
-    found = ratios(tmp_path / "rod.yaml", AT_AN_ANGLE)
+    found = ratios(tmp_path, AT_AN_ANGLE)
     assert found["parallel-axis-left-out"] == pytest.approx(1 / 4)
 
 

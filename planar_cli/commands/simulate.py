@@ -128,7 +128,12 @@ def _film(motions: Sequence[Motion], speed: float | None, path: str) -> bytes:
     """The motion of a file, or of its first case, as it goes on."""
     from planar_cli.figures.frames import film
     from planar_cli.formats._animated import animated, page
+    from planar_cli.problem.reading import listed
 
+    others = [m.case for m in motions[1:]]
+    if others:
+        cases = "case" if len(others) == 1 else "cases"
+        cli.say(f"{path} does not show the {cases} {listed(others, 'and')}: `--case {others[0]}` shows that one alone")
     shown = film(motions[0].run, speed)
     return (animated(shown) if path.lower().endswith(".svg") else page(shown)).encode()
 

@@ -19,7 +19,8 @@ LEAST_ACROSS, LEAST_UP = 45.0, 27.0
 STEPS = (1.0, 2.0, 5.0, 10.0)
 LARGE, SMALL = 1e5, 1e-3
 """Numbers beyond these have a power of ten at the axis."""
-COLOURS = 4
+COLOURS = 5
+"""As many as a ledger of energy has accounts."""
 RIGHT, UP, LEFT, DOWN = 0.0, math.pi / 2, math.pi, -math.pi / 2
 FLAT, JUMP = 0.08, 0.5
 """How far a curve may be off where it is drawn; so far apart two pieces are joined by a thin line, which is no part of

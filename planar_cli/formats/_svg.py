@@ -43,6 +43,7 @@ LIGHT = {
     "inertia": "#1555a5",
     "velocity": "#1e7d32",
     "accel": "#8a4b00",
+    "fifth": "#7b1fa2",
     "paper": "#ffffff",
 }
 DARK = {
@@ -53,6 +54,7 @@ DARK = {
     "inertia": "#82b1ff",
     "velocity": "#81c784",
     "accel": "#ffb74d",
+    "fifth": "#ce93d8",
     "paper": "#111418",
 }
 RULES = """
@@ -68,10 +70,10 @@ RULES = """
 .velocity.head{fill:var(--velocity)}.acceleration.head{fill:var(--accel)}.measure.head{fill:var(--faint)}
 .axis.head{fill:var(--faint)}
 .grid{stroke:var(--faint);stroke-width:.5;stroke-opacity:.35}.curve{stroke-width:1.7}.jump{stroke-width:.7}.total{stroke-width:1.2}
-.c0{stroke:var(--inertia)}.c1{stroke:var(--force)}.c2{stroke:var(--velocity)}.c3{stroke:var(--accel)}
+.c0{stroke:var(--inertia)}.c1{stroke:var(--force)}.c2{stroke:var(--velocity)}.c3{stroke:var(--accel)}.c4{stroke:var(--fifth)}
 .words{font-family:"DejaVu Sans","Segoe UI",Helvetica,Arial,sans-serif;fill:var(--ink);stroke:none}
 .force-words{fill:var(--force)}.inertia-words{fill:var(--inertia)}.axis-words{fill:var(--faint)}
-.c0-words{fill:var(--inertia)}.c1-words{fill:var(--force)}.c2-words{fill:var(--velocity)}.c3-words{fill:var(--accel)}
+.c0-words{fill:var(--inertia)}.c1-words{fill:var(--force)}.c2-words{fill:var(--velocity)}.c3-words{fill:var(--accel)}.c4-words{fill:var(--fifth)}
 .velocity-words{fill:var(--velocity)}.acceleration-words{fill:var(--accel)}.formula{font-style:italic}
 """
 Look = Literal["own", "page", "print"]
