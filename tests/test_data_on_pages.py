@@ -44,6 +44,12 @@ def test_what_drives_acts_at_no_formula() -> None:
     assert "drive_1 ← = M a_Q" in page_of_file("man-walking-on-a-boat")
 
 
+def test_a_couple_that_drives_is_no_force() -> None:
+    page = page_of_file("motor-with-an-unbalanced-rotor")
+    assert "drive_1 ↺ = 0" in page
+    assert "drive_1: the couple that keeps the motion as given" in page
+
+
 def test_an_inertia_that_nothing_needs_is_named() -> None:
     """A car that slides without turning needs no radius of gyration."""
     page = page_of_file("car-with-locked-wheels")

@@ -137,14 +137,10 @@ def _has_rate(side: Side) -> bool:
 
 
 def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Action, ...]:
-    bodies = dict.fromkeys(b for b, _ in terms)
-    zero = sp.S.Zero
-    return tuple(
-        Action(
-            b,
-            system.scene.center(b),
-            Vec(terms.get((b, "x"), zero), terms.get((b, "y"), zero)),
-            terms.get((b, "turn"), zero),
-        )
-        for b in bodies
-    )
+    """What a unit of a push does to each body, by the parts of its velocity that it goes with; a torque has no force."""
+    zero, found = sp.S.Zero, list[Action]()
+    for body in dict.fromkeys(b for b, _ in terms):
+        x, y, turn = (terms.get((body, part), zero) for part in ("x", "y", "turn"))
+        force = None if x == y == 0 else Vec(x, y)
+        found.append(Action(body, system.scene.center(body), force, turn))
+    return tuple(found)
