@@ -137,7 +137,7 @@ def _has_rate(side: Side) -> bool:
 
 
 def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Action, ...]:
-    """What a unit of a push does to each body, by the parts of its velocity that it goes with; a torque has no force."""
+    """What a unit of a push does to each body, by the parts of its velocity with which it goes."""
     zero, found = sp.S.Zero, list[Action]()
     for body in dict.fromkeys(b for b, _ in terms):
         x, y, turn = (terms.get((body, part), zero) for part in ("x", "y", "turn"))
