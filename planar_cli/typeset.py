@@ -7,6 +7,8 @@ A page comes as the HTML that `formats/html.py` writes, is read into a tree, and
 from __future__ import annotations
 
 import json
+import math
+import re
 from html import escape
 from html.parser import HTMLParser
 from importlib.util import find_spec
@@ -16,10 +18,12 @@ from typing import Any, Literal
 from planar_cli.errors import PlanarError
 
 DOTS = 144.0
-"""Of an inch."""
-ALONE = b"""#set page(width: auto, height: auto, margin: 6pt, fill: white)
-#image(bytes(sys.inputs.figure), format: "svg")
+"""Of an inch: two of a point, three of two pixels."""
+ALONE = b"""#let (side, wide, high) = ("side", "wide", "high").map(name => float(sys.inputs.at(name)) * 0.75pt)
+#set page(width: wide + 12pt, height: high + 12pt, margin: 6pt, fill: white)
+#place(top + left, image(bytes(sys.inputs.figure), format: "svg", width: side, height: side))
 """
+_SIZE = re.compile(r'viewBox="(\S+ \S+) (\S+) (\S+)" width="\S+" height="\S+"')
 KEPT = ("class", "form", "mathvariant", "width")
 """The attributes that the template looks at."""
 VOID = frozenset({"meta", "br", "hr", "img", "link", "wbr"})
@@ -29,8 +33,19 @@ Node = dict[str, Any]
 
 
 def png(svg: str) -> bytes:
-    """A figure as a picture. Raises PlanarError where typst is not installed."""
-    return _compiled(ALONE, "png", figure=svg)
+    """A figure as a picture. Raises PlanarError where typst is not installed.
+
+    typst draws a figure on dots of its own, as many as its width and its ratio ask for, and copies these: where they
+    are not exactly those of the page, a row is left out. So the figure becomes a square of an even number of pixels,
+    and the page shows its upper left part.
+    """
+    size = _SIZE.search(svg)
+    assert size is not None, "a figure tells its size"
+    wide, high = (2 * math.ceil(float(length) / 2) for length in size.groups()[1:])
+    side = max(wide, high)
+    square = f'viewBox="{size[1]} {side} {side}" width="{side}" height="{side}"'
+    shown = svg.replace(size[0], square, 1)
+    return _compiled(ALONE, "png", figure=shown, side=str(side), wide=str(wide), high=str(high))
 
 
 def pdf(html: str, drawn: str) -> bytes:
