@@ -17,7 +17,7 @@ from sympy import Abs, Add, Eq, Mul, Symbol, sqrt, symbols, tan
 from planar_cli import registry
 from planar_cli.formats.base import runs
 from planar_cli.formats.json import dumps
-from planar_cli.formats.markdown import Markdown
+from planar_cli.formats.markdown import Markdown, protected
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report import blocks as doc
 from planar_cli.report.lettered import lettered
@@ -272,7 +272,22 @@ def test_the_other_blocks_in_markdown() -> None:
     assert text.endswith("```text\nx.a: 1 # 2\n  $b$\n```\n")
 
 
+@pytest.mark.parametrize(("tex", "safe"), [
+    (r"\dot{x}_{2} + v_{A}", r"\dot{x}_ {2} + v_{A}"),
+    (r"\int_{0}^{t} c\, dt", r"\int_{0}^{t} c\thinspace  dt"),
+    (r"\begin{cases} 1 & a \\ 2 & b \end{cases}", r"\begin{cases} 1 & a \cr 2 & b \end{cases}"),
+])  # fmt: skip
+def test_github_finds_nothing_of_its_own_in_a_formula(tex: str, safe: str) -> None:
+    assert protected(tex) == safe
+
+
 m, h, r = (doc.Name(n) for n in "mhr")
+
+
+def test_a_bar_in_a_formula_does_not_end_its_cell() -> None:
+    table = doc.Table((doc.line("a"), doc.line("b")), ((doc.line("|", m, "| = ", h), doc.line("c | d")),))
+    row = Markdown().render(doc.Document("", (table,))).splitlines()[-1]
+    assert row == r"| $\vert m\vert  = h$ | c \| d |"
 
 
 @pytest.mark.parametrize(("line", "text"), [

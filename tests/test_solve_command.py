@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import pytest
 from answered import HELD_ROD
@@ -46,8 +48,11 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Any:
     for name, text in texts.items():
         (tmp_path / f"{name}.yaml").write_text(text)
 
-    def go(line: str) -> Ran:
-        args = [str(tmp_path / a) if a.endswith((".yaml", ".md", ".json")) else a for a in line.split()]
+    def go(line: str | list[str]) -> Ran:
+        args = [
+            str(tmp_path / a) if a.endswith((".yaml", ".md", ".json")) else a
+            for a in (line.split() if isinstance(line, str) else line)
+        ]
         status = cli.run(args)
         captured = capsys.readouterr()
         return Ran(status, captured.out, captured.err)
@@ -74,6 +79,26 @@ def test_markdown(run: Any) -> None:
     assert ran.status == 0
     assert ran.out.startswith("# Rod let go\n")
     assert "$" in ran.out
+
+
+def test_markdown_in_a_file_has_its_figures_beside_it(run: Any, tmp_path: Path) -> None:
+    """The same each time; what an earlier page had more is gone, what is of another hand stays."""
+    called = ["solve", "good.yaml", "--format", "markdown", "-o", "my page (1).md"]
+    assert run(called).status == 0
+    folder = tmp_path / "my page (1)-figures"
+    before = {p.name: p.read_bytes() for p in folder.iterdir()}
+    page = (tmp_path / "my page (1).md").read_text(encoding="utf-8")
+    found = re.findall(r"!\[([^\]]+)\]\(([^() ]+)\)", page)
+    assert [unquote(link) for _, link in found] == [f"{folder.name}/{i}.svg" for i in range(1, len(before) + 1)]
+    assert found[0][0] == "Rod let go"
+    assert all(drawn.startswith(b"<svg") for drawn in before.values())
+    last = len(before)
+    (folder / f"{last + 1}.svg").write_bytes(before["1.svg"])
+    (folder / f"{last + 2}.svg").write_text("precious")
+    assert run(called).status == 0
+    kept = {p.name: p.read_bytes() for p in folder.iterdir()}
+    assert kept.pop(f"{last + 2}.svg") == b"precious"
+    assert kept == before
 
 
 def test_pages_with_figures(run: Any, tmp_path: Path) -> None:

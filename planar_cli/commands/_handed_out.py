@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -42,14 +42,18 @@ def files(pieces: Iterable[Piece], title: str, form: str, name: str) -> dict[str
         printed = [p for p in run if isinstance(p, dict)]
         parts += [p.get(pages.kind, "") for p in printed] if is_printed else [pages.part(run)]
         pictures |= {own: drawn for p in printed for own, drawn in p.items() if own.endswith(PICTURE)}
-    text = pages.whole(title, parts)
+    text, called = with_pictures(pages.whole(title, parts), pictures, lambda i: f"{name}-{i}{PICTURE}")
+    return {f"{name}.{SUFFIX[form]}": in_form(text, form), **{own: drawn.encode() for own, drawn in called.items()}}
+
+
+def with_pictures(text: str, pictures: Mapping[str, str], named: Callable[[int], str]) -> tuple[str, dict[str, str]]:
+    """Markdown whose pictures are called by other names, in the order in which they stand there, and those that it
+    calls by these. `named`: the name of the first, the second and so on.
+    """
     called = list(dict.fromkeys(n for n in CALLED.findall(text) if n in pictures))
-    names = {own: f"{name}-{i}{PICTURE}" for i, own in enumerate(called, 1)}
+    names = {own: named(i) for i, own in enumerate(called, 1)}
     text = CALLED.sub(lambda m: f"]({names.get(m[1], m[1])})", text) if names else text
-    return {
-        f"{name}.{SUFFIX[form]}": in_form(text, form),
-        **{names[own]: pictures[own].encode() for own in called},
-    }
+    return text, {names[own]: pictures[own] for own in called}
 
 
 def in_form(text: str, form: str) -> bytes:

@@ -1,8 +1,8 @@
 """Write the answers of problem files, or their worked solutions, or both, as one document.
 
 FILES are problem files or folders (every .yaml and .yml file below). The answers are those of the solution; one that
-the file states otherwise is marked. With --both all answers come first, then all solutions. The exit status is that of
-`planar solve`.
+the file states otherwise is marked. With --both all answers come first, then all solutions; with -o FILE.md figures of
+solutions are files in the folder FILE-figures. The exit status is that of `planar solve`.
 
 One FILE may be a homework set (`planar explain homework`): its variants are drawn, and with -o FOLDER a sheet for each
 variant or student, a key for each variant and the key of all are written there; else the key is printed. The same seed
@@ -21,12 +21,14 @@ from planar_cli.by_click import type_of
 from planar_cli.commands._handed_out import PAGES, PDF, in_form, printed_as
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
+from planar_cli.commands._pictures import pictures_of, write_with_pictures
 from planar_cli.errors import PlanarError
 from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
     from planar_cli.report.blocks import Document
 
+MARKDOWN = "markdown"
 FORMS = (*PAGES, "json", "csv")
 
 
@@ -65,7 +67,7 @@ def command(
         from planar_cli.commands._key_of_set import key_of_set
 
         return key_of_set(files[0], worked, both, output, timeout, (figures, audience), form=form, **of_set)
-    style = form or "markdown"
+    style = form or MARKDOWN
     if style not in PAGES or any(v not in (None, ()) for v in of_set.values()):
         raise click.UsageError("--variants, --seed, --export, --format json and csv are for one homework set")
     if style == PDF and output in (None, "-"):
@@ -74,7 +76,10 @@ def command(
     from planar_cli.registry import member
     from planar_cli.report.blocks import Title
 
-    pages: Any = member("formats", printed_as(style))(1 if both else 0)
+    below = 1 if both else 0
+    called = style == MARKDOWN and output not in (None, "-")
+    pages: Any = member("formats", printed_as(style))(*((below, called) if called else (below,)))
+    pictures: dict[str, str] = {}
     answers: list[str] = []
     solutions: list[str] = []
     titles: list[str] = []
@@ -86,6 +91,7 @@ def command(
                 titles.append(short.title)
                 answers.append(pages.part((Title(short.title), *short.blocks)))
                 solutions += [pages.part((Title(long.title), *long.blocks))] if long is not None else []
+                pictures |= pictures_of(long.blocks) if called and long is not None else {}
         except PlanarError as error:
             status = cli.tell(error)
         except Exception as error:
@@ -95,13 +101,15 @@ def command(
     if both:
         parts = [pages.part([Title("Answers", -1)]), *answers, pages.part([Title("Solutions", -1)]), *solutions]
     if parts:
-        _write(pages.whole("Answers and solutions" if both else titles[0], parts), style, output)
+        _write(pages.whole("Answers and solutions" if both else titles[0], parts), style, output, pictures)
     return worst
 
 
-def _write(text: str, style: str, output: str | None) -> None:
+def _write(text: str, style: str, output: str | None, pictures: dict[str, str]) -> None:
     if style == PDF:
         write_bytes(in_form(text, style), output or "")
+    elif style == MARKDOWN and output not in (None, "-"):
+        write_with_pictures(text, pictures, output or "")
     else:
         write(text, output, exact=True)
 

@@ -30,8 +30,9 @@ if TYPE_CHECKING:
 LARGEST_FIGURES = 40
 PDF = "pdf"
 """The page of the format `html`, on paper."""
+MARKDOWN = "markdown"
 ILLUSTRATED = ("html", "latex", PDF)
-"""Formats with figures."""
+"""Formats with figures; Markdown has them as files, where it is a file itself."""
 OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
 
 
@@ -54,6 +55,11 @@ class Wanted:
     @property
     def json(self) -> bool:
         return self.form == "json"
+
+    @property
+    def illustrated(self) -> bool:
+        """Has the page figures?"""
+        return self.form in ILLUSTRATED or (self.form == MARKDOWN and self.output not in (None, "-"))
 
     @property
     def handed_out(self) -> bool:
@@ -120,7 +126,14 @@ def _write_pages(pages: Sequence[Document], wanted: Wanted) -> None:
     """Several pages with figures as one, on a screen or on paper."""
     from planar_cli.formats.base import in_one
 
-    text: str = member("formats", "html" if wanted.form == PDF else wanted.form)().render(in_one(pages))
+    if wanted.form == MARKDOWN:
+        from planar_cli.commands._pictures import pictures_of, write_with_pictures
+
+        whole = in_one(pages)
+        text = member("formats", MARKDOWN)(pictures=True).render(whole)
+        write_with_pictures(text, pictures_of(whole.blocks), wanted.output or "")
+        return
+    text = member("formats", "html" if wanted.form == PDF else wanted.form)().render(in_one(pages))
     if wanted.form != PDF:
         write(text, wanted.output, exact=True)
         return
@@ -194,11 +207,11 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
         from planar_cli.report.stated_text import with_task
 
         document = with_task(document, problem)
-    if wanted.form in ILLUSTRATED or wanted.drawing:
+    if wanted.illustrated or wanted.drawing:
         from planar_cli.figures.illustrated import illustrated
 
         document = illustrated(document, solution)
-    if wanted.form in ILLUSTRATED:
+    if wanted.illustrated:
         return Report(status, page=document)
     return Report(status, _printed(document, wanted))
 
@@ -221,6 +234,6 @@ def _compared(problem: Problem, wanted: Wanted) -> Report:
     if wanted.json:
         return Report(cli.SOLVED, data=comparison_data(problem, rows))
     document = comparison_document(problem, rows)
-    if wanted.form in ILLUSTRATED:
+    if wanted.illustrated:
         return Report(cli.SOLVED, page=document)
     return Report(cli.SOLVED, _printed(document, wanted))

@@ -84,10 +84,21 @@ def _variables(colours: dict[str, str]) -> str:
     return "".join(f"--{name}:{colour};" for name, colour in colours.items())
 
 
+def _coloured(colours: dict[str, str]) -> str:
+    """The rules with the colours themselves, for readers of SVG that know no variables."""
+    return re.sub(r"var\(--(\w+)\)", lambda m: colours[m[1]], RULES)
+
+
 STYLE = f"svg{{{_variables(LIGHT)}}}@media screen and (prefers-color-scheme:dark){{svg{{{_variables(DARK)}}}}}{RULES}"
 """For a page with figures, on a screen."""
-PRINT = re.sub(r"var\(--(\w+)\)", lambda m: LIGHT[m[1]], RULES)
-"""For paper, and for readers of SVG that know no variables."""
+PRINT = _coloured(LIGHT)
+"""For paper."""
+# On its own ground a figure is seen on a page that is dark where the reader's screen is light, or the other way.
+ALONE = (
+    f"svg{{background:{LIGHT['paper']}}}{PRINT}"
+    f"@media screen and (prefers-color-scheme:dark){{svg{{background:{DARK['paper']}}}{_coloured(DARK)}}}"
+)
+"""For a figure that is a file by itself."""
 
 
 @record
@@ -163,7 +174,7 @@ def begun(words: str, look: Look) -> ET.Element:
     root = ET.Element("svg", {"xmlns": SPACE, "role": "img", "aria-label": words})
     ET.SubElement(root, "title").text = words
     if look != "page":
-        ET.SubElement(root, "style").text = STYLE if look == "own" else PRINT
+        ET.SubElement(root, "style").text = ALONE if look == "own" else PRINT
     return root
 
 

@@ -1,7 +1,8 @@
 """A document as Markdown with LaTeX formulas between dollar signs, as GitHub, Pandoc and notebooks read it.
 
-Words of a file are escaped, so that a name cannot become a link, an image, HTML or a formula. Inside `$…$` GitHub takes
-a backslash before punctuation for an escape of its own; the formulas avoid `\\,` `\\{` and the like.
+Words of a file are escaped, so that a name cannot become a link, an image, HTML or a formula. Inside `$…$` and `$$…$$`
+GitHub takes a backslash before punctuation for an escape of its own, and strokes between punctuation for emphasis; the
+formulas avoid `\\,` `\\{` `}_{` and the like.
 """
 
 from __future__ import annotations
@@ -37,6 +38,9 @@ from planar_cli.report.blocks import (
 from planar_cli.report.names import printable
 
 _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
+_STROKE = re.compile(r"(?<=[^\w\s\\])_")
+"""What would begin an emphasis; before a space it does not."""
+_BAR = re.compile(r"(?<!\\)\|")
 LOWEST = 6
 """The lowest level of headings."""
 # What would begin a list, a numbered list or a quotation at the start of a paragraph.
@@ -80,7 +84,7 @@ class Markdown(Pages):
         return ["\n".join(f"- {_inline(b.line)}" for b in run)]
 
     def equations(self, run: Sequence[Equation]) -> list[str]:
-        return [f"$$\n{equation(e)}\n$$" for e in run]
+        return [f"$$\n{protected(equation(e))}\n$$" for e in run]
 
     def results(self, run: Sequence[Result]) -> list[str]:
         return [f"⇒ {_inline(r.line)}" for r in run]
@@ -120,13 +124,18 @@ def escaped(text: str) -> str:
     return _PUNCTUATION.sub(r"\\\1", printable(re.sub(r"\s", " ", text)))
 
 
+def protected(tex: str) -> str:
+    """A formula in which Markdown finds nothing of its own; it looks the same."""
+    return _STROKE.sub("_ ", tex.replace(r"\\ ", r"\cr ").replace(r"\,", r"\thinspace "))
+
+
 def _paragraph(line: Line) -> str:
     return _OPENING.sub(r"\1\\\2", _inline(line))
 
 
 def _inline(line: Line) -> str:
     """A line with each of its formulas between dollar signs."""
-    return joined(line, formula, escaped, _marked).strip()
+    return joined(line, lambda piece: protected(formula(piece)), escaped, _marked).strip()
 
 
 def _marked(part: Text) -> str:
@@ -137,4 +146,5 @@ def _marked(part: Text) -> str:
 
 
 def _row(cells: Sequence[Line]) -> str:
-    return "| " + " | ".join(_inline(c) for c in cells) + " |"
+    # Among words a bar is escaped; one in a formula would end the cell.
+    return "| " + " | ".join(_BAR.sub(r"\\vert ", _inline(c)) for c in cells) + " |"

@@ -6,7 +6,8 @@ planar solve FILE --format html -o page.html
   Under the title stand the text of the file and the scene, then the solution.
   --format pdf             the same page on A4, by typst (`pip install '.[pdf]'`); the same file gives the same bytes
   --format latex           its source, for pdflatex, xelatex and lualatex; figures are TikZ (Debian: texlive-pictures)
-  --format markdown        text with formulas between $ and $$, as GitHub, notebooks and Pandoc show them; no figures
+  --format markdown        text with formulas between $ and $$, as GitHub, notebooks and Pandoc show them. With
+                           `-o page.md` its figures are page-figures/1.svg and so on; on standard output it has none.
   --audience exam          without the text, as short as a key; `lesson`: with what each step is for
   Several files make one document. `planar key` and sheets of homework have these formats as well
   (`planar explain homework`).
