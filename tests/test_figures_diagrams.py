@@ -63,13 +63,15 @@ def test_a_point_of_the_file_about_which_moments_are_taken_stands_in_both() -> N
     [
         ("ball-pushed-without-friction", [1], ["dashed: direction assumed; found: F_C to the left"]),
         ("bicycle-driven-and-braked", [0, 1, 1], [*NOTES]),
-        ("ex-4-16", [0, 0], ["", ""]),
+        ("ex-4-16", [0, 0], ["", "found: a_Gy*m downward"]),
+        ("double-pulley", [0, 0, 0], ["found: I_pulley*alpha clockwise", "found: a_Ay*m_A downward", ""]),
+        ("box-that-tips-over", [0], ["found: J_x to the left"]),
     ],
 )
 def test_an_assumed_direction_is_dashed_and_told_where_it_came_out_opposite(
     stem: str, dashed: list[int], notes: list[str]
 ) -> None:
-    """Also in a motion, of a force that stays what it is."""
+    """Also in a motion, of a force that stays what it is; of accelerations and impulses as well."""
     found = diagrams(stem)
     assert [sum(isinstance(m, Arrow) and m.assumed for p in f.panels for m in p.marks) for f in found] == dashed
     assert ["".join(plain(p) for p in f.note) for f in found] == notes

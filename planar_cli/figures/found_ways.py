@@ -1,4 +1,4 @@
-"""What stands under a diagram with forces whose direction is assumed: how they are drawn, and which act the other way.
+"""What stands under a diagram whose letters count in directions that are assumed, or came out the other way.
 
 dashed: direction assumed; found: F_C to the left
 """
@@ -6,14 +6,18 @@ dashed: direction assumed; found: F_C to the left
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from decimal import Decimal
+from itertools import chain
 
-from sympy import Symbol
+from sympy import Expr, Integer, Symbol
 
+from planar_cli.equation.bounds import certain_sign
+from planar_cli.equation.exact import Valuation
 from planar_cli.report.blocks import Forces, Line, Math, line
-from planar_cli.report.marks import Arrow, Panel
-from planar_cli.solve.between.trace import ImpactEquation
+from planar_cli.report.marks import Arrow, Panel, Turn
+from planar_cli.report.numbers import rotation_words
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
 EIGHTH = math.pi / 4
@@ -32,34 +36,66 @@ LEGEND = "dashed: direction assumed"
 
 
 def note_of(panels: Sequence[Panel], row: Forces, solution: Solution) -> Line:
-    """Nothing where no direction is assumed. `row`: the list of forces of these diagrams."""
-    assumed = [m for p in panels for m in p.marks if isinstance(m, Arrow) and m.assumed]
-    if not assumed:
-        return ()
-    against = [m for m in assumed if _is_against(m.words, row, solution)]
-    found = dict.fromkeys((m.words, OPPOSITE[round(m.angle / EIGHTH) % len(OPPOSITE)]) for m in against)
+    """Nothing where no direction is assumed and each is as drawn. `row`: the list of forces of these diagrams."""
+    drawn = [m for p in panels for m in p.marks if isinstance(m, Arrow | Turn)]
+    legend = [LEGEND] if any(isinstance(m, Arrow) and m.assumed for m in drawn) else []
+    against = [m for m in drawn if _is_against(m.words, row, solution)]
+    found = dict.fromkeys((m.words, _opposite(m)) for m in against)
     told = [piece for words, way in found for piece in (", ", *words, f" {way}")][1:]
-    return line(LEGEND, *(("; found: ", *told) if told else ()))
+    return line(*legend, *((f"{'; ' if legend else ''}found: ", *told) if told else ()))
+
+
+def _opposite(mark: Arrow | Turn) -> str:
+    if isinstance(mark, Turn):
+        return rotation_words(-mark.sense)
+    return OPPOSITE[round(mark.angle / EIGHTH) % len(OPPOSITE)]
 
 
 def _is_against(words: Line, row: Forces, solution: Solution) -> bool:
-    """Does a force come out against the direction in which its letter counts, whenever its diagram holds?"""
-    letters = [p.expr for p in words if isinstance(p, Math) and p.expr.is_Symbol]
-    found = [n for letter in letters for part in solution.parts for n in _numbers(letter, row, part)]
+    """Does a vector come out against the direction in which its letters count, whenever its diagram holds?"""
+    size = math.prod((p.expr for p in words if isinstance(p, Math)), start=Integer(1))
+    found = [n for part in solution.parts for n in _numbers(size, row, part)] if size.free_symbols else []
     return bool(found) and all(n is not None and n < 0 for n in found)
 
 
-def _numbers(letter: Symbol, row: Forces, part: PartSolution) -> Iterator[Decimal | None]:
-    """What was found for it where the scene is that of the diagram; None: it changes in a motion, or nothing tells."""
-    if part.motion is None:
-        yield from (i.value.known(letter) for i in part.instants if i.instant.scene is row.scene)
+def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | None]:
+    """What was found for it where the scene is that of the diagram, or its sign where numbers were drawn for letters;
+    None: it changes in a motion, or nothing tells.
+    """
+    if part.motion is not None:
+        drawn = bool(part.motion.value.drawn)
+        for found in _of_motion(size.free_symbols, row, part, part.motion):
+            numbers = Valuation({s: n for s, (_, n) in found.items() if n is not None})
+            yield _sign(size, {s: e for s, (e, _) in found.items()}) if drawn else numbers.known(size)
         return
-    for regime in part.motion.regimes:
+    formulas = {f.asked[0]: f.expressions[0] for f in part.found if len(f.asked) == 1 and f.expressions}
+    for i in part.instants:
+        if i.instant.scene is row.scene:
+            yield _sign(size, formulas) if i.value.drawn else i.value.known(size)
+
+
+def _sign(size: Expr, formulas: Mapping[Symbol, Expr]) -> Decimal | None:
+    """Of a size in letters, where the formulas tell it whatever the letters are."""
+    sign = certain_sign(size.xreplace(formulas))
+    return Decimal(sign) if sign else None
+
+
+def _of_motion(
+    letters: Collection[Symbol], row: Forces, part: PartSolution, motion: MotionTrace
+) -> Iterator[dict[Symbol, tuple[Expr, Decimal | None]]]:
+    """Formulas and numbers on each stretch on which the scene is that of the diagram, and at each such blow."""
+    data = {s: (s, motion.value.known(s)) for s in letters}
+    for regime in motion.regimes:
         if regime.solution.instant.scene is row.scene:
-            yield regime.constants[letter][1] if letter in regime.constants else None
-    for leg in part.motion.route.steps:
+            yield {s: regime.constants.get(s, data[s]) for s in letters}
+    for leg in motion.route.steps:
         blows = [e.source.impact.solution for e in leg.relations if isinstance(e.source, ImpactEquation)]
         if any(b is not None and b.instant.scene is row.scene for b in blows):
-            # An impulse has a shorter name on the page.
-            own = (r.unknown for r in leg.results if f"{r.unknown.name}_".startswith(f"{letter.name}_"))
-            yield from map(part.motion.value.known, own)
+            yield {s: (s, _of_blow(s, leg, part, motion) if n is None else n) for s, (_, n) in data.items()}
+
+
+def _of_blow(letter: Symbol, leg: RouteStep, part: PartSolution, motion: MotionTrace) -> Decimal | None:
+    """An impulse has a shorter name on the page, or that of the answer for which it is asked."""
+    asked = (f.asked[0] for f in part.found if f.name == letter.name and len(f.asked) == 1)
+    own = (r.unknown for r in leg.results if f"{r.unknown.name}_".startswith(f"{letter.name}_"))
+    return next(map(motion.value.known, chain(asked, own)), None)
