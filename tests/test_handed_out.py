@@ -87,6 +87,43 @@ find: {s: s}
 """
 
 
+@pytest.mark.parametrize(("given", "find", "styles"), [
+    ("v(a).mag = 3 m/s, v(a).angle = 40 deg", "x: v(a).x", ["velocity"]),
+    ("v(a).mag = v, v(a).angle = 40 deg, v(a).x = 3 m/s", "v: v", ["velocity"]),
+    ("v(a).along(30 deg) = -3 m/s, v(a).across(30 deg) = 0", "x: v(a).x", ["velocity"]),
+    ("v(a).x = 3 m/s, v(a).y = v, v(a).mag = 5 m/s, v > 0", "v: v", []),
+    ("v(a).x = 2 m/s, v(a).y = 0, a(a).y = -1 m/s^2, a(a).x = 0", "v: v(a).mag", ["velocity", "acceleration"]),
+])  # fmt: skip
+def test_the_motion_that_is_given_has_its_arrows(given: str, find: str, styles: list[str]) -> None:
+    """And what is sought has none: neither a component nor a direction that would tell it."""
+    unknown = "unknowns: {v: m/s}\n" if "v: v" in find and "mag" not in find else ""
+    text = f"plane: horizontal\n{unknown}bodies: {{a: {{particle: [1 m, 0], mass: 1 kg}}}}\ninstant: [{given}]\n"
+    problem, wrong = load_text(f"{text}find: {{{find}}}\n")
+    assert not wrong
+    assert problem is not None
+    figure = handed_out(problem)
+    marks = figure.panels[0].marks if figure is not None else ()
+    assert [m.style for m in marks if isinstance(m, Arrow)] == styles
+
+
+def test_what_moves_alike_in_all_cases_is_in_the_scene_of_the_file() -> None:
+    text = """
+    plane: horizontal
+    points: {O: [0, 0], A: [2 m, 0]}
+    bodies: {a: {particle: O, mass: 1 kg}, b: {particle: A, mass: 1 kg}}
+    cases:
+      one: {instant: [v(a).x = 3 m/s, v(a).y = 0, b at rest], find: {p: momentum(all).x}}
+      two: {instant: [v(a).x = 3 m/s, v(a).y = 0, v(b).x = 0, v(b).y = 1 m/s], find: {q: momentum(all).x}}
+    """
+    problem, wrong = load_text(text)
+    assert not wrong
+    assert problem is not None
+    figure = handed_out(problem)
+    assert figure is not None
+    arrows = [m for m in figure.panels[0].marks if isinstance(m, Arrow)]
+    assert [(m.at, m.angle) for m in arrows] == [((0.0, 0.0), 0.0)]
+
+
 def test_letters_of_a_figure_have_their_values_on_the_sheet() -> None:
     text = "text: A slope of {beta}.\ngiven: {beta: 25 deg, mu: 0.2}\n" + SLOPE
     problem, wrong = load_text(text)

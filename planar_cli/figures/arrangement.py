@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.given_motion import Moving, arrows_apart, given_motion_marks
+from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
@@ -65,7 +65,7 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
         # The one instant of a motion in time is a state without a name.
         drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
     regimes = motion.regimes if motion is not None else ()
-    moving = Moving.of(drawn, (*(r.solution for r in regimes), instant))
+    moving = Found.of(drawn, (*(r.solution for r in regimes), instant))
     if motion is None or not states:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
@@ -81,7 +81,7 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
 
 def arranged(drawn: Drawn) -> Panel:
     """A scene in one position."""
-    return _panel(tuple(_marks(drawn, None, drawn.scene.problem.joints)))
+    return _panel(tuple(_marks(drawn, Told(drawn), drawn.scene.problem.joints)))
 
 
 def followed_arrangement(run: Run) -> Panel | None:
@@ -90,9 +90,9 @@ def followed_arrangement(run: Run) -> Panel | None:
     if drawn is None:
         return None
     joints = run.problem.joints
-    size = extent_of([s for m in _marks(drawn, None, joints) for s in spots_of(m)])
+    size = extent_of([s for m in _marks(drawn, Told(drawn), joints) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
-    marks = tuple(_marks(drawn, None, joints, places[1:]))
+    marks = tuple(_marks(drawn, Told(drawn), joints, places[1:]))
     return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem)))
 
 

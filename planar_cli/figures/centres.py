@@ -13,7 +13,7 @@ import sympy as sp
 from planar_cli.equation.centres import centre_of
 from planar_cli.figures.diagrams import slim
 from planar_cli.figures.drawn import TINY, Drawn
-from planar_cli.figures.given_motion import Moving
+from planar_cli.figures.given_motion import Found
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
@@ -91,7 +91,7 @@ class Centres:
                 if later is not None:
                     yield from self._asked(later, motion.problem.find, state)
 
-    def _asked(self, moving: Moving, finds: Sequence[Find], state: str | None) -> Iterator[Figure]:
+    def _asked(self, moving: Found, finds: Sequence[Find], state: str | None) -> Iterator[Figure]:
         scene = moving.drawn.scene
         for find in finds:
             asked = find.found.what
@@ -101,7 +101,7 @@ class Centres:
                 spoken = [n for n in points if f"v_{n}" in self.named]
                 yield from self._once(moving, state, body, spoken or [index_of(centre_of(scene, body))])
 
-    def _once(self, moving: Moving, state: str | None, body: str, points: Sequence[str]) -> Iterator[Figure]:
+    def _once(self, moving: Found, state: str | None, body: str, points: Sequence[str]) -> Iterator[Figure]:
         key = (id(moving.motion), state, body)
         figure = None if key in self.drawn else _figure(moving, body, points)
         if figure is not None:
@@ -109,17 +109,17 @@ class Centres:
             yield figure
 
 
-def _moving(instant: InstantSolution | None) -> Moving | None:
-    return Moving.of(Drawn.as_in_the_file(instant), (instant,)) if instant is not None else None
+def _moving(instant: InstantSolution | None) -> Found | None:
+    return Found.of(Drawn.as_in_the_file(instant), (instant,)) if instant is not None else None
 
 
-def _moving_in(motion: MotionTrace, state: str) -> Moving | None:
+def _moving_in(motion: MotionTrace, state: str) -> Found | None:
     """A motion in one of its states; None: nothing tells where its bodies are then."""
     drawn = Drawn.in_state(motion, state)
-    return Moving.of(drawn, (r.solution for r in motion.regimes)) if drawn is not None else None
+    return Found.of(drawn, (r.solution for r in motion.regimes)) if drawn is not None else None
 
 
-def _figure(moving: Moving, body: str, names: Sequence[str]) -> Figure | None:
+def _figure(moving: Found, body: str, names: Sequence[str]) -> Figure | None:
     centre = _centre(moving, body, names)
     if centre is None:
         return None
@@ -142,7 +142,7 @@ def _around(drawn: Drawn) -> Iterator[Mark]:
             yield from sketch_marks(drawn, sketch, ())
 
 
-def _centre(moving: Moving, body: str, names: Sequence[str]) -> Centre | None:
+def _centre(moving: Found, body: str, names: Sequence[str]) -> Centre | None:
     """None: the body does not turn, or nothing tells where its points are."""
     spin = sp.sympify(moving.motion.velocities[body].angular)
     omega = moving.drawn.number(spin)

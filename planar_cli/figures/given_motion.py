@@ -7,11 +7,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import Protocol
 
 from planar_cli.equation.motion import Motion
 from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
-from planar_cli.problem.expression import Quantity, Relation, Side
+from planar_cli.problem.expression import PointPair, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
@@ -26,23 +27,37 @@ NEAR = 1e-6
 ALONG, BESIDE = 0.05, 9.0
 """Arrows of directions that differ by less, rad, lie on each other; one is drawn so far beside the other, px."""
 MAG, ANGLE = "mag", "angle"
+AXES: Mapping[str, float] = {"x": 0.0, "y": UPRIGHT}
+LINES: Mapping[str, float] = {"along": 0.0, "across": UPRIGHT}
+"""Parts of a vector, and by how much each is turned from x, or from the direction that is named with it."""
+
+
+class Moving(Protocol):
+    """The velocities and accelerations that belong to a position."""
+
+    @property
+    def drawn(self) -> Drawn: ...
+
+    def vector(self, word: str, name: str) -> Spot | None:
+        """The velocity or acceleration of a point or mass centre, in size or at least in direction; None: nothing
+        tells it.
+        """
 
 
 @record
-class Moving:
-    """The velocities and accelerations that belong to a position."""
+class Found:
+    """Those of a motion that was worked out."""
 
     drawn: Drawn
     motion: Motion
 
     @classmethod
-    def of(cls, drawn: Drawn, solutions: Iterable[InstantSolution]) -> Moving | None:
+    def of(cls, drawn: Drawn, solutions: Iterable[InstantSolution]) -> Found | None:
         """The motion of the scene that is drawn, by the solution of that scene; None: none was worked out."""
         led = next((s.trial.system.motion for s in solutions if s.instant.scene is drawn.scene), None)
         return cls(drawn, led) if led is not None else None
 
     def vector(self, word: str, name: str) -> Spot | None:
-        """The velocity or acceleration of a point or mass centre."""
         scene = self.drawn.scene
         body = name if name in scene.bodies else scene.owner(name)
         place = scene.bodies[name].center if name in scene.bodies else scene.points.get(name)
@@ -51,24 +66,59 @@ class Moving:
         found: Vec = self.motion.velocity(place, body) if word == "v" else self.motion.acceleration(place, body)
         return self.drawn.spot(found)
 
-    def place(self, name: str) -> Spot | None:
-        """Where it is."""
-        scene = self.drawn.scene
-        at = scene.bodies[name].center if name in scene.bodies else scene.points.get(name)
-        return None if at is None else self.drawn.spot(at)
+
+@record
+class Told:
+    """Those that the file itself gives."""
+
+    drawn: Drawn
+
+    def vector(self, word: str, name: str) -> Spot | None:
+        parts = {g.part: g for g in _given(self.drawn.scene.problem) if (g.word, g.name) == (word, name)}
+        told = {part: self.drawn.length(g.size) for part, g in parts.items()}
+        for part, turned in LINES.items():
+            along = _along(self.drawn, parts[part], turned) if part in parts else None
+            if along is not None and (size := told[part]) is not None:
+                return size * math.cos(along), size * math.sin(along)
+        if (angle := told.get(ANGLE)) is not None:
+            size = told.get(MAG)
+            size = 1.0 if size is None else size
+            return size * math.cos(angle), size * math.sin(angle)
+        x, y = told.get("x"), told.get("y")
+        # Of a size alone the direction may be what is sought.
+        short = x is None or y is None if MAG in parts or ANGLE in parts else x is None and y is None
+        return None if short else (x or 0.0, y or 0.0)
+
+
+@record
+class _Given:
+    """What the file says of one body or point: the part of which vector, for `along` and `across` of what direction."""
+
+    word: str
+    name: str
+    part: str
+    size: Side
+    direction: Side | None
 
 
 def given_motion_marks(moving: Moving, problem: Problem, aside: Mapping[str, Spot]) -> Iterator[Mark]:
     """`aside`: by so much bodies are drawn beside their places, m."""
-    told: dict[tuple[str, str], dict[str, Side]] = {}
-    for word, name, part, size in _given(problem):
-        told.setdefault((word, name), {}).setdefault(part, size)
+    told: dict[tuple[str, str], dict[str, _Given]] = {}
+    for one in _given(problem):
+        told.setdefault((one.word, one.name), {}).setdefault(one.part, one)
     for (word, name), parts in told.items():
-        at = moving.place(name)
+        at = _place(moving.drawn, name)
         if at is None:
             continue
         at = (at[0] + aside.get(name, (0.0, 0.0))[0], at[1] + aside.get(name, (0.0, 0.0))[1])
         yield from _turn(moving, word, at, parts) if word in ROTATIONS else _vector(moving, word, name, at, parts)
+
+
+def _place(drawn: Drawn, name: str) -> Spot | None:
+    """Where a body or point is."""
+    scene = drawn.scene
+    at = scene.bodies[name].center if name in scene.bodies else scene.points.get(name)
+    return None if at is None else drawn.spot(at)
 
 
 def arrows_apart(marks: Iterable[Mark], before: Iterable[Mark]) -> Iterator[Mark]:
@@ -90,8 +140,8 @@ def _lie_together(one: Arrow, other: Arrow) -> bool:
     return one.inward == other.inward and math.dist(one.at, other.at) < NEAR and abs(turned) < ALONG
 
 
-def _given(problem: Problem) -> Iterator[tuple[str, str, str, Side]]:
-    """What an instant, the first state and the laws of motion say of one body or point: word, name, part, value."""
+def _given(problem: Problem) -> Iterator[_Given]:
+    """What an instant, the first state and the laws of motion say of one body or point."""
     first = problem.states[0].relations if problem.states else ()
     laws = (law.statement for law in problem.motion if law.during is None)
     for relation in (*(problem.instant or ()), *first, *laws):
@@ -102,31 +152,41 @@ def _given(problem: Problem) -> Iterator[tuple[str, str, str, Side]]:
         whole = asked.word in ROTATIONS and not asked.parts
         if len(asked.things) != 1 or asked.at is not None or not (whole or (asked.word in VECTORS and part)):
             continue
-        if part in ("", "x", "y", MAG, ANGLE):
-            yield asked.word, asked.things[0], part, relation.right
+        direction = asked.parts[0].direction if asked.parts else None
+        if part in ("", "x", "y", MAG, ANGLE) or (part in LINES and not isinstance(direction, PointPair | None)):
+            way = None if isinstance(direction, PointPair) else direction
+            yield _Given(asked.word, asked.things[0], part, relation.right, way)
 
 
-def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, Side]) -> Iterator[Mark]:
-    (size,) = parts.values()
-    number, words = moving.drawn.length(size), size_of(size)
+def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Mark]:
+    (one,) = parts.values()
+    number, words = moving.drawn.length(one.size), size_of(one.size)
     if number is not None and abs(number) > TINY and words:
         yield Turn(at, 1 if number > 0 else -1, ROTATIONS[word], words)
 
 
-def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, Side]) -> Iterator[Mark]:
+def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Mark]:
     whole = moving.vector(word, name)
     if MAG in parts or ANGLE in parts:
         if whole is None or math.hypot(*whole) < NEAR:
             return
-        words = words_of(parts[MAG]) if MAG in parts else ()
+        words = words_of(parts[MAG].size) if MAG in parts else ()
         yield Arrow(at, math.atan2(whole[1], whole[0]), VECTORS[word], words or line(Name(f"{word}_{name}")))
         if ANGLE in parts:
-            yield from angle_from_its_zero(moving.drawn, at, parts[ANGLE])
+            yield from angle_from_its_zero(moving.drawn, at, parts[ANGLE].size)
         return
-    for axis, part in enumerate("xy"):
-        size = moving.drawn.length(parts[part]) if part in parts else None
-        if size is None and part in parts and whole is not None:
-            size = whole[axis]
-        words = size_of(parts[part]) if part in parts else ()
-        if size is not None and abs(size) > NEAR and words:
-            yield Arrow(at, axis * UPRIGHT + (math.pi if size < 0 else 0.0), VECTORS[word], words)
+    for part, zero in (*AXES.items(), *LINES.items()):
+        if part not in parts:
+            continue
+        along = zero if part in AXES else _along(moving.drawn, parts[part], zero)
+        size, words = moving.drawn.length(parts[part].size), size_of(parts[part].size)
+        if size is None and whole is not None and along is not None:
+            size = whole[0] * math.cos(along) + whole[1] * math.sin(along)
+        if size is not None and along is not None and abs(size) > NEAR and words:
+            yield Arrow(at, along + (math.pi if size < 0 else 0.0), VECTORS[word], words)
+
+
+def _along(drawn: Drawn, one: _Given, turned: float) -> float | None:
+    """The direction in which a component counts; None: nothing tells it."""
+    zero = drawn.length(one.direction) if one.direction is not None else None
+    return None if zero is None else zero + turned

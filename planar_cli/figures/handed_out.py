@@ -1,4 +1,4 @@
-"""The figure of a sheet: the scene as the file gives it, with nothing in it that is to be found.
+"""The figure of a sheet: the scene as the file gives it, with the motion that it gives and nothing that is to be found.
 
 No solution is asked: the scene is set up from the file alone. What stands where something sought would tell is left
 out, as is every direction that is sought; later states and paths are not drawn.
@@ -6,7 +6,8 @@ out, as is every direction that is sought; later states and paths are not drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -22,7 +23,9 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Text
-from planar_cli.report.marks import Axes, Dimension, Figure, Panel, Symbol, Tag
+from planar_cli.report.marks import Arrow, Axes, Dimension, Figure, Mark, Panel, Symbol, Tag, Turn
+
+MOTION = ("velocity", "acceleration")
 
 
 @record
@@ -36,22 +39,46 @@ class GivenDrawn(Drawn):
 
 @record
 class _Given:
-    """A scene on paper; `placed`: it is given where all bodies are, and how they are turned."""
+    """A scene on paper; `placed`: it is given where all bodies are, and how they are turned; `seen`: there is more to
+    be seen than one thing at its place, and how that moves.
+    """
 
     panel: Panel
     placed: bool
+    seen: bool
 
 
 def handed_out(problem: Problem) -> Figure | None:
     """What a sheet shows of a problem, in the position of a case where the file itself does not give all places; None:
     hardly anything can be drawn of what is given.
     """
-    found = [one for part in (problem, *(c.problem for c in problem.cases)) if (one := _given(part)) is not None]
-    if not found:
-        return None
-    # The first of those that show as much.
-    best = max(found, key=lambda one: (one.placed, 0 if one.placed else len(one.panel.marks)))
-    return Figure((best.panel,), problem.title, name="scene")
+    own, *cases = (_given(part) for part in (problem, *(c.problem for c in problem.cases)))
+    found = [one for one in (own, *cases) if one is not None and one.seen]
+    if found:
+        # The first of those that show as much.
+        best = max(found, key=lambda one: (one.placed, 0 if one.placed else len(one.panel.marks)))
+        panel = _with_shared(best.panel, cases) if best is own else best.panel
+    else:
+        # A body alone is seen by the motion that it is given at first.
+        first = next((one for one in (own, *cases) if one is not None), None)
+        if first is None or not _moves(first.panel):
+            return None
+        panel = first.panel
+    return Figure((panel,), problem.title, name="scene")
+
+
+def _with_shared(panel: Panel, cases: Sequence[_Given | None]) -> Panel:
+    """The scene of the file, with what moves alike in all its cases; one in which a place is sought cannot tell."""
+    panels = [case.panel for case in cases if case is not None and case.placed]
+    if not panels or None in cases:
+        return panel
+    shared = [m for m in _moves(panels[0]) if m not in panel.marks and all(m in other.marks for other in panels)]
+    return replace(panel, marks=(*panel.marks, *shared))
+
+
+def _moves(panel: Panel) -> list[Mark]:
+    """Velocities, accelerations and rotations."""
+    return [m for m in panel.marks if isinstance(m, Arrow | Turn) and m.style in MOTION]
 
 
 def _given(problem: Problem) -> _Given | None:
@@ -70,7 +97,7 @@ def _given(problem: Problem) -> _Given | None:
     placed = all(
         drawn.number(part) is not None for b in scene.bodies.values() for part in (b.center.x, b.center.y, b.theta)
     )
-    return _Given(panel, placed) if _is_seen(panel) else None
+    return _Given(panel, placed, _is_seen(panel))
 
 
 def letters_told(figure: Figure, problem: Problem) -> Line:
@@ -94,8 +121,10 @@ def _names(piece: Inline) -> Iterator[str]:
 
 
 def _is_seen(panel: Panel) -> bool:
-    """Is there more to be seen than one thing at its place?"""
-    told = [m for m in panel.marks if not isinstance(m, Axes | Tag | Dimension)]
+    """Is there more to be seen than one thing at its place, and how that moves?"""
+    still = [m for m in panel.marks if not isinstance(m, Axes | Tag | Dimension)]
+    moves = _moves(panel)
+    told = [m for m in still if m not in moves]
     return len({m.at for m in told if isinstance(m, Symbol)}) > 1 or any(not isinstance(m, Symbol) for m in told)
 
 

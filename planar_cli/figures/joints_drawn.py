@@ -124,7 +124,9 @@ def _loop(sketch: Loop, drawn: Drawn, name: Line) -> Iterator[Mark]:
 @_drawn.register
 def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at, angle = drawn.spot(sketch.at), drawn.angle(sketch.direction)
-    if at is not None and angle is not None:
+    # What is nothing, as the speed of what leaks out, has no arrow.
+    idle = not isinstance(sketch.size, Table | None) and drawn.length(sketch.size) == 0
+    if at is not None and angle is not None and not idle:
         words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
         yield Arrow(at, angle, "velocity" if sketch.flows else "force", words, inward=sketch.inward)
 
