@@ -1,17 +1,19 @@
-"""What is demanded of a figure: words within the picture with all that they cover, no two of them over each other;
-every force and moment of a diagram with its letters.
+"""What is demanded of a figure: words within the picture with all that they cover, no two of them over each other, none
+on a stroke; every force and moment of a diagram with its letters.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from xml.etree import ElementTree as ET
 
 from planar_cli.figures.diagrams import diagram
-from planar_cli.formats._paper import SIZE, Box, Run, runs_of
+from planar_cli.formats._paper import SIZE, Box, Run, Spot, runs_of
 from planar_cli.formats._svg import svg
 from planar_cli.report.blocks import Document, Forces, Line, Text
 from planar_cli.report.entries import entries
@@ -21,6 +23,8 @@ from planar_cli.solve.solved_problem import Solution
 SPACE = "{http://www.w3.org/2000/svg}"
 ABOVE, BELOW = 0.87, 0.38
 """How far letters go over and under the line on which they stand, in parts of their size."""
+ROUND = 90
+"""So many straight pieces stand for a circle."""
 ROUNDED = 0.02
 """Numbers of a picture are rounded to the second decimal."""
 
@@ -35,7 +39,11 @@ class Placed:
 
 def demand_figure(figure: Figure) -> list[Placed]:
     """The words of a figure, all inside it as everything else is, beside each other, and in a look of their own."""
-    return demand_inside(ET.fromstring(svg(figure)))
+    root = ET.fromstring(svg(figure))
+    words = demand_inside(root)
+    on = [(w.text, kind) for kind, start, end in _strokes(root) for w in words if w.box.is_cut(start, end)]
+    assert not on
+    return words
 
 
 def demand_inside(root: ET.Element) -> list[Placed]:
@@ -64,6 +72,23 @@ def _spots(root: ET.Element) -> Iterator[tuple[float, float]]:
             if element.tag == f"{SPACE}circle":
                 x, y, r = (float(element.attrib[a]) for a in ("cx", "cy", "r"))
                 yield from ((x + dx - r, y + dy - r), (x + dx + r, y + dy + r))
+
+
+def _strokes(root: ET.Element) -> Iterator[tuple[str, Spot, Spot]]:
+    """The straight pieces of all strokes, and of outlines; on the lines of a grid words may stand."""
+    for group in root.iter(f"{SPACE}g"):
+        dx, dy = _moved(group)
+        for element in group.iter():
+            kind = element.get("class", "")
+            if element.tag == f"{SPACE}path" and "grid" not in kind.split():
+                way = element.attrib["d"]
+                spots = [(float(x) + dx, float(y) + dy) for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", way)]
+                yield from ((kind, *ends) for ends in pairwise(spots + spots[:1] * way.endswith("Z")))
+            if element.tag == f"{SPACE}circle":
+                x, y, r = (float(element.attrib[a]) for a in ("cx", "cy", "r"))
+                turns = [2 * math.pi * i / ROUND for i in range(ROUND + 1)]
+                rim = [(x + dx + r * math.cos(a), y + dy + r * math.sin(a)) for a in turns]
+                yield from ((kind, *ends) for ends in pairwise(rim))
 
 
 def _words(element: ET.Element, dx: float, dy: float) -> Iterator[Placed]:

@@ -1,77 +1,107 @@
-"""Where words stand in a drawing: of all places round what they belong to, where they cover least.
+"""Where words stand in a drawing: of all places round what they belong to, the nearest where they cover nothing.
 
 Every label has candidate places, each with a cost; they are set one after the other and then, while that helps, anew
-(Christensen, Marks, Shieber: An Empirical Study of Algorithms for Point-Feature Label Placement, 1995).
+(Christensen, Marks, Shieber: An Empirical Study of Algorithms for Point-Feature Label Placement, 1995). What stands so
+far from its place that it could belong elsewhere is led to it by a thin line.
 """
 
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from planar_cli.formats._paper import Box, Paper, Placed, Words, along
+from planar_cli.formats._ink import Ink
+from planar_cli.formats._paper import Box, Paper, Placed, Spot, Stroke, Words, along
 from planar_cli.records import record
 
-CELL = 4.0
-ANGLES = tuple(math.radians(a) for a in range(0, 360, 20))
-FAR = (1.0, 2.2, 4.0, 7.0, 11.0, 16.0)
+ANGLES = tuple(math.radians(a) for a in range(0, 360, 15))
+FAR = (1.0, 1.5, 2.2, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 20.0, 25.0, 30.0)
 """Distances from the anchor in parts of the gap that is usual."""
 ROUNDS = 4
-CLASH, COVERS, AWAY, TURNED, OUTSIDE = 1e6, 3.0, 2.0, 1.5, 25.0
-"""What it costs to overlap another label; to cover a cell of a stroke; to stand farther; to be off the best angle; to
-stand outside a gap that is left for it.
+CLASH, COVERS, EACH, AWAY, TURNED, OUTSIDE, CROSSES, TOUCHES = 1e6, 200.0, 1.0, 2.0, 1.5, 25.0, 0.7, 6.0
+"""What it costs to overlap another label; to cover strokes, and each pixel of them; to stand farther; to be off the
+best angle; to stand outside a gap that is left for it; each pixel of a stroke that the line to its place crosses; to be
+so near to another label that the two are read as one.
 """
+SPACE = 5.0
+"""Between two labels beside each other, px."""
+LED, SPARE = 15.0, 2.5
+"""Words farther away than this have a line to their place, px; so much of it is left out at either end."""
 
 
 def with_labels(paper: Paper) -> Paper:
-    """The paper with its words at their places."""
-    ink = Counter(
-        (int(x // CELL), int(y // CELL)) for s in paper.strokes if s.kind != "grid" for x, y in along(s, CELL)
-    )
+    """The paper with its words at their places, and with the lines that lead from them."""
+    seen = [s for s in paper.strokes if s.kind != "grid"]
+    ink = Ink(spot for s in seen for spot in along(s, 1.0))
     order = sorted(range(len(paper.words)), key=lambda i: (not paper.words[i].fixed, -paper.words[i].width))
-    set_: dict[int, Placed] = {}
+    set_: dict[int, _Candidate] = {}
     for _ in range(ROUNDS):
         before = dict(set_)
         for i in order:
-            others = [p.box for k, p in set_.items() if k != i]
-            set_[i] = _best(paper.words[i], others, ink)
+            set_[i] = _best(paper.words[i], [c for k, c in set_.items() if k != i], ink)
         if set_ == before:
             break
-    return Paper(paper.strokes, paper.words, tuple(set_[i] for i in range(len(paper.words))))
+    found = [set_[i] for i in range(len(paper.words))]
+    leaders = (Stroke(c.leader, "leader") for c in found if c.leader)
+    placed = tuple(Placed(words, c.box) for words, c in zip(paper.words, found, strict=True))
+    return Paper((*paper.strokes, *leaders), paper.words, placed)
 
 
 @record
 class _Candidate:
+    """A place for words; `leader`: the line from there to what they belong to."""
+
     box: Box
-    cost: float
+    leader: tuple[Spot, ...] = ()
 
 
-def _best(words: Words, others: Sequence[Box], ink: Counter[tuple[int, int]]) -> Placed:
+def _best(words: Words, others: Sequence[_Candidate], ink: Ink) -> _Candidate:
     if words.fixed:
-        return Placed(words, _box(words, words.angles[0], words.gap))
-    found = min(_candidates(words, others, ink), key=lambda c: c.cost)
-    return Placed(words, found.box)
+        return _Candidate(_box(words, words.angles[0], words.gap))
+    best, least = None, math.inf
+    for one, cost in _candidates(words):
+        # What costs more where it is, costs more whatever it covers.
+        if cost < least and (total := cost + _covers(one, others, ink)) < least:
+            best, least = one, total
+    assert best is not None
+    return best
 
 
-def _candidates(words: Words, others: Sequence[Box], ink: Counter[tuple[int, int]]) -> Iterator[_Candidate]:
+def _candidates(words: Words) -> Iterator[tuple[_Candidate, float]]:
+    """Places round an anchor, with what it costs to be there, whatever else is."""
     x, y, half_w, half_h = *words.anchor, words.width / 2, words.height / 2
     if words.within:
-        box = Box(x - half_w, y - half_h, x + half_w, y + half_h)
-        yield _Candidate(box, sum(box.overlaps(o) for o in others) * CLASH + COVERS * _covered(box, ink))
+        yield _Candidate(Box(x - half_w, y - half_h, x + half_w, y + half_h)), 0.0
     for far in FAR:
         for angle in (*words.angles, *ANGLES):
             box = _box(words, angle, words.gap * far)
             off = min((abs(math.remainder(angle - a, 2 * math.pi)) for a in words.angles), default=0.0)
-            clashes = sum(box.overlaps(o) for o in others)
-            cost = (
-                clashes * CLASH
-                + (OUTSIDE if words.within else 0.0)
-                + COVERS * _covered(box, ink)
-                + AWAY * (far - 1)
-                + TURNED * off
-            )
-            yield _Candidate(box, cost)
+            cost = (OUTSIDE if words.within else 0.0) + AWAY * (far - 1) + TURNED * off
+            yield _Candidate(box, _leader(words.anchor, box)), cost
+
+
+def _covers(one: _Candidate, others: Iterable[_Candidate], ink: Ink) -> float:
+    """What it costs to be where other words, strokes and lines are."""
+    pixels, cost, box = ink.within(one.box), 0.0, one.box
+    wide = Box(box.left - SPACE, box.top, box.right + SPACE, box.bottom)
+    for other in others:
+        cost += CLASH * box.overlaps(other.box) + TOUCHES * wide.overlaps(other.box)
+        if other.leader and one.box.is_cut(*other.leader):
+            pixels += 1
+        if one.leader and other.box.is_cut(*one.leader):
+            pixels += 1
+    crossed = sum(map(ink.has, along(Stroke(one.leader, ""), 1.0)))
+    return cost + CROSSES * crossed + (COVERS + EACH * pixels if pixels else 0.0)
+
+
+def _leader(anchor: Spot, box: Box) -> tuple[Spot, ...]:
+    """A line from words to their place; (): they are near it."""
+    x, y = max(box.left, min(anchor[0], box.right)), max(box.top, min(anchor[1], box.bottom))
+    away = math.dist(anchor, (x, y))
+    if away <= LED:
+        return ()
+    dx, dy = (anchor[0] - x) / away * SPARE, (anchor[1] - y) / away * SPARE
+    return (x + dx, y + dy), (anchor[0] - dx, anchor[1] - dy)
 
 
 def _box(words: Words, angle: float, away: float) -> Box:
@@ -81,13 +111,6 @@ def _box(words: Words, angle: float, away: float) -> Box:
     x = words.anchor[0] + cos * away + half_w * max(-1.0, min(1.0, cos * 1.5))
     y = words.anchor[1] + sin * away + half_h * max(-1.0, min(1.0, sin * 1.5))
     return Box(x - half_w, y - half_h, x + half_w, y + half_h)
-
-
-def _covered(box: Box, ink: Counter[tuple[int, int]]) -> int:
-    """How many cells of strokes a box covers."""
-    columns = range(int(box.left // CELL), int(box.right // CELL) + 1)
-    rows = range(int(box.top // CELL), int(box.bottom // CELL) + 1)
-    return sum((i, j) in ink for i in columns for j in rows)
 
 
 def clashes(paper: Paper) -> list[tuple[Placed, Placed]]:

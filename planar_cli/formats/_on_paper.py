@@ -44,7 +44,7 @@ AXIS, APART = 30.0, 62.0
 """The length of an axis, and how far the axes are beside everything."""
 EXTENSION = "measure extension"
 """What leads from a place to its dimension: it lies below all else."""
-LEFT = 12.0
+LEFT = 10.0
 """So much is left of a dimension line on either side of its words."""
 BELOW = (LATER, WAY, EXTENSION)
 ARROW = 46.0
@@ -310,7 +310,7 @@ def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[
 
 def _gap(words: Words, angle: float) -> float:
     """Half the length of a line in some direction that words in its middle cover."""
-    wide, high = words.width / 2 + 3.0, words.height / 2
+    wide, high = words.width / 2 + 3.0, words.height / 2 + 2.0
     return min(wide / max(abs(math.cos(angle)), 1e-9), high / max(abs(math.sin(angle)), 1e-9))
 
 

@@ -92,6 +92,21 @@ class Box:
             self.left < other.right and other.left < self.right and self.top < other.bottom and other.top < self.bottom
         )
 
+    def is_cut(self, start: Spot, end: Spot) -> bool:
+        """Does a straight line go through it (Liang and Barsky: by where it passes each edge)?"""
+        first, last = 0.0, 1.0
+        for at, step, low, high in (
+            (start[0], end[0] - start[0], self.left, self.right),
+            (start[1], end[1] - start[1], self.top, self.bottom),
+        ):
+            if step == 0.0:
+                if not low < at < high:
+                    return False
+                continue
+            enters, leaves = sorted(((low - at) / step, (high - at) / step))
+            first, last = max(first, enters), min(last, leaves)
+        return first < last
+
     def grown(self, by: float) -> Box:
         return Box(self.left - by, self.top - by, self.right + by, self.bottom + by)
 
