@@ -29,6 +29,7 @@ WORKED = (
     Forces("A", line(Name("N"), " ↑")),
     Paragraph(line(HOSTILE)),
 )
+LETTERS = (Paragraph(line("In the figure: ", Name("x"), " = 2 m")),)
 LEFT_OUT = Mistaken("weight-left-out", "This is the result without the weight: is it in <every> equation?", (5.1,))
 REVERSED = Mistaken("friction-reversed", "Friction acts the other way.", (-2.0,))
 INSIDE = Mistaken("sine-for-cosine", "Sine and cosine are exchanged.", (3.21,))
@@ -53,7 +54,14 @@ def slider(variant: int) -> Task:
         number("theta", 350.0, "deg", Mistaken("other-root", "This is the other root.", (170.0,)), direction=True),
     )
     worked = {way: course_html(WORKED, way) for way in DELIMITERS}
-    return Task(SLIDER, f"A slider {HOSTILE}", f"A block slides.\n\n{HOSTILE}", ("m = 2 kg", FORMULA), expected, worked)
+    scene = {"svg": drawn(variant), "words": HOSTILE, **{way: course_html(LETTERS, way) for way in DELIMITERS}}
+    text, given = f"A block slides.\n\n{HOSTILE}", ("m = 2 kg", FORMULA)
+    return Task(SLIDER, f"A slider {HOSTILE}", text, given, expected, worked, scene)
+
+
+def drawn(variant: int) -> str:
+    """The figure of the slider; variants 1 and 2 have the same."""
+    return f'<svg xmlns="http://www.w3.org/2000/svg"><title>{min(variant, 1)}</title></svg>'
 
 
 def linkage(variant: int) -> Task:

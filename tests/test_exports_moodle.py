@@ -8,14 +8,16 @@ from __future__ import annotations
 import html
 import re
 import xml.etree.ElementTree as ET
+from base64 import b64decode
 from dataclasses import dataclass
 from functools import cache
 from html.parser import HTMLParser
 
 import pytest
-from exported import HOSTILE, PAPERS, TITLE, exported, number
+from exported import HOSTILE, PAPERS, TITLE, drawn, exported, number
 
 from planar_cli.homework.exports._spellings import spellings
+from planar_cli.homework.exports._text import one_line
 from planar_cli.homework.paper import Paper, Task
 
 TAGS = {"p", "span", "ul", "li", "h3", "h4", "h5", "h6", "strong", "em", "table", "thead", "th", "tbody", "tr", "td"}
@@ -130,6 +132,9 @@ class Tags(HTMLParser):
         self.words = ""
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag == "img":
+            assert dict(attrs) == {"src": "@@PLUGINFILE@@/figure.svg", "alt": one_line(HOSTILE)}
+            return
         assert tag in TAGS
         assert not attrs
 
@@ -227,6 +232,24 @@ def test_a_vector_has_a_box_for_each_component() -> None:
 
 def test_a_list_has_a_box_for_each_value_from_the_smallest_on() -> None:
     assert [rows[0][0] for rows in boxes("t")] == [2.0, 4.0]
+
+
+def test_a_question_carries_the_figure_of_its_sheet() -> None:
+    """Below the text, above what is given; in the file of the importer it follows the text."""
+    for variant in (0, 1):
+        told = question("mu", variant).find("questiontext")
+        assert told is not None
+        assert [e.tag for e in told] == ["text", "file"]
+        assert dict(told[1].attrib) == {"name": "figure.svg", "path": "/", "encoding": "base64"}
+        assert b64decode(told[1].text or "", validate=True).decode() == drawn(variant)
+        shown = told[0].text or ""
+        assert shown.index("A block slides") < shown.index("<img") < shown.index(r"\(x = 2") < shown.index("m = 2 kg")
+    assert question("v_B").find("questiontext/file") is None
+
+
+def test_no_box_of_a_question_begins_in_the_words_of_a_figure() -> None:
+    told = text(question("mu"), "questiontext")
+    assert "{" not in re.findall(r'alt="[^"]*"', told)[0]
 
 
 def test_no_feedback_ends_its_box() -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from exported import PAPERS, exported
+from exported import PAPERS, drawn, exported
 
 from planar_cli.homework.exports._symbolic import NoFormula, symbolic
 from planar_cli.homework.paper import Expected, Paper
@@ -26,6 +26,7 @@ ATTRIBUTES = {
     "pl-symbolic-input": {"answers-name", "label", "variables", "weight"},
     "pl-multiple-choice": {"answers-name", "weight"},
     "pl-answer": {"correct"},
+    "pl-figure": {"file-name", "alt"},
 }
 
 
@@ -67,7 +68,21 @@ def graded(problem: str, seed: int, **submitted: Any) -> dict[str, Any]:
 
 @pytest.mark.parametrize("problem", ["slider", "linkage"])
 def test_the_files_of_a_question(problem: str) -> None:
-    assert set(files(problem)) == {"info.json", "question.html", "server.py"}
+    shown = {"figure-1.svg", "figure-2.svg"} if problem == "slider" else set()
+    assert set(files(problem)) == {"info.json", "question.html", "server.py"} | shown
+
+
+@pytest.mark.parametrize("variant", [0, 1, 2])
+def test_each_variant_shows_its_figure(variant: int) -> None:
+    name = generated("slider", variant)["params"]["figure"]
+    assert files("slider")[name] == drawn(variant)
+    page = files("slider")["question.html"]
+    shown = '<pl-figure file-name="{{params.figure}}" alt="{{params.words}}"></pl-figure>'
+    assert (
+        f"{{{{{{params.text}}}}}}\n{{{{#params.figure}}}}{shown}{{{{/params.figure}}}}\n{{{{{{params.given}}}}}}"
+        in page
+    )
+    assert "figure" not in files("linkage")["question.html"]
 
 
 def test_info() -> None:

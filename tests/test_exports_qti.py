@@ -9,8 +9,9 @@ import zipfile
 from functools import cache
 
 import pytest
-from exported import PAPERS, exported
+from exported import HOSTILE, PAPERS, exported
 
+from planar_cli.homework.exports._text import one_line
 from planar_cli.homework.exports.qti import INSTANCE, ITEMS, PACKAGE
 
 Q, P = f"{{{ITEMS}}}", f"{{{PACKAGE}}}"
@@ -27,7 +28,19 @@ def package() -> dict[str, ET.Element]:
 
 
 def items() -> dict[str, ET.Element]:
-    return {name: root for name, root in package().items() if name.startswith("items/")}
+    return {name: root for name, root in package().items() if name.startswith("items/") and name.endswith(".xml")}
+
+
+def test_an_item_shows_the_figure_of_its_sheet() -> None:
+    """It lies beside the item, and the manifest lists it with it."""
+    listed = {f.get("href") for f in package()["imsmanifest.xml"].iter(f"{P}file")}
+    assert listed == package().keys() - {"imsmanifest.xml"}
+    for name, root in items().items():
+        called = [image.attrib for image in root.iter(f"{Q}img")]
+        figure = name.replace(".xml", ".svg")
+        assert [f"items/{a['src']}" for a in called] == [figure] * (figure in package())
+        assert all(a["alt"] == one_line(HOSTILE) for a in called)
+    assert sum(n.endswith(".svg") for n in listed if n) == 6 * 3
 
 
 def item(name: str) -> ET.Element:
@@ -113,7 +126,7 @@ def test_the_manifest_lists_every_item() -> None:
     assert [e.tag for e in manifest] == [f"{P}metadata", f"{P}organizations", f"{P}resources"]
     resources = manifest.findall(f"{P}resources/{P}resource")
     assert {r.get("type") for r in resources} == {"imsqti_item_xmlv2p1"}
-    assert [r.get("href") for r in resources] == [f.get("href") for f in manifest.iter(f"{P}file")]
+    assert [r.get("href") for r in resources] == [r.findall(f"{P}file")[0].get("href") for r in resources]
     ids = [manifest.get("identifier", ""), *(r.get("identifier", "") for r in resources)]
     assert len(set(ids)) == len(ids)
     assert all(NCNAME.fullmatch(i) for i in ids)
@@ -143,7 +156,7 @@ def test_items_are_built_as_the_schema_has_it(name: str) -> None:
     outcomes = {d.get("identifier") for d in root.findall(f"{Q}outcomeDeclaration")}
     assert {f.get("outcomeIdentifier") for f in root.findall(f"{Q}modalFeedback")} <= outcomes
     assert {s.get("identifier") for s in root.iter(f"{Q}setOutcomeValue")} <= outcomes
-    assert not {"script", "img", "a"} & {e.tag.removeprefix(Q) for e in root.iter()}
+    assert not {"script", "a"} & {e.tag.removeprefix(Q) for e in root.iter()}
 
 
 @pytest.mark.parametrize("name", sorted(items()))

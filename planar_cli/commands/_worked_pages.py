@@ -34,27 +34,34 @@ class Pressed:
     audience: str = "student"
 
     def scene(self, problem: Problem) -> Printed:
-        """The figure of a sheet."""
+        """The figure of a sheet, for course systems as a file of its own."""
         from planar_cli.figures.handed_out import handed_out, letters_told
+        from planar_cli.formats._svg import svg
         from planar_cli.report.blocks import Drawing, Paragraph
 
-        figure = handed_out(problem) if self.form else None
+        figure = handed_out(problem) if self.form or self.exports else None
         if figure is None:
             return {}
         letters = letters_told(figure, problem)
-        return self._printed([Drawing(figure), *([Paragraph(letters)] if letters else [])])
+        told = [Paragraph(letters)] if letters else []
+        alone = {"svg": svg(figure), "words": figure.words} if self.exports else {}
+        return {**alone, **self._for_courses(told), **self._printed([Drawing(figure), *told])}
 
     def worked(self, solution: Solution) -> Printed:
         """A worked solution."""
         from planar_cli.figures.illustrated import illustrated
-        from planar_cli.formats._course_html import course_html
         from planar_cli.report.blocks import Title
         from planar_cli.report.narrate import Voice, narrate
 
         page = illustrated(narrate(solution, Voice(self.figures, self.audience)), solution)
         blocks = (Title(page.title), *page.blocks)
-        for_courses = {way: course_html(blocks, way) for way in FOR_COURSES} if self.exports else {}
-        return {**for_courses, **self._printed(blocks)}
+        return {**self._for_courses(blocks), **self._printed(blocks)}
+
+    def _for_courses(self, blocks: Sequence[Block]) -> dict[str, str]:
+        """As course systems show them."""
+        from planar_cli.formats._course_html import course_html
+
+        return {way: course_html(blocks, way) for way in FOR_COURSES} if self.exports else {}
 
     def _printed(self, blocks: Sequence[Block]) -> dict[str, str]:
         """In the form of sheets and key."""

@@ -20,8 +20,8 @@ Place = tuple[tuple[str, float], ...]
 
 Printed = Mapping[str, str]
 """A part of a page in print, by the formats in which it is wanted: markdown, html, latex; for course systems, which
-have formulas between brackets or between dollars, mathjax and dollars. Pictures that its Markdown calls are under the
-names by which it calls them.
+have formulas between brackets or between dollars, mathjax and dollars; of a figure svg itself, and in words what it
+shows. Pictures that its Markdown calls are under the names by which it calls them.
 """
 
 

@@ -46,6 +46,11 @@ def html(text: str) -> str:
     return _MATH.sub(r"<span>\g<0></span>", xml(text).translate(_BRACES))
 
 
+def as_attribute(text: str) -> str:
+    """As the value of an attribute of HTML, in which no template and no box of a question begins."""
+    return _MATH.sub(lambda m: f"&#{ord(m[0])};", xml(text).translate(_BRACES))
+
+
 def paragraphs(text: str) -> str:
     """Plain text as HTML paragraphs."""
     return "".join(f"<p>{html(p)}</p>" for p in paragraphs_of(clean(text)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from typing import ClassVar, final
 
@@ -21,6 +22,7 @@ from planar_cli.homework.exports._asked import (
     text_of,
     title_of,
 )
+from planar_cli.homework.exports._figure import SUFFIX, Figure, figure_of
 from planar_cli.homework.exports._spellings import spellings
 from planar_cli.homework.exports._text import bullets, html, number, one_line, paragraphs, slug, xml
 from planar_cli.homework.exports._xml import DECLARATION, element
@@ -30,6 +32,8 @@ from planar_cli.homework.paper import Paper, Task
 PENALTY, UNIT_PENALTY = "0.3333333", "0.1"
 RIGHT, WRONG = "100", "0"
 LONGEST_NAME = 255
+FILES, FIGURE = "@@PLUGINFILE@@/", f"figure{SUFFIX}"
+"""Where a text calls the files that come with it."""
 # What Moodle may read as an end, an entity or a tag inside a cloze question, which knows no sure escapes.
 _WIDE = {ord(c): chr(ord(c) + 0xFEE0) for c in '<>&{}~#%\\"$'}
 
@@ -46,7 +50,8 @@ class Moodle(PaperExport):
         The units block has the unit in its usual spellings; a missing or unknown unit costs a tenth of the marks.
         A direction is right after a whole turn too. A vector or list becomes a cloze question with one box for each
         number. Yes or no, true or false become a choice; another word a short answer. The worked solution is the
-        general feedback. Tags tell variant and seed.
+        general feedback. The figure of the sheet, the scene as it is given, stands below the text; each question
+        carries its own as SVG. Tags tell variant and seed.
 
     To import it
         Question bank, Import, "Moodle XML format". In a quiz add a random question from each category, or by their
@@ -174,14 +179,22 @@ def _head(asked: Asked, question: str, seed: int) -> Iterator[str]:
     task, expected = asked.task, asked.expected
     # By its place, as names that differ only in case are one to some databases.
     place = task.expected.index(expected) + 1
-    body = paragraphs(text_of(task)) + bullets(task.given) + question
+    figure = figure_of(task)
+    shown, file = (figure.shown(f"{FILES}{FIGURE}"), _file(figure)) if figure is not None else ("", "")
+    body = paragraphs(text_of(task)) + shown + bullets(task.given) + question
     yield element("name", _text(name_of(task, expected.find, asked.variant, LONGEST_NAME)))
-    yield element("questiontext", _text(body), format="html")
+    yield element("questiontext", _text(body), file, format="html")
     yield element("generalfeedback", _text(task.worked.get("mathjax", "")), format="html")
     yield element("defaultgrade", number(expected.points))
     yield element("penalty", PENALTY)
     yield element("hidden", "0")
     yield element("idnumber", f"{slug(task.problem)}.{place}.{seed}.{asked.variant}")
+
+
+def _file(figure: Figure) -> str:
+    """A file of a question's text, which Moodle keeps with it."""
+    data = b64encode(figure.data).decode()
+    return element("file", data, name=FIGURE, path="/", encoding="base64")
 
 
 def _tags(asked: Asked, seed: int) -> str:

@@ -24,6 +24,7 @@ from planar_cli.homework.exports._asked import (
     text_of,
     title_of,
 )
+from planar_cli.homework.exports._figure import SUFFIX, figure_of
 from planar_cli.homework.exports._symbolic import NoFormula, symbolic
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug
 from planar_cli.homework.exports._xml import element, paired
@@ -34,6 +35,8 @@ from planar_cli.units import PURE, UnitError, parse_unit
 
 SERVER = Path(__file__).with_name("_question_server.py")
 OURS = uuid.uuid5(uuid.NAMESPACE_DNS, "planar-cli")
+CLIENT = "clientFilesQuestion"
+"""The folder of files that a question shows."""
 FINEST_WEIGHT = 100
 """Points are told to hundredths: weights are whole numbers."""
 
@@ -48,7 +51,8 @@ class PrairieLearn(PaperExport):
         with a unit is a pl-units-input, which takes any unit of the dimension; a pure number or an angle a
         pl-number-input. A vector or list has one input for each number. Yes or no, true or false become a
         pl-multiple-choice, another word a pl-string-input, a formula a pl-symbolic-input. Tolerances are those of
-        `planar check`; diagnosed mistakes show their feedback. The worked solution is in the answer panel.
+        `planar check`; diagnosed mistakes show their feedback. The worked solution is in the answer panel. The figure
+        of the sheet, the scene as it is given, is a file of `clientFilesQuestion/` for each variant that has its own.
 
     To import it
         Copy the folder into `questions/` of the course and name its questions in an assessment; then sync.
@@ -73,7 +77,9 @@ class PrairieLearn(PaperExport):
                 continue
             folder = f"{slug(title)}/{names.of(problem)}"
             files[f"{folder}/info.json"] = _info(title, variants[0][1])
-            files[f"{folder}/question.html"] = _page(rows[0].elements)
+            figures = _with_figures(like_first)
+            files |= {f"{folder}/{CLIENT}/{name}": drawn for name, drawn in figures.items()}
+            files[f"{folder}/question.html"] = _page(rows[0].elements, bool(figures))
             files[f"{folder}/server.py"] = _server(like_first, seed)
         return Exported(files, left_out.sentences())
 
@@ -100,8 +106,11 @@ class _Row:
     def __init__(self, task: Task, variant: int, left_out: LeftOut) -> None:
         self.variant = variant
         self.elements: list[_Element] = []
-        text = paragraphs(text_of(task)) + bullets(task.given)
-        self.params: dict[str, Any] = {"text": text, "worked": task.worked.get("dollars", "")}
+        text = paragraphs(text_of(task))
+        given = bullets(task.given)
+        self.figure = figure_of(task)
+        letters = self.figure.dollars if self.figure is not None else ""
+        self.params: dict[str, Any] = {"text": text, "given": letters + given, "worked": task.worked.get("dollars", "")}
         self.answers: dict[str, Any] = {}
         self.inputs: dict[str, Any] = {}
         self._names = _InputNames()
@@ -186,7 +195,7 @@ class _InputNames:
     """Names of inputs that PrairieLearn and its templates take."""
 
     def __init__(self) -> None:
-        self._taken = {"text", "worked", "index"}
+        self._taken = {"text", "figure", "words", "given", "worked", "index"}
 
     def of(self, name: str) -> str:
         plain = re.sub(r"[^A-Za-z0-9_]", "_", name)[:64]
@@ -221,9 +230,25 @@ def _info(homework: str, task: Task) -> bytes:
     return (json.dumps(told, ensure_ascii=False, indent=2) + "\n").encode()
 
 
-def _page(elements: Sequence[_Element]) -> bytes:
+def _with_figures(rows: Sequence[_Row]) -> dict[str, bytes]:
+    """The figures of all variants as files, of which each row is told its own; alike ones are one file."""
+    names: dict[bytes, str] = {}
+    for row in rows:
+        figure = row.figure
+        if figure is not None:
+            names.setdefault(figure.data, f"figure-{len(names) + 1}{SUFFIX}")
+        row.params["figure"] = names[figure.data] if figure is not None else ""
+        row.params["words"] = figure.words if figure is not None else ""
+    return {name: drawn for drawn, name in names.items()}
+
+
+def _page(elements: Sequence[_Element], drawn: bool) -> bytes:
+    """`drawn`: variants have figures."""
     whole = math.lcm(*(e.weight.denominator for e in elements))
-    lines = ["<pl-question-panel>", "{{{params.text}}}", "</pl-question-panel>"]
+    figure = paired("pl-figure", **{"file-name": "{{params.figure}}", "alt": "{{params.words}}"})
+    # Between these marks the template stands only where the variant has one.
+    shown = [f"{{{{#params.figure}}}}{figure}{{{{/params.figure}}}}"] if drawn else []
+    lines = ["<pl-question-panel>", "{{{params.text}}}", *shown, "{{{params.given}}}", "</pl-question-panel>"]
     for e in elements:
         asks = f"<pl-question-panel><p>{{{{{{params.{e.name}.asks}}}}}}</p></pl-question-panel>"
         lines += [asks] if e.asks else []

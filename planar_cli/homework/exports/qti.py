@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import ClassVar, final
 
 from planar_cli.homework.exports._asked import (
@@ -22,6 +22,7 @@ from planar_cli.homework.exports._asked import (
     shown_unit,
     text_of,
 )
+from planar_cli.homework.exports._figure import SUFFIX, Figure, figure_of
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug, xml
 from planar_cli.homework.exports._xml import DECLARATION, element
 from planar_cli.homework.exports.base import Exported, PaperExport
@@ -47,7 +48,8 @@ class Qti(PaperExport):
         A zip with `imsmanifest.xml` and one item for each find and variant. A number is typed; it is right within the
         tolerance of `planar check`, and a direction after a whole turn too. A vector or list has one field for each
         number, which shares the points. Yes or no, true or false become a choice; another word is typed. Diagnosed
-        mistakes score nothing and show their feedback; after answering the worked solution is shown.
+        mistakes score nothing and show their feedback; after answering the worked solution is shown. Beside an item
+        lies the figure of its sheet, the scene as it is given, as SVG, which the item shows below the text.
 
     To import it
         As a QTI 2.1 content package, for instance in TAO, OpenOlat or Canvas New Quizzes. Formulas of the worked
@@ -63,15 +65,19 @@ class Qti(PaperExport):
     def export(self, papers: Sequence[Paper], title: str, seed: int) -> Exported:
         left_out, names = LeftOut(), Names()
         items: dict[str, str] = {}
+        figures: dict[str, bytes] = {}
         for variants in problems(papers).values():
             for of_one in finds(variants).values():
                 for asked in of_one:
                     content = _content(asked, left_out)
                     if content is not None:
                         name = names.of(slug(f"{asked.task.problem}-{asked.expected.find}", f"-v{asked.variant}"))
-                        items[name] = _item(name, asked, content)
-        files = {f"items/{name}.xml": item for name, item in items.items()}
-        files["imsmanifest.xml"] = _manifest(title, seed, list(items))
+                        figure = figure_of(asked.task)
+                        figures |= {name: figure.data} if figure is not None else {}
+                        items[name] = _item(name, asked, content, figure)
+        files = {f"items/{name}.xml": item.encode() for name, item in items.items()}
+        files |= {f"items/{name}{SUFFIX}": drawn for name, drawn in figures.items()}
+        files["imsmanifest.xml"] = _manifest(title, seed, list(items), figures).encode()
         return Exported({f"{slug(title)}.zip": _zipped(files)}, left_out.sentences())
 
 
@@ -135,7 +141,7 @@ def _word(content: _Content, word: str, points: float) -> None:
     content.conditions.append(_condition([(test, _scored(points))]))
 
 
-def _item(name: str, asked: Asked, content: _Content) -> str:
+def _item(name: str, asked: Asked, content: _Content, figure: Figure | None) -> str:
     task, expected = asked.task, asked.expected
     solution = task.worked.get("mathjax", "")
     score = element("defaultValue", element("value", "0"))
@@ -149,7 +155,9 @@ def _item(name: str, asked: Asked, content: _Content) -> str:
         conditions.append(_set("SOLUTION", "identifier", "worked"))
         feedback.append(_feedback("SOLUTION", "worked", solution))
     asks = f"<p>{html(question_of(expected))}</p>"
-    body = paragraphs(text_of(task)) + bullets(task.given) + asks + "".join(content.body)
+    # A figure lies beside its item.
+    shown = figure.shown(f"{name}{SUFFIX}") if figure is not None else ""
+    body = paragraphs(text_of(task)) + shown + bullets(task.given) + asks + "".join(content.body)
     head = {"xmlns": ITEMS, "xmlns:xsi": INSTANCE, "xsi:schemaLocation": WHERE_ITEMS, "identifier": f"item-{name}"}
     return DECLARATION + element(
         "assessmentItem",
@@ -200,11 +208,12 @@ def _feedback(outcome: str, identifier: str, content: str) -> str:
     return element("modalFeedback", content, outcomeIdentifier=outcome, identifier=identifier, showHide="show")
 
 
-def _manifest(title: str, seed: int, names: Sequence[str]) -> str:
+def _manifest(title: str, seed: int, names: Sequence[str], drawn: Collection[str]) -> str:
+    """`drawn`: the items that have figures."""
     resources = (
         element(
             "resource",
-            element("file", href=f"items/{name}.xml"),
+            *(element("file", href=f"items/{name}{end}") for end in (".xml", *([SUFFIX] if name in drawn else []))),
             identifier=f"resource-{name}",
             type=ITEM_TYPE,
             href=f"items/{name}.xml",
@@ -223,7 +232,7 @@ def _manifest(title: str, seed: int, names: Sequence[str]) -> str:
     )
 
 
-def _zipped(files: Mapping[str, str]) -> bytes:
+def _zipped(files: Mapping[str, bytes]) -> bytes:
     """An archive that is the same for the same files: sorted, without times; the manifest first, as readers like it."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w") as archive:

@@ -55,7 +55,7 @@ class Text2qti(PaperExport):
     What is lost
         Formulas as answers; a direction told after a whole turn; worked solutions and the feedback of diagnosed
         mistakes, as Canvas gives none for one wrong number; units: students type the number in the unit of the
-        question. The text is one paragraph. Points of a group are whole numbers.
+        question. The text is one paragraph, without a figure. Points of a group are whole numbers.
     """
 
     kind: ClassVar[str] = "text2qti"
