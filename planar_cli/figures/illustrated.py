@@ -7,10 +7,12 @@ from dataclasses import replace
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
 from planar_cli.figures.centres import Centres
+from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.polygons import polygons, polygons_of_states
 from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph, Table
+from planar_cli.report.graphs import Curve, Graph
 from planar_cli.report.marks import Axes, Figure
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
@@ -51,7 +53,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
             yield from map(Drawing, centres.told(step, instant))
             yield from map(Drawing, polygons(step, instant) if instant is not None else [])
             if isinstance(block, Answer) or block.label == CASE:
-                yield from map(Drawing, motions.polygons(document.blocks[:place]))
+                yield from map(Drawing, motions.figures(document.blocks[:place]))
             if isinstance(block, Answer):
                 yield from map(Drawing, centres.asked(instant))
             step = []
@@ -71,19 +73,29 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
 
 
 class _Motions:
-    """The polygons of each motion, in its states, behind all that tells it."""
+    """The polygons of each motion, in its states, and its graphs, behind all that tells it."""
 
     def __init__(self, solution: Solution) -> None:
-        self.waiting = {p.case.replace("_", " "): p.motion for p in solution.parts if p.motion is not None}
+        self.waiting = {p.case.replace("_", " "): p for p in solution.parts if p.motion is not None}
+        self.curves = set[tuple[Curve, ...]]()
+        """Those of graphs that have been drawn."""
 
-    def polygons(self, page: Sequence[Block]) -> Iterator[Figure]:
+    def figures(self, page: Sequence[Block]) -> Iterator[Figure]:
         """`page`: what stands above."""
         heads = [i for i, b in enumerate(page) if isinstance(b, Heading) and b.label == CASE]
         begun = page[heads[-1] :] if heads else page
         case = begun[0].text if heads and isinstance(begun[0], Heading) else ""
-        motion = self.waiting.pop(case, None)
-        if motion is not None:
-            yield from polygons_of_states(begun, motion)
+        part = self.waiting.pop(case, None)
+        if part is not None and part.motion is not None:
+            yield from polygons_of_states(begun, part.motion)
+            yield from filter(self._is_new, course_figures(part.motion, part.found, page))
+
+    def _is_new(self, figure: Figure) -> bool:
+        """Is a graph in it that no earlier case has?"""
+        curves = {m.curves for panel in figure.panels for m in panel.marks if isinstance(m, Graph)}
+        new = bool(curves - self.curves)
+        self.curves |= curves
+        return new
 
 
 class _Graphs:
