@@ -12,10 +12,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from xml.etree import ElementTree as ET
 
+from sympy import Integer
+
 from planar_cli.figures.diagrams import diagram
 from planar_cli.formats._paper import SIZE, Box, Run, Spot, runs_of
 from planar_cli.formats._svg import svg
-from planar_cli.report.blocks import Document, Forces, Line, Text
+from planar_cli.report.blocks import Document, Forces, Line, Math, Text, line
 from planar_cli.report.entries import entries
 from planar_cli.report.marks import Arrow, Figure, Turn
 from planar_cli.solve.solved_problem import Solution
@@ -25,6 +27,8 @@ ABOVE, BELOW = 0.87, 0.38
 """How far letters go over and under the line on which they stand, in parts of their size."""
 ROUND = 90
 """So many straight pieces stand for a circle."""
+NOTHING = (line("0"), line(Math(Integer(0))))
+"""Stands on a side of a diagram on which there is nothing."""
 ROUNDED = 0.02
 """Numbers of a picture are rounded to the second decimal."""
 
@@ -118,15 +122,17 @@ def _placed(text: ET.Element, dx: float, dy: float) -> Placed:
 
 def demand_forces(page: Document, solution: Solution, words: Mapping[str, Sequence[Placed]]) -> None:
     """Every list of forces of a page has its diagrams, in which each force and couple has an arrow of its own with the
-    same letters. `words`: what is written in each figure of the page.
+    same letters; it tells of each where it is drawn. `words`: what is written in each figure of the page.
     """
     for place, row in enumerate(page.blocks):
         if not isinstance(row, Forces):
             continue
-        told = Counter(_letters(e) for side in (row.left, row.right) for e in entries(side) if _is_placed(e))
+        every = [e for side in (row.left, row.right) for e in entries(side) if e not in NOTHING]
+        assert all(map(_is_placed, every)), row
+        told = Counter(map(_letters, every))
         made = diagram(row, page.blocks[place + 1 :], solution)
         if made is None:
-            assert not any(map(_is_placed, entries(row.left))), row
+            assert not any(e not in NOTHING for e in entries(row.left)), row
             continue
         drawn = Counter(_letters(m.words) for p in made.panels for m in p.marks if isinstance(m, Arrow | Turn))
         assert drawn == told, row

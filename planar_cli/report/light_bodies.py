@@ -11,10 +11,11 @@ from collections.abc import Callable, Mapping, Sequence
 import sympy as sp
 
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Line, Math, Name, Text, Way, line
+from planar_cli.report.names import plain_name
 from planar_cli.solve.solution import InstantSolution
 
-WAYS = (("x", "→"), ("y", "↑"))
+WAYS = ((Vec(sp.S.One, sp.S.Zero), "→"), (Vec(sp.S.Zero, sp.S.One), "↑"))
 
 
 def light_bodies(solution: InstantSolution) -> dict[str, Vec]:
@@ -52,13 +53,15 @@ def own_momenta(
         return None
     found: dict[str, Line] = {}
     for name, v in light.items():
-        along = [(part, way) for part, (_, way) in zip((v.x, v.y), WAYS, strict=True) if part != 0]
+        along = [(part, *way) for part, way in zip((v.x, v.y), WAYS, strict=True) if part != 0]
         mass = f"m_{name}"
         told = speed(along[0][0]) if len(along) == 1 else None
         if told is None or mass in scene.ledger.symbols:
             return None
         momentum = sp.Mul(sp.Symbol(mass, positive=True), told, evaluate=False)
-        found[name] = line(Math(momentum), f" {along[0][1]} at ", Name(scene.center_name(name)))
+        ((_, direction, arrow),) = along
+        way = Way(scene.center(name), direction, solution.value)
+        found[name] = line(Math(momentum), Text(f" {arrow} at {plain_name(scene.center_name(name))}", way=way))
     return found
 
 

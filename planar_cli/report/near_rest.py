@@ -12,10 +12,12 @@ import sympy as sp
 
 from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import simplified
+from planar_cli.problem.geometry import Vec
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text
 from planar_cli.report.entries import BETWEEN
 from planar_cli.report.names import index_of
+from planar_cli.report.pointing import pointing
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import NearRest
@@ -86,7 +88,7 @@ def _as_one(
     scene = instant.instant.scene
     body = next((b for b in scene.bodies if block.sides[0] == (Name(f"a_{index_of(centre_of(scene, b))}"),)), None)
     told = [] if body is None else list(_components(body, places, instant, phrases))
-    return tuple((phrases.math(size), Text(f" {arrow}")) for size, arrow in told) if len(told) == 1 else ()
+    return tuple((phrases.math(size), Text(f" {_arrow(way, phrases)}")) for size, way in told) if len(told) == 1 else ()
 
 
 def _slow(side: Line, places: dict[sp.Symbol, sp.Expr]) -> Line:
@@ -108,7 +110,7 @@ def _pieces(whole: Line, places: dict[sp.Symbol, sp.Expr], phrases: Phrases) -> 
 
 def _components(
     body: str, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases
-) -> Iterator[tuple[sp.Expr, str]]:
+) -> Iterator[tuple[sp.Expr, Vec]]:
     """The acceleration of a mass centre in the equilibrium: its parts along x and y, each in the sense in which it goes
     with the accelerations.
     """
@@ -116,22 +118,27 @@ def _components(
     if motion is None:
         return
     a = motion.acceleration(model.center, body)
-    for component, (x, y) in ((a.x, (sp.S.One, sp.S.Zero)), (a.y, (sp.S.Zero, sp.S.One))):
+    for component, way in ((a.x, Vec(sp.S.One, sp.S.Zero)), (a.y, Vec(sp.S.Zero, sp.S.One))):
         size = simplified(sp.sympify(component).xreplace(places))
         if size == 0:
             continue
         known = phrases.value.known(size.xreplace(dict.fromkeys(acceleration_unknowns(instant.trial.system), sp.S.One)))
         sign = -1 if size.could_extract_minus_sign() or (known is not None and known < 0) else 1
-        yield simplified(sign * size), phrases.arrow(sign * x, sign * y)
+        yield simplified(sign * size), way * sign
+
+
+def _arrow(way: Vec, phrases: Phrases) -> str:
+    return phrases.arrow(way.x, way.y)
 
 
 def _inertia(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases) -> Line:
     """m a_G in its components, and the couple as it stands; empty: there is no such motion."""
-    mass = instant.instant.scene.bodies[block.body].mass
+    model = instant.instant.scene.bodies[block.body]
     at = next((p.text.partition(" at ")[2] for p in block.right if isinstance(p, Text) and " at " in p.text), "")
     parts: list[Any] = []
-    for size, arrow in _components(block.body, places, instant, phrases):
-        told = phrases.math(sp.Mul(mass, size, evaluate=False))
-        parts += [BETWEEN] * bool(parts) + [told, Text(f" {arrow}{' at ' if at else ''}{at}")]
+    for size, way in _components(block.body, places, instant, phrases):
+        told = phrases.math(sp.Mul(model.mass, size, evaluate=False))
+        where = f" {_arrow(way, phrases)}{' at ' if at else ''}{at}"
+        parts += [BETWEEN] * bool(parts) + [told, pointing(phrases, where, model.center, way)]
     couple = next((i for i, p in enumerate(block.right) if isinstance(p, Text) and p.text in (" ↺", " ↻")), 0)
     return tuple([*parts, BETWEEN, *block.right[couple - 1 :]] if couple and parts else parts)

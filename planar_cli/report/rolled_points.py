@@ -155,9 +155,12 @@ def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], ph
 
 
 def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
-    """A vector whose length is the root of a sum, R ω² √(1 + θ²), as those along and across what it turns with."""
+    """A vector whose length is the root of a sum, R ω² √(1 + θ²), as those along and across what it turns with. One
+    that turns with nothing, as from a place (x, y) towards a centre (0, -d), stays what it is.
+    """
     square = simplified(sp.sympify(direction.dot(direction)))
-    if not square.has(sp.Add) or not square.free_symbols:
+    turns = any(sp.sympify(p).has(sp.sin, sp.cos) for p in (direction.x, direction.y))
+    if not square.has(sp.Add) or not square.free_symbols or not turns:
         return [(direction, component)]
     groups: dict[sp.Expr, list[sp.Expr]] = {}
     for i, part in enumerate((direction.x, direction.y)):
