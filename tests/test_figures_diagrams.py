@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 import pytest
@@ -100,3 +101,13 @@ def test_a_blow_is_momentum_before_and_impulses_and_momentum_after() -> None:
     assert {"+", "="} <= {row.strip() for row in small_drawing(bullet, 24)}
     drawn = [f for f in diagrams("rod-that-slips-down-until-it-lies-flat") if len(f.panels) > 1]
     assert styles(drawn[0]) == ["force", "inertia"]
+
+
+def test_forces_along_one_line_stand_side_by_side() -> None:
+    """Both strands of a cord on both sides of the weight, and all of one length."""
+    (middle,) = [f for f in diagrams("two-stage-atwood-machine") if f.words.endswith(" M")]
+    lower = [m for m in middle.panels[0].marks if isinstance(m, Arrow) and math.sin(m.angle) < 0]
+    told = sorted((m.aside, "".join(plain(p) for p in m.words)) for m in lower)
+    assert [words for _, words in told] == ["T_lower", "g*m_M", "T_lower"]
+    assert told[0][0] == -told[2][0] < told[1][0] == 0
+    assert {m.reach for m in lower} == {1.0}

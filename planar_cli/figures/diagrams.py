@@ -14,6 +14,7 @@ from itertools import groupby
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import note_of
+from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
 from planar_cli.figures.rings import meets
 from planar_cli.figures.shapes import body_marks, moved
@@ -32,8 +33,6 @@ BREAK = ",  "
 ARROWS = "→↗↑↖←↙↓↘"
 """In the order in which they turn, an eighth of a turn from one to the next."""
 _AT = re.compile(r" at ([^ ,()]+)")
-STACKED = 0.6
-"""By so much longer is an arrow that lies on another one."""
 INWARD = 0.35
 """The cosine of the angle to the way to the mass centre from which on a force at the edge is drawn as a push."""
 
@@ -99,7 +98,6 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
     center = drawn.spot(body.center)
     if body.rigid and center is not None:
         marks.append(Symbol("centre", center))
-    taken: dict[tuple[float, ...], int] = {}
     tags: dict[str, Spot] = {}
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
     for vector in vectors:
@@ -109,15 +107,13 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
         if (named := _AT.search(vector.told)) is not None:
             tags[named[1]] = at
         beside = named is None and at != center
-        marks += (_on_edge(m, areas) if beside else m for m in _mark(drawn, vector, at, center, style, taken))
+        marks += (_on_edge(m, areas) if beside else m for m in _mark(drawn, vector, at, center, style))
     marks += [Symbol("point", at) for at in tags.values() if at != center]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
-    return Panel(tuple(marks), line(head))
+    return Panel(tuple(in_lanes(marks)), line(head))
 
 
-def _mark(
-    drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: Style, taken: dict[tuple[float, ...], int]
-) -> Iterator[Mark]:
+def _mark(drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: Style) -> Iterator[Mark]:
     if vector.way.direction is None:
         yield Turn(at, -1 if "↻" in vector.told else 1, style, vector.words)
         return
@@ -133,10 +129,7 @@ def _mark(
         way = (-way[0], -way[1])
     angle = math.atan2(way[1], way[0])
     inward = _is_push(way, at, center)
-    # Several along one line lie one behind the other.
-    key = (round(at[0], 9), round(at[1], 9), round(angle, 3), inward)
-    again = taken[key] = taken.get(key, -1) + 1
-    yield Arrow(at, angle, style, vector.words, 1.0 + STACKED * again, inward, ASSUMED in vector.told)
+    yield Arrow(at, angle, style, vector.words, 1.0, inward, ASSUMED in vector.told)
 
 
 def slim(mark: Mark) -> Mark:

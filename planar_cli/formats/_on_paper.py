@@ -180,7 +180,10 @@ def _arrow(mark: Arrow, scale: Scale) -> Iterator[Piece]:
     tail, tip = (moved(at, mark.angle, -length), at) if mark.inward else (at, moved(at, mark.angle, length))
     yield from pointed((tail, tip), mark.style, " dashed" if mark.assumed else "")
     outer = tail if mark.inward else tip
-    yield _words(mark, outer, mark.angle + (math.pi if mark.inward else 0.0), mark.style)
+    words = _words(mark, outer, mark.angle + (math.pi if mark.inward else 0.0), mark.style)
+    # Beside another one it has its words on its own side.
+    off = mark.angle + math.copysign(math.pi / 2, mark.aside)
+    yield replace(words, angles=(off,)) if mark.aside else words
 
 
 def _words(mark: Any, anchor: Spot, angle: float, kind: str) -> Words:
