@@ -14,7 +14,7 @@ from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
-from planar_cli.report.marks import Arrow, Figure, Polyline, Tag
+from planar_cli.report.marks import Arrow, Dimension, Figure, Polyline, Tag
 
 NOTES = ("", "dashed: direction assumed", "dashed: direction assumed; found: F_D to the left")
 
@@ -111,3 +111,20 @@ def test_forces_along_one_line_stand_side_by_side() -> None:
     assert [words for _, words in told] == ["T_lower", "g*m_M", "T_lower"]
     assert told[0][0] == -told[2][0] < told[1][0] == 0
     assert {m.reach for m in lower} == {1.0}
+
+
+@pytest.mark.parametrize(("case", "far"), [(0, 0.2), (1, 0.3)])
+def test_a_normal_force_beside_the_middle_of_its_face_stands_where_it_was_found(case: int, far: float) -> None:
+    marks = diagrams("crate-that-slips-or-tips")[case].panels[0].marks
+    (normal,) = [m for m in marks if isinstance(m, Arrow) and plain(m.words[0]) == "N_C"]
+    (x,) = [m for m in marks if isinstance(m, Dimension)]
+    assert x.start == (0.0, 0.0) and x.end == normal.at == pytest.approx((far, 0.0))
+
+
+def test_a_force_of_which_the_line_is_not_needed_presses_on_its_body() -> None:
+    """From below, on what lies within it; the line itself lies beside the carriage."""
+    marks = diagrams("jet-on-a-vane")[0].panels[0].marks
+    (normal,) = [m for m in marks if isinstance(m, Arrow) and plain(m.words[0]) == "N_track"]
+    (base, *_) = [m.places for m in marks if isinstance(m, Polyline) and m.closed and len(m.places) == 4]
+    assert min(x for x, _ in base) < normal.at[0] < max(x for x, _ in base)
+    assert normal.inward and normal.at[1] == pytest.approx(min(y for _, y in base))

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from itertools import groupby
@@ -16,14 +16,15 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
-from planar_cli.figures.rings import meets
+from planar_cli.figures.rings import across, ends_of, meets
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Forces, Inline, Line, Name, Text, Way, line
+from planar_cli.report.blocks import Block, Forces, Inline, Line, Math, Name, Text, Way, line
 from planar_cli.report.entries import ASSUMED
 from planar_cli.report.impulse_rows import IMPULSES
-from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
+from planar_cli.report.marks import Arrow, Dimension, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
+from planar_cli.report.open_lines import NOT_NEEDED
 from planar_cli.solve.solved_problem import Solution
 
 AND = " + "
@@ -32,7 +33,11 @@ BREAK = ",  "
 """Between two vectors of a list."""
 ARROWS = "→↗↑↖←↙↓↘"
 """In the order in which they turn, an eighth of a turn from one to the next."""
-_AT = re.compile(r" at ([^ ,()]+)")
+_AT = re.compile(r" at (?!the )([^ ,()]+)")
+DEEP = 0.15
+"""A force that acts beside its body is drawn within its edge by this part of its width."""
+LEVEL = 1e-6
+"""What rises by no more than this part of its length is level."""
 INWARD = 0.35
 """The cosine of the angle to the way to the mass centre from which on a force at the edge is drawn as a push."""
 
@@ -44,6 +49,8 @@ class _Vector:
     words: Line
     told: str
     way: Way
+    where: Line = ()
+    """What stands behind it: at x to the right of C."""
 
 
 @record
@@ -89,7 +96,7 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
         entry: list[Inline] = [] if apart else list(pieces)
         for i, piece in enumerate(entry):
             if isinstance(piece, Text) and piece.way is not None:
-                yield _Vector(tuple(entry[:i]), piece.text, piece.way)
+                yield _Vector(tuple(entry[:i]), piece.text, piece.way, tuple(entry[i + 1 :]))
 
 
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
@@ -106,8 +113,14 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
             continue
         if (named := _AT.search(vector.told)) is not None:
             tags[named[1]] = at
-        beside = named is None and at != center
-        marks += (_on_edge(m, areas) if beside else m for m in _mark(drawn, vector, at, center, style))
+        made = list(_mark(drawn, vector, at, center, style))
+        if named is None and at != center:
+            near = NOT_NEEDED in vector.told
+            made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
+        tags |= {
+            p.name: spot for p in vector.where if isinstance(p, Name) and (spot := drawn.named(p.name)) is not None
+        }
+        marks += (*made, *_distance(vector, made, tags))
     marks += [Symbol("point", at) for at in tags.values() if at != center]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
     return Panel(tuple(in_lanes(marks)), line(head))
@@ -132,6 +145,18 @@ def _mark(drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: S
     yield Arrow(at, angle, style, vector.words, 1.0, inward, ASSUMED in vector.told)
 
 
+def _distance(vector: _Vector, made: Sequence[Mark], tags: Mapping[str, Spot]) -> Iterator[Mark]:
+    """How far from a point a force acts, where its list tells that by a letter."""
+    letters = [p for p in vector.where if isinstance(p, Math)]
+    starts = [tags[p.name] for p in vector.where if isinstance(p, Name) and p.name in tags]
+    for start, letter, arrow in zip(starts, letters, made, strict=False):
+        if isinstance(arrow, Arrow) and math.dist(start, arrow.at) > 0:
+            level = abs(arrow.at[1] - start[1]) < LEVEL * math.dist(start, arrow.at)
+            # On the side from which the force comes, as that of a floor.
+            left = math.sin(arrow.angle - math.atan2(arrow.at[1] - start[1], arrow.at[0] - start[0])) > 0
+            yield Dimension(start, arrow.at, (letter,), -1 if left else 1, level)
+
+
 def slim(mark: Mark) -> Mark:
     """A bar that leaves an arrow or a line along it to be seen."""
     bar = isinstance(mark, Polyline) and not mark.closed and mark.style == "body"
@@ -142,12 +167,23 @@ def _on_edge(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:
     """A force at no named place, such as that of a floor, brought along its line to the edge on which it presses."""
     if not isinstance(mark, Arrow):
         return mark
-    found = [far for ring in areas for far in meets(ring, mark.at, mark.angle)]
+    # Where its line goes into an area, and not where it leaves it.
+    found = [far for ring in areas for far in meets(ring, mark.at, mark.angle)[::2]]
     behind = [far for far in found if far < 1e-9]
     if not found:
         return mark
     far = max(behind) if behind else min(found)
     return replace(mark, at=moved(mark.at, mark.angle, far), inward=True)
+
+
+def _within(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:
+    """A force of which only the direction counts, and which acts beside its body, on the body."""
+    if not isinstance(mark, Arrow) or not areas or any(meets(ring, mark.at, mark.angle) for ring in areas):
+        return mark
+    far = [across(mark.at, mark.angle, corner) for ring in areas for corner in ring]
+    low, high = ends_of(far)
+    aside = low + DEEP * (high - low) if low > 0 else high - DEEP * (high - low)
+    return replace(mark, at=moved(mark.at, mark.angle, 0.0, aside))
 
 
 def _spot(drawn: Drawn, way: Way, place: Vec) -> Spot | None:

@@ -6,11 +6,12 @@ dashed: direction assumed; found: F_C to the left
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import chain
 
-from sympy import Expr, Integer, Symbol
+from sympy import Expr, Integer, Rational, Symbol
 
 from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
@@ -32,6 +33,7 @@ OPPOSITE = (
     "up to the left",
 )
 """Of arrows by eighths of a turn, counterclockwise from the x axis."""
+NUMBER = re.compile(r"-?\d+(\.\d+)?")
 LEGEND = "dashed: direction assumed"
 
 
@@ -40,8 +42,8 @@ def note_of(panels: Sequence[Panel], row: Forces, solution: Solution) -> Line:
     drawn = [m for p in panels for m in p.marks if isinstance(m, Arrow | Turn)]
     legend = [LEGEND] if any(isinstance(m, Arrow) and m.assumed for m in drawn) else []
     against = [m for m in drawn if _is_against(m.words, row, solution)]
-    found = dict.fromkeys((m.words, _opposite(m)) for m in against)
-    told = [piece for words, way in found for piece in (", ", *words, f" {way}")][1:]
+    found = {repr((m.words, _opposite(m))): m for m in against}
+    told = [piece for m in found.values() for piece in (", ", *m.words, f" {_opposite(m)}")][1:]
     return line(*legend, *((f"{'; ' if legend else ''}found: ", *told) if told else ()))
 
 
@@ -53,9 +55,15 @@ def _opposite(mark: Arrow | Turn) -> str:
 
 def _is_against(words: Line, row: Forces, solution: Solution) -> bool:
     """Does a vector come out against the direction in which its letters count, whenever its diagram holds?"""
-    size = math.prod((p.expr for p in words if isinstance(p, Math)), start=Integer(1))
+    size = math.prod((_in_numbers(p) for p in words if isinstance(p, Math)), start=Integer(1))
     found = [n for part in solution.parts for n in _numbers(size, row, part)] if size.free_symbols else []
     return bool(found) and all(n is not None and n < 0 for n in found)
+
+
+def _in_numbers(told: Math) -> Expr:
+    """A formula with the numbers that it is printed with."""
+    texts = {s: t for s, t in (told.values or {}).items() if NUMBER.fullmatch(t)}
+    return told.expr.xreplace({s: Rational(t) for s, t in texts.items()})
 
 
 def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | None]:

@@ -36,8 +36,9 @@ def _ray(arrow: Arrow) -> tuple[float, ...]:
 
 def _ordered(arrows: dict[int, Arrow]) -> Iterator[int]:
     """From one side to the other: pairs of equal letters outside, one on each side."""
-    often = Counter(m.words for m in arrows.values())
-    pairs = [[i for i, m in arrows.items() if m.words == words] for words, n in often.items() if n == 2]
+    letters = {i: repr(m.words) for i, m in arrows.items()}
+    often = Counter(letters.values())
+    pairs = [[i for i, own in letters.items() if own == words] for words, n in often.items() if n == 2]
     yield from (i for i, _ in pairs)
-    yield from (i for i, m in arrows.items() if often[m.words] != 2)
+    yield from (i for i, own in letters.items() if often[own] != 2)
     yield from (i for _, i in reversed(pairs))

@@ -62,7 +62,8 @@ class Offset:
     """How far beside the middle of a face its normal force acts: the couple is `sense` N x, with x > 0. It turns
     counterclockwise where `counter` is 1, clockwise where it is -1.
 
-    `way`: from the middle to where it acts; `value`: of x [m]; None: it has none, as a mass that cancels.
+    `way`: from the middle to where it acts; `value`: of x [m]; None: it has none, as a mass that cancels; `far`: of x
+    where it is drawn [m].
     """
 
     letter: sp.Symbol
@@ -73,6 +74,7 @@ class Offset:
     place: str
     way: Vec
     value: Decimal | None
+    far: Decimal
 
     @property
     def moment(self) -> sp.Expr:
@@ -80,8 +82,8 @@ class Offset:
         return self.sense * self.normal * self.letter
 
     def beside(self, middle: Vec) -> Vec:
-        """Where it acts; the middle itself, where x has no value."""
-        return middle if self.value is None else middle + self.way * sp.Rational(str(self.value))
+        """Where it acts."""
+        return middle + self.way * sp.Rational(str(self.far))
 
     def told(self, arrow: str) -> Line:
         """` at x to the right of C`. `arrow`: of the way."""
@@ -104,8 +106,11 @@ def offsets(trial: Trial, value: Valuation) -> Iterator[Offset]:
         way = Vec(pressed.force.y * counter, -pressed.force.x * counter)
         couple, force = system.symbols[push.name], system.symbols[normal.name]
         moment, force_there = value.known(couple), value.known(force)
-        far = None if moment is None or not force_there else abs(moment / force_there)
-        yield Offset(offset_letter(system, push), couple, force, counter * turns, counter, normal.place, way, far)
+        told = None if moment is None or not force_there else abs(moment / force_there)
+        # In numbers that are drawn for letters x is that of the position that is drawn.
+        far = abs(size / press) if told is None else told
+        letter, sense = offset_letter(system, push), counter * turns
+        yield Offset(letter, couple, force, sense, counter, normal.place, way, told, far)
 
 
 def _faces(system: System) -> list[tuple[Push, Push]]:
