@@ -118,7 +118,8 @@ def test_a_normal_force_beside_the_middle_of_its_face_stands_where_it_was_found(
     marks = diagrams("crate-that-slips-or-tips")[case].panels[0].marks
     (normal,) = [m for m in marks if isinstance(m, Arrow) and plain(m.words[0]) == "N_C"]
     (x,) = [m for m in marks if isinstance(m, Dimension)]
-    assert x.start == (0.0, 0.0) and x.end == normal.at == pytest.approx((far, 0.0))
+    assert x.start == (0.0, 0.0)
+    assert x.end == normal.at == pytest.approx((far, 0.0))
 
 
 def test_a_force_of_which_the_line_is_not_needed_presses_on_its_body() -> None:
@@ -127,4 +128,5 @@ def test_a_force_of_which_the_line_is_not_needed_presses_on_its_body() -> None:
     (normal,) = [m for m in marks if isinstance(m, Arrow) and plain(m.words[0]) == "N_track"]
     (base, *_) = [m.places for m in marks if isinstance(m, Polyline) and m.closed and len(m.places) == 4]
     assert min(x for x, _ in base) < normal.at[0] < max(x for x, _ in base)
-    assert normal.inward and normal.at[1] == pytest.approx(min(y for _, y in base))
+    assert normal.inward
+    assert normal.at[1] == pytest.approx(min(y for _, y in base))

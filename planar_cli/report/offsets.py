@@ -83,7 +83,8 @@ class Offset:
 
     def beside(self, middle: Vec) -> Vec:
         """Where it acts."""
-        return middle + self.way * sp.Rational(str(self.far))
+        along: Vec = self.way * sp.Rational(str(self.far))
+        return Vec(middle.x + along.x, middle.y + along.y)
 
     def told(self, arrow: str) -> Line:
         """` at x to the right of C`. `arrow`: of the way."""
