@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from planar_cli.figures.belts import belt_marks, frame_marks
@@ -14,6 +15,7 @@ from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.outlines import edges, lying
+from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions
@@ -66,6 +68,8 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
         drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
     regimes = motion.regimes if motion is not None else ()
     moving = Found.of(drawn, (*(r.solution for r in regimes), instant))
+    drawn = with_parallel_ropes(drawn, (motion.problem if motion is not None else problem).joints)
+    moving = replace(moving, drawn=drawn) if moving is not None else None
     if motion is None or not states:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
@@ -81,6 +85,7 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
 
 def arranged(drawn: Drawn) -> Panel:
     """A scene in one position."""
+    drawn = with_parallel_ropes(drawn, drawn.scene.problem.joints)
     return _panel(tuple(_marks(drawn, Told(drawn), drawn.scene.problem.joints)))
 
 
@@ -90,6 +95,7 @@ def followed_arrangement(run: Run) -> Panel | None:
     if drawn is None:
         return None
     joints = run.problem.joints
+    drawn = with_parallel_ropes(drawn, joints)
     size = extent_of([s for m in _marks(drawn, Told(drawn), joints) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
     marks = tuple(_marks(drawn, Told(drawn), joints, places[1:]))

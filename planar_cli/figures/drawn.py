@@ -28,12 +28,28 @@ FIGURES = 4
 
 
 @record
+class Beside:
+    """What is drawn beside its place, m. `moves`: bodies and fixed points, by their names; `sheaves`: by the rope and
+    the number of the stop there, of a body with several wheels each, beside the body.
+    """
+
+    moves: Mapping[str, Spot]
+    sheaves: Mapping[tuple[str, int], Spot]
+
+
+AS_WRITTEN = Beside({}, {})
+
+
+@record
 class Drawn:
-    """A scene in one position. `value`: the numbers of its letters; `here`: what stands for its coordinates there."""
+    """A scene in one position. `value`: the numbers of its letters; `here`: what stands for its coordinates there;
+    `beside`: what in the scene is not where the file has it.
+    """
 
     scene: Scene
     value: Valuation
     here: Mapping[sp.Symbol, sp.Expr]
+    beside: Beside = AS_WRITTEN
 
     @classmethod
     def as_in_the_file(cls, instant: InstantSolution) -> Drawn:
@@ -98,7 +114,7 @@ class Drawn:
     def at_rest(self) -> Drawn:
         """The scene where the file draws it; where it is now, if that does not tell where all bodies are."""
         moves = self.scene.displacement.coordinates if self.scene.displacement is not None else ()
-        rest = Drawn(self.scene, self.value, {c.symbol: c.drawn for c in moves if c.drawn is not None})
+        rest = Drawn(self.scene, self.value, {c.symbol: c.drawn for c in moves if c.drawn is not None}, self.beside)
         return rest if all(rest.spot(b.center) is not None for b in self.scene.bodies.values()) else self
 
     def body(self, name: str) -> BodyModel | None:
@@ -114,6 +130,11 @@ class Drawn:
     def center(self, body: str) -> Spot | None:
         """The mass centre of a body."""
         return self.spot(self.scene.center(body))
+
+    def moved_by(self, point: str) -> Spot:
+        """By how much a point is drawn beside its place, m."""
+        owner = self.scene.owner(point)
+        return self.beside.moves.get(point if owner == GROUND else owner, (0.0, 0.0))
 
     def everything(self) -> list[Spot]:
         """All points and mass centres of the scene."""

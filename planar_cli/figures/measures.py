@@ -50,12 +50,12 @@ def _measures(drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot]) -> Ite
     yield from angles_of_coordinates(drawn)
     for point in problem.points:
         if point.name in tagged and isinstance(point.place, At | TwoFacts):
-            yield from _coordinates(tagged[point.name], point.place)
+            yield from _coordinates(tagged[point.name], point.place, drawn.moved_by(point.name))
 
 
 def _polar(drawn: Drawn, point: Point, place: Polar, tagged: Mapping[str, Spot]) -> Iterator[Dimension | Angle]:
     origin, spot = tagged.get(place.origin), tagged[point.name]
-    if origin is None or math.dist(origin, spot) < NEAR:
+    if origin is None or math.dist(origin, spot) < NEAR or any(drawn.moved_by(point.name)):
         return
     words, radii = words_of(place.distance), [r.words for r in _all_radii(drawn)]
     if words in radii:
@@ -92,10 +92,10 @@ def _radii(drawn: Drawn, body: Body, rim: Round) -> Iterator[Dimension]:
             yield Dimension(center, moved(center, RIGHT + OUT + i * RIGHT, radius), words, side=0)
 
 
-def _coordinates(spot: Spot, place: At | TwoFacts) -> Iterator[Dimension]:
-    """The distances of a point from the axes, where the file places it by them."""
+def _coordinates(spot: Spot, place: At | TwoFacts, moved: Spot) -> Iterator[Dimension]:
+    """The distances of a point from the axes, where the file places it by them and it is drawn there."""
     for axis, side in enumerate((place.x, place.y)):
         words = size_of(side) if side is not None else ()
-        if words and abs(spot[axis]) > NEAR:
+        if words and abs(spot[axis]) > NEAR and not moved[axis]:
             start = (0.0, spot[1]) if axis == 0 else (spot[0], 0.0)
             yield Dimension(start, spot, words, side=-1 if axis == 0 else 1, level=True)

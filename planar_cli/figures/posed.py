@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.carried import Pose
-from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.drawn import AS_WRITTEN, Drawn
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, ordered
@@ -32,6 +32,7 @@ class Posed(Drawn):
         # What draws asks it for points, directions and lengths, as it does a scene of formulas.
         object.__setattr__(self, "scene", moving)
         object.__setattr__(self, "_numbers", dict(variables))
+        object.__setattr__(self, "beside", AS_WRITTEN)
 
     def number(self, expr: Any) -> float | None:
         """A term as a number; None: it has none here."""

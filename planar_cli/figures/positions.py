@@ -15,9 +15,10 @@ from planar_cli.errors import PlanarError
 from planar_cli.figures.carried import Pose, carried, shifted
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
+from planar_cli.figures.parallel import drawn_beside
 from planar_cli.figures.partners import between
 from planar_cli.figures.paths import followed_path, path_of
-from planar_cli.figures.rings import extent_of
+from planar_cli.figures.rings import extent_of, moved_by
 from planar_cli.figures.shapes import body_marks
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Line, Round
@@ -36,6 +37,7 @@ ASIDE = 0.5
 """One that is brought nearer is at most by this part of that away from the one before."""
 NEAR = 0.03
 """As near to another one in parts of the size, a position is the same."""
+NOWHERE: Spot = (0.0, 0.0)
 JOINED = ", "
 """Between the names of states in one position."""
 
@@ -82,6 +84,7 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     """The different positions of a motion, that of the drawing first, each with the names of its states."""
     found: list[Later] = []
     told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
+    told = [(s, drawn_beside(there, drawn.beside)) for s, there in told]
     all_ = [_later((), drawn), *(_later((state,), there) for state, there in told)]
     spots = [s for p in all_ if p is not None for s in p.spots.values()]
     near = NEAR * max(extent_of(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
@@ -98,11 +101,12 @@ def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
         return []
     found, size = [first], max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0)
     for state, moment in run.measures.moments.items():
-        spots = {n: s for n in first.spots if (s := _asked(run, "r", n, moment))}
+        asked = {n: s for n in first.spots if (s := _asked(run, "r", n, moment))}
+        spots = {n: moved_by((x, y), drawn.beside.moves.get(n, NOWHERE)) for n, (x, y) in asked.items()}
         turns = {n: t[0] for n in drawn.scene.bodies if (t := _asked(run, "theta", n, moment))}
         if not state or spots.keys() != first.spots.keys():
             continue
-        new = Later((state,), drawn, {n: (x, y) for n, (x, y) in spots.items()}, {**first.angles, **turns}, first=first)
+        new = Later((state,), drawn, spots, {**first.angles, **turns}, first=first)
         _put(found, new, NEAR * max(size, _reach(new, first)))
     return found
 
@@ -248,7 +252,7 @@ def _ways(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) 
             elif not any(a.shift):
                 way = path_of(motion, run, name, since, until) if motion else followed_path(run, name, since, until)
                 if len(way) > 1:
-                    yield Polyline(way, "way")
+                    yield shifted(Polyline(way, "way"), a.there.beside.moves.get(name, NOWHERE))
 
 
 def _broken(start: Spot, end: Spot) -> Iterator[Mark]:

@@ -8,14 +8,17 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.rings import extent_of, turn
+from planar_cli.figures.rings import extent_of, moved_by, turn
 from planar_cli.figures.shapes import moved
+from planar_cli.problem.scene import Round
 from planar_cli.problem.sketches import Cord, CordStop
 from planar_cli.records import record
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
-WHEEL, STRAIGHT = 0.035, 0.02
-"""The radius of a small wheel in parts of the scene; the sine of the angle up to which a rope goes straight on."""
+WHEEL, STRAIGHT, OFF = 0.035, 0.02, 1e-3
+"""The radius of a small wheel in parts of the scene; the sine of the angle up to which a rope goes straight on; how far
+a part of it may be off its direction, in parts of the scene.
+"""
 
 
 @record
@@ -34,13 +37,18 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
     told = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
     if len(told) < len(sketch.stops):
         return
-    stops = _with_wheels(told, WHEEL * (extent_of(drawn.at_rest().everything()) or 1.0))
+    size = extent_of(drawn.at_rest().everything()) or 1.0
+    along = drawn.angle(sketch.along) if sketch.along is not None else None
+    parallel = _parallel(drawn, sketch, told, along, OFF * size) if along is not None else None
+    stops = parallel or _with_wheels(told, WHEEL * size)
     for i, wheel in enumerate(stops):
-        if wheel is not told[i]:
+        if wheel.radius and not told[i].radius and not _is_disk(drawn, sketch.stops[i]):
             # A load that hangs on a rope is seen within its wheel.
             yield Arc(wheel.center, wheel.radius, "body" if wheel.fixed else "thin")
             if wheel.fixed:
-                yield Symbol("hanger", wheel.center, _hangs(told, i))
+                yield from _hung(wheel, _hangs(told, i, along if parallel else None), parallel is not None)
+        if wheel.center != told[i].center:
+            yield Polyline((told[i].center, wheel.center), "body")
     parts = [straight(a, b) for a, b in pairwise(stops) if (a.rim or a.center) != (b.rim or b.center)]
     for part in parts:
         yield Polyline(part, "rope")
@@ -52,6 +60,44 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
         for held, (at, other) in zip(sketch.fixed, (parts[0], parts[-1][::-1]), strict=True):
             if held:
                 yield Symbol("wall", at, _upright(math.atan2(other[1] - at[1], other[0] - at[0]), math.pi / 2))
+
+
+def _hung(wheel: Stop, angle: float, wide: bool) -> Iterator[Mark]:
+    """What holds a fixed wheel; of a `wide` one it begins at the rim, at the end of an arm."""
+    at = moved(wheel.center, angle, wheel.radius) if wide else wheel.center
+    if wide:
+        yield Polyline((wheel.center, at), "thin")
+    yield Symbol("hanger", at, angle)
+
+
+def _is_disk(drawn: Drawn, stop: CordStop) -> bool:
+    """Is a pulley drawn as a body?"""
+    body = drawn.body(stop.body)
+    return body is not None and isinstance(body.shape, Round)
+
+
+def _parallel(drawn: Drawn, sketch: Cord, told: Sequence[Stop], along: float, near: float) -> list[Stop] | None:
+    """The stops with the wheels that make all parts of a rope run along one direction; None: none make them."""
+    cos, sin = math.cos(along), math.sin(along)
+    stops = [replace(s, center=moved_by(s.center, _sheave(drawn, sketch, i)), radius=0.0) for i, s in enumerate(told)]
+    places = [s.rim or s.center for s in stops]
+    aside, ahead = [x * sin - y * cos for x, y in places], [x * cos + y * sin for x, y in places]
+    found, part = [stops[0]], aside[0]
+    for i, stop in enumerate(stops[1:-1], 1):
+        comes, goes = ahead[i] - ahead[i - 1], ahead[i + 1] - ahead[i]
+        if comes * goes > 0:
+            if abs(part - aside[i]) > near:
+                return None
+            found.append(stop)
+            continue
+        side = 1 if (part - aside[i]) * comes > 0 else -1
+        found.append(replace(stop, radius=abs(part - aside[i]), side=side))
+        part = 2 * aside[i] - part
+    return [*found, stops[-1]] if abs(part - aside[-1]) <= near else None
+
+
+def _sheave(drawn: Drawn, sketch: Cord, i: int) -> Spot:
+    return drawn.beside.sheaves.get((sketch.name, i), (0.0, 0.0))
 
 
 def _upright(angle: float, step: float) -> float:
@@ -73,8 +119,11 @@ def _with_wheels(stops: Sequence[Stop], radius: float) -> list[Stop]:
     return found
 
 
-def _hangs(stops: Sequence[Stop], i: int) -> float:
-    """The direction of what holds a wheel against the pull of its rope."""
+def _hangs(stops: Sequence[Stop], i: int, along: float | None) -> float:
+    """The direction of what holds a wheel against the pull of its rope. `along`: of all parts of the rope."""
+    if along is not None:
+        (x, y), (u, v) = stops[i].center, stops[i - 1].rim or stops[i - 1].center
+        return along if (x - u) * math.cos(along) + (y - v) * math.sin(along) > 0 else along + math.pi
     center, pull = stops[i].center, [0.0, 0.0]
     for other in (stops[i - 1].center, stops[i + 1].center):
         reach = math.dist(center, other) or 1.0

@@ -133,10 +133,12 @@ class Rope(Joint):
         return f"[{one}]", f"[{', '.join([f'{second} on {body.name}', *after])}]"
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
+        told = zip(stops_of(self._route(), scene), self.path, strict=True)
         stops = tuple(
-            CordStop(s.center, s.radius, s.side, s.rim, s.body == GROUND) for s in stops_of(self._route(), scene)
+            CordStop(s.center, s.radius, s.side, s.rim, s.body == GROUND, stop.name, s.body) for s, stop in told
         )
-        return (Cord(stops, fixed_ends(scene, self.path[0].name, self.path[-1].name)),)
+        along = None if self.along is None else scene.unit(self.along)
+        return (Cord(stops, fixed_ends(scene, self.path[0].name, self.path[-1].name), along, self.name),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         segments, spins, actions = free_parts(self._route(), scene)

@@ -53,14 +53,22 @@ class CordStop:
     side: int = 0
     rim: Vec | None = None
     fixed: bool = False
+    name: str = ""
+    """Of the point, or of the pulley."""
+    body: str = ""
+    """With which it moves."""
 
 
 @record
 class Cord:
-    """A rope from stop to stop. `fixed`: are its ends fastened to the ground?"""
+    """A rope from stop to stop. `fixed`: are its ends fastened to the ground? `along`: the direction of all its parts,
+    if it has one. `name`: that of the joint.
+    """
 
     stops: tuple[CordStop, ...]
     fixed: tuple[bool, bool] = (False, False)
+    along: Vec | None = None
+    name: str = ""
 
 
 @record
