@@ -9,20 +9,21 @@ import math
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from importlib.util import find_spec
+from itertools import combinations
 from pathlib import Path
 
 import motions
 import pytest
 
-from planar_cli.errors import PlanarError
+from planar_cli.figures.accuracy_plot import accuracy_plot
+from planar_cli.formats._svg import papers_of, svg
 from planar_cli.integrators.base import Setting
 from planar_cli.motion.drive import drive
 from planar_cli.motion.estimate import shifts
 from planar_cli.problem.structure import load
 from planar_cli.simulate.accuracy import Ran, Row, Study, Wanted, study
 from planar_cli.simulate.accuracy_report import Told, as_csv, as_data, as_markdown, as_text
-from planar_cli.simulate.diagram import HEIGHT, picture
+from planar_cli.simulate.diagram import HEIGHT
 from planar_cli.simulate.subject import SceneSubject
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
@@ -146,16 +147,20 @@ def test_as_csv_and_json(swing: Study) -> None:
     assert [a["digits"] for a in data["recommended"]] == [3, 6, 10]
 
 
-def test_as_a_picture(swing: Study, tmp_path: Path) -> None:
-    """An extra: without Matplotlib it is refused by name, as is a kind of picture that is not written."""
-    with pytest.raises(PlanarError, match=r"\.png or \.svg"):
-        picture([("Pendulum", swing)], str(tmp_path / "study.gif"))
-    path = tmp_path / "study.svg"
-    if find_spec("matplotlib") is None:
-        with pytest.raises(PlanarError, match="plot"):
-            picture([("Pendulum", swing)], str(path))
-    else:
-        assert b"<svg" in picture([("$ \\frac", swing)], str(path))
+@pytest.mark.parametrize("titles", [("<script> $ \\frac",), ("one", "two")])
+def test_as_a_picture(swing: Study, titles: tuple[str, ...]) -> None:
+    """Every run is a dot of its integrator, and every power of ten that is shown is a whole one."""
+    figure = accuracy_plot([(title, swing) for title in titles])
+    drawn = svg(figure)
+    assert drawn.count("<circle") == len(titles) * sum(r.error is not None for r in swing.rows)
+    assert "<script" not in drawn
+    words = [run.text for p in papers_of(figure) for placed in p.placed for run in placed.words.runs]
+    assert {"auto", "dop853", "rk4"} <= set(words)
+    ticks = [w for w in words if w.startswith("10")]
+    assert len(ticks) > 6 * len(titles)
+    assert all(set(w[2:]) <= set("⁻⁰¹²³⁴⁵⁶⁷⁸⁹") for w in ticks)
+    boxes = [placed.box for p in papers_of(figure) for placed in p.placed]
+    assert not [(a, b) for a, b in combinations(boxes, 2) if a.overlaps(b)]
 
 
 @pytest.mark.parametrize("kind", ["semi_implicit_euler", "rk4"])

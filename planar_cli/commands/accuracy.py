@@ -19,6 +19,7 @@ from planar_cli import cli
 from planar_cli.by_click import type_of
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
+from planar_cli.commands._picture_files import demand_picture, picture_bytes
 from planar_cli.errors import FileProblem, PlanarError, Undecided
 from planar_cli.options import SECONDS, FloatRange
 from planar_cli.registry import modules
@@ -40,7 +41,7 @@ TOLERANCE = type_of(FloatRange(1e-15, 0.1))
 @click.option("--step", "steps", multiple=True, metavar="TIME", help="Only these steps, of methods with equal ones.")
 @click.option("--peers", is_flag=True, help="Compare with SciPy, heyoka, exudyn and MuJoCo, as installed.")
 @click.option("--until", metavar="TIME", help="Where the motion ends: `10 s`, `2 min`, or seconds.")
-@click.option("--plot", metavar="FILE", help="Draw the diagram into a .png or .svg file (needs Matplotlib).")
+@click.option("--plot", metavar="FILE", help="Draw the diagram into a .svg or .png file.")
 @click.option("--budget", type=type_of(SECONDS), default=2, show_default=True, help="Seconds of the longest run.")
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 @click.option("--timeout", type=type_of(SECONDS), default=120, show_default=True, help="Seconds a file; 0: none.")
@@ -48,10 +49,8 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
     """Study each file; one that fails does not keep the others from being studied."""
     from planar_cli.problem.files import problem_files
     from planar_cli.simulate.accuracy_report import Told
-    from planar_cli.simulate.diagram import demand_picture, picture
 
-    if plot is not None:
-        demand_picture(plot)
+    demand_picture(plot)
     paths = list(problem_files(files))
     told, status = [], cli.SOLVED
     for path in paths:
@@ -72,8 +71,21 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
         with shown_on(sys.stdout, output) as width:
             write(_text(told, form, len(paths) > 1, width), output, exact=True)
     if plot is not None:
-        write_bytes(picture([(one.title, one.study) for one in told if one.study is not None], plot), plot)
+        status = max(status, _plotted([(one.title, one.study) for one in told if one.study is not None], plot))
     return status
+
+
+def _plotted(studies: Sequence[tuple[str, Study]], path: str) -> int:
+    """The diagram of all as a picture."""
+    from planar_cli.figures.accuracy_plot import accuracy_plot
+
+    if not studies:
+        return cli.SOLVED
+    try:
+        write_bytes(picture_bytes(accuracy_plot(studies), path), path)
+    except PlanarError as error:
+        return cli.tell(error)
+    return cli.SOLVED
 
 
 def _text(told: Sequence[Told], form: str, several: bool, width: int) -> str:

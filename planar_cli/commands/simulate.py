@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from planar_cli import cli
 from planar_cli.commands._limit import limits
 from planar_cli.commands._output import write, write_bytes
+from planar_cli.commands._picture_files import PICTURES, demand_picture, picture_bytes
 from planar_cli.errors import FileProblem, PlanarError
 from planar_cli.options import SECONDS, Choice, FloatRange, IntRange, WrongUsage, argument, option
 from planar_cli.options import command as declared
@@ -31,7 +32,7 @@ OUTPUTS = ("table", "csv", "json", "npz")
 MOST_PLOTS = 3
 """In letters below the table."""
 PLOTS = ("time", "path", "phase", "energy")
-PICTURES, FILMS = (".svg", ".png"), (".svg", ".html")
+FILMS = (".svg", ".html")
 
 
 @declared(help=__doc__)
@@ -102,26 +103,17 @@ def command(
 
 def _demand_one(files: tuple[str, ...], path: str | None, endings: tuple[str, ...]) -> None:
     """WrongUsage where no picture of that name can come of these files."""
-    if path is None:
-        return
-    if not path.lower().endswith(endings):
-        raise WrongUsage(f"a picture of this kind is written as {' or '.join(endings)}, not as {path}")
-    if len(files) > 1:
+    demand_picture(path, endings)
+    if path is not None and len(files) > 1:
         raise WrongUsage("a picture shows the motion of one file: simulate one file at a time")
 
 
 def _picture(motions: Sequence[Motion], plots: Sequence[str], path: str) -> bytes:
     """The motions of a file as a picture."""
     from planar_cli.figures.plots import plot
-    from planar_cli.formats._svg import svg
 
     problem = motions[0].run.problem
-    figure = plot(motions, plots or ("time",), problem.title or problem.file)
-    if path.lower().endswith(".svg"):
-        return svg(figure).encode()
-    from planar_cli.typeset import png
-
-    return png(svg(figure, "print"))
+    return picture_bytes(plot(motions, plots or ("time",), problem.title or problem.file), path)
 
 
 def _film(motions: Sequence[Motion], speed: float | None, path: str) -> bytes:

@@ -39,9 +39,13 @@ class Ticked:
     step: float
     power: int
     """Of ten, by which the numbers at the ticks are to be multiplied."""
+    powers: bool = False
+    """Are the numbers exponents of ten?"""
 
     def told(self, tick: float) -> str:
         """The number at a tick."""
+        if self.powers:
+            return f"10{superscript(str(round(tick)))}" if round(tick) else "1"
         decimals = max(0, -math.floor(math.log10(self.step) - self.power + 1e-9))
         text = f"{tick / 10.0**self.power:.{decimals}f}"
         return "0" if not float(text) else text.replace("-", "−")
@@ -62,6 +66,16 @@ def ticked(low: float, high: float, most: int, tight: bool = False) -> Ticked:
     largest = max(abs(low), abs(high))
     power = 3 * math.floor(math.log10(largest) / 3) if largest >= LARGE or largest < SMALL else 0
     return Ticked(low, high, tuple(k * step for k in range(first, last + 1)), step, power)
+
+
+def scaled_ticks(axis: Scaled, most: int, tight: bool = False) -> Ticked:
+    """The ticks of an axis; of powers of ten the axis ends at whole ones."""
+    if not axis.powers:
+        return ticked(axis.low, axis.high, most, tight)
+    low, high = math.floor(axis.low + 1e-9), math.ceil(axis.high - 1e-9)
+    high = max(high, low + 1)
+    step = math.ceil((high - low) / most)
+    return Ticked(low, high, tuple(range(high, low - 1, -step))[::-1], step, 0, powers=True)
 
 
 def _round(least: float) -> float:
@@ -120,8 +134,8 @@ def _ticks(mark: Graph, width: float, height: float) -> tuple[Ticked, Ticked]:
     """As many ticks as there is room for."""
     many = max(1, int(width / LEAST_ACROSS)), max(1, int(height / LEAST_UP))
     return (
-        ticked(mark.across.low, mark.across.high, many[0], tight=not mark.equal),
-        ticked(mark.up.low, mark.up.high, many[1]),
+        scaled_ticks(mark.across, many[0], tight=not mark.equal),
+        scaled_ticks(mark.up, many[1]),
     )
 
 
@@ -145,7 +159,8 @@ def _axes(mark: Graph, field: Field) -> Iterator[Piece]:
 
 
 def _number(text: str, at: Spot, angle: float) -> Words:
-    return Words((Run(text),), at, "axis", (angle,), 3.0, fixed=True)
+    # At the corner the first numbers of both axes stand near each other.
+    return Words((Run(text),), at, "axis", (angle,), 5.0 if angle == DOWN else 3.0, fixed=True)
 
 
 def _measured(axis: Scaled, power: int) -> tuple[Run, ...]:
@@ -170,6 +185,8 @@ def _curve(curve: Curve, look: str, field: Field, named: bool) -> Iterator[Piece
             yield Stroke(_thinned(piece), kind)
         else:
             yield Disc(piece[0], 1.2, f"curve {look} dot")
+        if curve.marked:
+            yield from (Disc(spot, 2.6, f"curve {look} pin") for spot in piece)
     if named and pieces:
         yield Words(runs_of(curve.words), pieces[-1][-1], look, (RIGHT, RIGHT + 0.5, RIGHT - 0.5, UP), 4.0)
 

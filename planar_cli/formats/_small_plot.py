@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
-from planar_cli.formats._graph import Field, in_unit, ticked
+from planar_cli.formats._graph import Field, in_unit, scaled_ticks
 from planar_cli.formats._layout import settled, spans
 from planar_cli.plain_letters import letters
 from planar_cli.report.blocks import Line
@@ -23,15 +23,14 @@ POINT = "●"
 
 def small_plot(graph: Graph, width: int) -> list[str]:
     """The lines of a plot that is no wider than `width`."""
-    up = ticked(graph.up.low, graph.up.high, ROWS // 2)
+    up = scaled_ticks(graph.up, ROWS // 2)
     told = {k: letters(up.told(t).replace("−", "-")) for k, t in enumerate(up.ticks)}
     beside = max(map(len, told.values()))
-    low, high = graph.across.low, graph.across.high
     # The power of ten is the same with any number of ticks.
-    words = _measured(graph.across, ticked(low, high, 1, tight=True).power)
+    words = _measured(graph.across, scaled_ticks(graph.across, 1, tight=True).power)
     behind = len(words) + 1 if width >= NARROW else 0
     columns = max(min(WIDEST, width - INDENT - beside - 3 - behind), FEWEST)
-    across = ticked(low, high, max(1, columns // EACH), tight=True)
+    across = scaled_ticks(graph.across, max(1, columns // EACH), tight=True)
     canvas = Canvas(columns, ROWS)
     field = Field(across, up, columns * ACROSS - 1, ROWS * DOWN - 1)
     spot = field.spot

@@ -10,24 +10,28 @@ Spot = tuple[float, float]
 
 @record
 class Scaled:
-    """What is measured along an axis, in `unit` ("" for a pure number), and from where to where at least."""
+    """What is measured along an axis, in `unit` ("" for a pure number), and from where to where at least. `powers`:
+    these numbers, and those of the curves, are exponents of ten.
+    """
 
     words: Line
     unit: str
     low: float
     high: float
+    powers: bool = False
 
 
 @record
 class Curve:
     """One curve, in pieces between which it jumps; `words`: its name where there are several; `faint`: of another
-    motion, dashed; `total`: the sum of the others.
+    motion, dashed; `total`: the sum of the others; `marked`: its places are measured, and seen.
     """
 
     pieces: tuple[tuple[Spot, ...], ...]
     words: Line = ()
     faint: bool = False
     total: bool = False
+    marked: bool = False
 
 
 @record

@@ -1,14 +1,10 @@
-"""Diagrams of work against error: in letters for a terminal, or as a picture by Matplotlib (an extra)."""
+"""Diagrams of work against error in letters, for a terminal."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from importlib.util import find_spec
-from io import BytesIO
 
-from planar_cli.errors import PlanarError
-from planar_cli.problem.show import harmless
+from planar_cli.plain_letters import letters
 from planar_cli.simulate.accuracy import Row, Study
 from planar_cli.simulate.columns import USUAL, wrapped
 
@@ -21,10 +17,9 @@ ESTIMATED = "·"
 """Where an estimated error stands for its row."""
 LEAST = 1e-16
 """Smaller errors are drawn here."""
-PICTURES = (".png", ".svg")
 
 
-def _curves(study: Study) -> dict[str, list[Row]]:
+def curves_of(study: Study) -> dict[str, list[Row]]:
     """The rows with an error, by integrator."""
     curves: dict[str, list[Row]] = {}
     for row in study.rows:
@@ -33,7 +28,7 @@ def _curves(study: Study) -> dict[str, list[Row]]:
     return curves
 
 
-def _lowest(study: Study) -> float:
+def lowest_of(study: Study) -> float:
     """Smaller errors are drawn here: below what the reference can tell."""
     known = study.reference.uncertainty
     return max(known, LEAST) if math.isfinite(known) else LEAST
@@ -41,10 +36,10 @@ def _lowest(study: Study) -> float:
 
 def diagram(study: Study, columns: int = USUAL) -> list[str]:
     """Time [s] to the right, error upward, both by powers of ten; a letter for every integrator."""
-    curves = _curves(study)
+    curves = curves_of(study)
     if not curves:
         return []
-    low, width = _lowest(study), max(min(WIDTH, columns - BESIDE), FEWEST)
+    low, width = lowest_of(study), max(min(WIDTH, columns - BESIDE), FEWEST)
     times = [math.log10(r.seconds) for rows in curves.values() for r in rows]
     errors = [
         math.log10(max(e, low))
@@ -55,12 +50,13 @@ def diagram(study: Study, columns: int = USUAL) -> list[str]:
     ]
     left, right = math.floor(min(times)), math.ceil(max(times) + 1e-9)
     bottom, top = math.floor(min(errors)), math.ceil(max(errors) + 1e-9)
+    estimated = letters(ESTIMATED)
     field = [[" "] * (width + 1) for _ in range(HEIGHT + 1)]
 
     def put(row: Row, error: float, letter: str) -> None:
         x = round(width * (math.log10(row.seconds) - left) / (right - left))
         y = round(HEIGHT * (top - math.log10(max(error, low))) / (top - bottom))
-        if letter != ESTIMATED or field[y][x] == " ":
+        if letter != estimated or field[y][x] == " ":
             field[y][x] = letter
 
     named = list(zip(LETTERS, curves.items(), strict=False))
@@ -71,7 +67,7 @@ def diagram(study: Study, columns: int = USUAL) -> list[str]:
     for _, (_, rows) in named:
         for row in rows:
             if row.estimated is not None:
-                put(row, row.estimated, ESTIMATED)
+                put(row, row.estimated, estimated)
     lines = [*wrapped(["error (parts of the scales) over time [s]:"], columns)]
     marks = _marks(bottom, top, HEIGHT)
     for i, cells in enumerate(field):
@@ -82,7 +78,7 @@ def diagram(study: Study, columns: int = USUAL) -> list[str]:
         scale[x : x + len(text)] = text
     lines.append(" " * 8 + "".join(scale).rstrip())
     named_so = [f"{letter} {kind}" for letter, (kind, _) in named]
-    lines += wrapped(["  " + "   ".join([*named_so, f"{ESTIMATED} estimated error"])], columns)
+    lines += wrapped(["  " + "   ".join([*named_so, f"{estimated} estimated error"])], columns)
     return lines
 
 
@@ -90,38 +86,3 @@ def _marks(low: int, high: int, length: int) -> dict[int, str]:
     """Where powers of ten stand along an axis: not more than one in every fourth place."""
     every = max(1, math.ceil(4 * (high - low) / length))
     return {round(length * (k - low) / (high - low)): f"1e{k}" for k in range(low, high + 1, every)}
-
-
-def demand_picture(path: str) -> None:
-    """PlanarError where no picture of that name can be drawn: of another kind, or without Matplotlib."""
-    if not path.lower().endswith(PICTURES):
-        raise PlanarError(f"a picture is written as {' or '.join(PICTURES)}, not as {path}")
-    if find_spec("matplotlib") is None:
-        raise PlanarError("pictures need Matplotlib: pip install 'planar-cli[plot]'")
-
-
-def picture(studies: Sequence[tuple[str, Study]], path: str) -> bytes:
-    """Error and estimated error over time, as what `path` ends with, PNG or SVG; a diagram for every study."""
-    demand_picture(path)
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.0, 4.6 * len(studies)), layout="constrained")
-    FigureCanvasAgg(figure)
-    for place, (title, study) in enumerate(studies):
-        axes = figure.add_subplot(len(studies), 1, place + 1)
-        low = _lowest(study)
-        for kind, rows in _curves(study).items():
-            times = [r.seconds for r in rows]
-            (line,) = axes.loglog(times, [max(r.error or 0.0, low) for r in rows], "o-", label=kind)
-            known = [r for r in rows if r.estimated is not None]
-            errors = [max(r.estimated or 0.0, low) for r in known]
-            axes.loglog([r.seconds for r in known], errors, ":", color=line.get_color())
-        # A title is words: a dollar sign in it begins no formula.
-        axes.set_title(harmless(title), parse_math=False)
-        axes.set(xlabel="time [s]", ylabel="error (dotted: estimated), parts of the scales")
-        axes.grid(visible=True, which="major", alpha=0.3)
-        axes.legend(fontsize="small")
-    drawn = BytesIO()
-    figure.savefig(drawn, format=path.lower().rpartition(".")[2])
-    return drawn.getvalue()
