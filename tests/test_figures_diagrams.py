@@ -67,6 +67,7 @@ def test_a_point_of_the_file_about_which_moments_are_taken_stands_in_both() -> N
         ("ex-4-16", [0, 0], ["", "found: a_Gy*m downward"]),
         ("double-pulley", [0, 0, 0], ["found: I_pulley*alpha clockwise", "found: a_Ay*m_A downward", ""]),
         ("box-that-tips-over", [0], ["found: J_x to the left"]),
+        ("pipe-bend", [0], ["found: flange_x to the left"]),
     ],
 )
 def test_an_assumed_direction_is_dashed_and_told_where_it_came_out_opposite(

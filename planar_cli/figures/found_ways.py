@@ -7,18 +7,20 @@ from __future__ import annotations
 
 import math
 import re
+from collections import ChainMap
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from decimal import Decimal
-from itertools import chain
 
 from sympy import Expr, Integer, Rational, Symbol
 
 from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
+from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Forces, Line, Math, line
 from planar_cli.report.marks import Arrow, Panel, Turn
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
+from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
 EIGHTH = math.pi / 4
@@ -79,7 +81,19 @@ def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | 
     formulas = {f.asked[0]: f.expressions[0] for f in part.found if len(f.asked) == 1 and f.expressions}
     for i in part.instants:
         if i.instant.scene is row.scene:
-            yield _sign(size, formulas) if i.value.drawn else i.value.known(size)
+            yield i.value.known(size) if _letters(size, i).isdisjoint(i.value.drawn) else _sign(size, formulas)
+
+
+def _letters(size: Expr, instant: InstantSolution) -> set[Symbol]:
+    """All on which it rests, through what was solved."""
+    solved = {line.symbol: line.formula for s in instant.stages for b in s.blocks for line in b.lines}
+    formulas = ChainMap({e.symbol: e.expression for e in instant.lines}, solved, dict(instant.value.definitions))
+    seen, left = set[Symbol](), set(size.free_symbols)
+    while left:
+        letter = left.pop()
+        seen.add(letter)
+        left |= (formulas[letter].free_symbols if letter in formulas else set()) - seen
+    return seen
 
 
 def _sign(size: Expr, formulas: Mapping[Symbol, Expr]) -> Decimal | None:
@@ -95,7 +109,7 @@ def _of_motion(
     data = {s: (s, motion.value.known(s)) for s in letters}
     for regime in motion.regimes:
         if regime.solution.instant.scene is row.scene:
-            yield {s: regime.constants.get(s, data[s]) for s in letters}
+            yield {s: regime.constants.get(s) or (s, _asked(s, part) if n is None else n) for s, (_, n) in data.items()}
     for leg in motion.route.steps:
         blows = [e.source.impact.solution for e in leg.relations if isinstance(e.source, ImpactEquation)]
         if any(b is not None and b.instant.scene is row.scene for b in blows):
@@ -104,6 +118,14 @@ def _of_motion(
 
 def _of_blow(letter: Symbol, leg: RouteStep, part: PartSolution, motion: MotionTrace) -> Decimal | None:
     """An impulse has a shorter name on the page, or that of the answer for which it is asked."""
-    asked = (f.asked[0] for f in part.found if f.name == letter.name and len(f.asked) == 1)
     own = (r.unknown for r in leg.results if f"{r.unknown.name}_".startswith(f"{letter.name}_"))
-    return next(map(motion.value.known, chain(asked, own)), None)
+    number = _asked(letter, part)
+    return next(map(motion.value.known, own), None) if number is None else number
+
+
+def _asked(letter: Symbol, part: PartSolution) -> Decimal | None:
+    """The answer of this name, as of a force at one state of a motion."""
+    for f in part.found:
+        if f.name == letter.name and f.find is not None and isinstance(f.find.found.what, Quantity) and f.values:
+            return f.values[0]
+    return None

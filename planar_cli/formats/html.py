@@ -49,7 +49,8 @@ max-width:54rem;margin:0 auto;padding:1rem}
 .title{font-size:1.5rem;line-height:1.25;margin:.5rem 0 1rem}summary>:not(.aside){display:inline}
 summary>:not(.aside),.answer>:first-child{font-size:1.1rem;margin:0}
 h2.title{font-size:1.3rem;margin-top:1.8rem}h3.title{font-size:1.15rem;margin-top:1.5rem}
-summary{cursor:pointer;border-bottom:1px solid var(--line);padding:.3rem 0;margin-top:1rem}
+summary{cursor:pointer;border-bottom:1px solid var(--line);padding:.3rem 0;margin-top:1rem}summary::after{content:"";
+display:block;clear:both}
 summary .aside{color:var(--muted);float:right}.case,.part{display:block;margin:1.6rem 0 .4rem;
 color:var(--accent)}.case{font-size:1.25rem}.part{font-size:1.15rem}
 p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:auto;overflow-y:hidden;line-height:1.7}
